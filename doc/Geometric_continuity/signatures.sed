@@ -1,13 +1,13 @@
 # What doxygen reads in place of a header: in signatures the types that a caller names, not those by which they are deduced. Each line of
 # a header stays a line.
 s/internal::Given_optional_number<\([A-Za-z_]*\)>/std::optional<\1>/g
-s/internal::Given_number<\([A-Za-z_]*\)>/\1/g
-s/const internal::Given_number<typename .*::FT>&/const FT\&/g
+s/internal::Convertible_number<\([A-Za-z_]*\)>/\1/g
+s/const internal::Convertible_number<typename .*::FT>&/const FT\&/g
 s/internal::Decision_FT<\([A-Za-z_]*\)>/typename Exact_field<Predicate_FT<\1>>::type/g
 s/internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type>/unspecified_type/g
 s/internal::Bezier_coefficients<[A-Za-z_, ]*>/unspecified_type/g
 s/= internal::usual_kink_bound()/= Kink_bound(5)/g
-s/internal::Steps_of_each::default_steps/4'000'000'000/
+s/internal::Per_object_limit::default_steps/4'000'000'000/
 /^using \| using \|constexpr /s/ = \(typename \)\{0,1\}internal::[^;]*;/ = unspecified_value;/
 s/typedef \(std::conditional_t<.*\|typename \)internal::.*> *\(::type\)\{0,1\} \([A-Za-z_]*\);/typedef unspecified_type \3;/
 s/internal::Traits_or_none<Traits_> Traits/Traits_ Traits/

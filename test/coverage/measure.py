@@ -6,7 +6,7 @@
 
     measure.py [--build FOLDER] [--jobs N] [--tests PATTERN] [--list FILE] [--manual]
 
-It builds the unit tests, those of the program's readers among them, with clang++, runs them, and prints a table of the rooms; FILE receives what is
+It builds the unit tests, those of the program's readers among them, with clang++, runs them, and prints a table of the modules; FILE receives what is
 not reached and not explained. A line or a side of a branch is reached if it is so in any instance of its template. Conditions that the compiler knows are no branches. What no test instantiates
 has neither lines nor branches, and is not seen. It takes an hour or so on two cores: call it by nice. With a regular expression only the programs are built and
 run in whose names it is found. FOLDER keeps what each has reached: it is not run again before it changes. --manual puts the table into the manual.
@@ -196,25 +196,25 @@ def main():
                 branches[place] = (old[0] or is_true, old[1] or is_false)
 
     of_lines, of_branches = explained(lines, branches, not options.tests)
-    rooms = collections.defaultdict(lambda: [0] * 6)  # lines: all, reached, explained; sides
+    modules = collections.defaultdict(lambda: [0] * 6)  # lines: all, reached, explained; sides
     for place, is_reached in lines.items():
-        for room in (place[0][len(prefix) :].split(os.sep)[0], "all"):
+        for module in (place[0][len(prefix) :].split(os.sep)[0], "all"):
             for k, x in enumerate((1, is_reached, place in of_lines)):
-                rooms[room][k] += x
+                modules[module][k] += x
     left = [(*place, "not reached") for place, is_reached in lines.items() if not is_reached and place not in of_lines]
     for place, both in branches.items():
         name, line, column = place
         is_line_reached = lines.get((name, line), True)
         is_explained = place in of_branches or (name, line) in of_lines
-        for room in (name[len(prefix) :].split(os.sep)[0], "all"):
+        for module in (name[len(prefix) :].split(os.sep)[0], "all"):
             for k, x in enumerate((2, sum(both), (2 - sum(both)) * is_explained)):
-                rooms[room][3 + k] += x
+                modules[module][3 + k] += x
         if is_line_reached and not all(both) and not is_explained:
             left.append((name, line, f"column {column} never {' nor '.join(w for w, seen in zip(('true', 'false'), both) if not seen)}"))
     rows = []
-    print(f"{'room':12}{'lines':>8}{'reached':>9}{'explained':>11}{'open':>6}{'sides':>8}{'reached':>9}{'explained':>11}{'open':>6}")
-    for room, counts in sorted(rooms.items(), key=lambda r: (r[0] == "all", r[0])):
-        row, cells = f"{room:12}", [room if room == "all" else f"`{room}`"]
+    print(f"{'module':12}{'lines':>8}{'reached':>9}{'explained':>11}{'open':>6}{'sides':>8}{'reached':>9}{'explained':>11}{'open':>6}")
+    for module, counts in sorted(modules.items(), key=lambda r: (r[0] == "all", r[0])):
+        row, cells = f"{module:12}", [module if module == "all" else f"`{module}`"]
         for known, reached, reasons in (counts[:3], counts[3:]):
             percent = f"{100 * reached / max(known, 1):.2f} %" if known else "-"
             row += f"{known:8}{percent:>9}{reasons:11}{known - reached - reasons:6}"

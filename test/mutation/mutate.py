@@ -8,7 +8,7 @@
 
 The unit tests, of the long ones only five, and the program are built once, by clang++, from a copy of the sources in FOLDER with all alterations of the sample; a
 program chooses one of them when it runs (mutants.h). Each test case is run once without any, to see which it comes across and how long it takes. Then
-each alteration meets the test cases that come across it, those of the room of the header first, the quick ones before the others, until one fails or
+each alteration meets the test cases that come across it, those of the module of the header first, the quick ones before the others, until one fails or
 does not end; those that take S seconds together, at most. FOLDER/results.txt keeps what was found: another call goes on where the last one ended, and with --again tries
 again what no test has noticed and nothing explains. The table counts the sample; --manual puts it into the manual. equivalent.txt lists
 alterations that change no answer, with the reason.
@@ -267,7 +267,7 @@ def run_all(folder, commands):
     return [(name, case["command"], case["seconds"], set(case["across"])) for name, case in found.items()]
 
 
-def room(header):
+def module(header):
     return header[len(str(headers)) + 1 :].split("/")[0]
 
 
@@ -277,7 +277,7 @@ def key(header, place):
 
 def notices(number, header, cases, folder, seconds):
     """Tells which test case notices an alteration."""
-    across = sorted((c for c in cases if number in c[3]), key=lambda c: (c[2] > 1 or room(header) not in c[0], c[2]))
+    across = sorted((c for c in cases if number in c[3]), key=lambda c: (c[2] > 1 or module(header) not in c[0], c[2]))
     spent = 0
     for name, command, usual, _ in across:
         if spent and spent + usual > seconds:
@@ -297,7 +297,7 @@ def explained_alterations():
 
 
 def table(results):
-    """The rows of the table of the manual: room, tried, noticed, equivalent, lives, not reached."""
+    """The rows of the table of the manual: module, tried, noticed, equivalent, lives, not reached."""
     explained = explained_alterations()
     counts = collections.defaultdict(collections.Counter)
     for place, how in results.items():
@@ -367,7 +367,7 @@ def main():
                 print(f"{how}: {header}:{line}: {place}", flush=True)
     sample = {key(header, place) for header, _, place, _ in mutants}  # not what headers have no more
     rows, counts = table({place: how for place, how in results.items() if place in sample and how != "does not compile"})
-    print("room, tried, noticed, equivalent, lives, not reached", *rows, sep="\n")
+    print("module, tried, noticed, equivalent, lives, not reached", *rows, sep="\n")
     if given.manual:
         write_manual(rows)
     return 1 if counts["lives"] + counts["not reached"] else 0

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The errors that the reference names for public functions, where no test of a room has them: what is refused, and by which code.
+// The errors that the reference names for public functions, where no test of a module has them: what is refused, and by which code.
 
 #define BOOST_TEST_MODULE documented_errors
 

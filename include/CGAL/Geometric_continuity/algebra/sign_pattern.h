@@ -301,7 +301,7 @@ template <class FT> class Root_isolation {
 
   const FT width_;
   const int most_bisections_;
-  const Work_on_object work_{"isolate_roots"};
+  const Work_guard work_{"isolate_roots"};
   int bisections_ = 0; // that are left
   bool all_simple_ = true, given_up_ = false;
   std::vector<Root> roots_;

@@ -54,7 +54,7 @@ template <class FT> struct Shape_parameters {
   Shape_parameters() = default;
   /// Takes numbers of any type from which `FT` can be made.
   /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
-  Shape_parameters(internal::Given_number<FT> given_beta, internal::Given_number<FT> given_eta)
+  Shape_parameters(internal::Convertible_number<FT> given_beta, internal::Convertible_number<FT> given_eta)
       : beta(std::move(given_beta.value)), eta(std::move(given_eta.value)) {}
 };
 
@@ -148,8 +148,8 @@ template <class FT> struct Septic_end_parameters {
   Septic_end_parameters() = default;
   /// Takes numbers of any type from which `FT` can be made.
   /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
-  Septic_end_parameters(internal::Given_number<FT> given_beta2, internal::Given_number<FT> given_mu,
-                        internal::Given_number<FT> given_beta3)
+  Septic_end_parameters(internal::Convertible_number<FT> given_beta2, internal::Convertible_number<FT> given_mu,
+                        internal::Convertible_number<FT> given_beta3)
       : beta2(std::move(given_beta2.value)), mu(std::move(given_mu.value)), beta3(std::move(given_beta3.value)) {}
 
   /// Returns whether all scalars are equal.

@@ -131,7 +131,7 @@ template <class FT_> struct Given_parameters {
   Given_parameters() = default;
   /// Takes numbers of any type from which `FT_` can be made.
   /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
-  Given_parameters(internal::Given_number<FT_> given_s1, internal::Given_number<FT_> given_s2)
+  Given_parameters(internal::Convertible_number<FT_> given_s1, internal::Convertible_number<FT_> given_s2)
       : s1(std::move(given_s1.value)), s2(std::move(given_s2.value)) {}
 
   /// Returns the given scalars.

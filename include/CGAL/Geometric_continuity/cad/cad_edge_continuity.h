@@ -173,7 +173,7 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
   const std::vector<double>& ends = bounds.ends();
   Edge_enclosure result{};
   const auto largest = [&](Edge_quantity quantity, double floor, double (*measure)(double)) {
-    Largest_on_ranges l(
+    Maximum_enclosure l(
         ends, {precision.relative, floor, measure, precision.boxes, precision.most_boxes},
         [&](double lower, double upper) { return bounds(lower, upper, quantity, precision.flat_curvature); },
         [&](double lower, double upper) { return bounds.is_undefined(lower, upper, quantity); });
@@ -181,20 +181,20 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
     result.exhausted = result.exhausted || l.exhausted;
     return l;
   };
-  const auto maximum = [&](const Largest_on_ranges& l, const Enclosure& value) {
+  const auto maximum = [&](const Maximum_enclosure& l, const Enclosure& value) {
     return Edge_maximum{value, l.parameter, bounds.point(l.parameter), l.upper_at};
   };
 
-  const Largest_on_ranges gap = largest(Edge_quantity::gap, precision.gap, [](double x) { return std::sqrt(x); });
+  const Maximum_enclosure gap = largest(Edge_quantity::gap, precision.gap, [](double x) { return std::sqrt(x); });
   const bool bounded = gap.undefined.empty() && gap.unresolved.empty() && std::isfinite(gap.upper);
   result.gap = maximum(gap, {gap.defined ? root_below(gap.lower) : 0,
                              bounded ? root_above(gap.upper) : (std::numeric_limits<double>::infinity)()});
-  const Largest_on_ranges angle = largest(Edge_quantity::angle, precision.angle,
+  const Maximum_enclosure angle = largest(Edge_quantity::angle, precision.angle,
                                           [](double x) { return 2 * std::asin((std::min)(1., std::sqrt(x) / 2)); });
   if (angle.defined)
     result.angle = maximum(angle, {angle_of_chord_square(angle.lower).lower, angle_of_chord_square(angle.upper).upper});
   if (precision.with_curvature) {
-    const Largest_on_ranges jump =
+    const Maximum_enclosure jump =
         largest(Edge_quantity::curvature, precision.curvature_jump, [](double x) { return x; });
     if (jump.defined) result.curvature_jump = maximum(jump, {jump.lower, (std::min)(jump.upper, 2.)});
     result.curvature_undefined = jump.undefined;
@@ -253,7 +253,7 @@ inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double firs
 namespace internal {
 
 // The square of the distance of a side from points that are given.
-inline Bounds_on_range distance_on(const Edge_range& range, const Placed_side& side, const Taylor_vector& points) {
+inline Bounds_on_range distance_on(const Edge_range& range, const Side_evaluator& side, const Taylor_vector& points) {
   Bounds_on_range bounds{0, 0, range.middle, false};
   std::optional<double> at;
   for (const Side_models& x : side.models(range, Edge_quantity::gap)) {
@@ -275,7 +275,7 @@ inline Edge_maximum curve_deviation(const Edge_side& side, const Edge_curve& cur
   using namespace internal;
   check_range(first, last, "curve_deviation: the range");
   const Protect_FPU_rounding<true> rounding_upwards;
-  const Placed_side placed_side(side);
+  const Side_evaluator placed_side(side);
   const Placed_curve placed(curve);
   for (double t : {first, last}) cad_domain(*curve.curve).check(t, "the range of an edge");
   std::vector<double> ends = divided_range({&side}, first, last);
@@ -284,7 +284,7 @@ inline Edge_maximum curve_deviation(const Edge_side& side, const Edge_curve& cur
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   const auto square = [](double x) { return std::sqrt(x); };
-  const Largest_on_ranges distance(
+  const Maximum_enclosure distance(
       ends, {precision.relative, precision.gap, square, precision.boxes, precision.most_boxes},
       [&](double lower, double upper) {
         const Edge_range range(lower, upper);
@@ -323,7 +323,7 @@ inline std::optional<std::pair<double, double>> range_at_pole(const Edge_side& a
   {
     const Protect_FPU_rounding<true> rounding_upwards;
     for (const Edge_side* side : {&a, &b}) {
-      const Placed_side placed(*side);
+      const Side_evaluator placed(*side);
       const std::vector<Cad_point<3>> of_side = Surface_pole(placed).next_to(t, bound.lower() / 16);
       poles.insert(poles.end(), of_side.begin(), of_side.end());
     }
@@ -366,7 +366,7 @@ inline Edge_side projected_side(const Edge_side& side, const Edge_curve& curve, 
   using namespace internal;
   check_range(first, last, "projected_side: the range");
   const Protect_FPU_rounding<true> rounding_upwards;
-  const Placed_side placed(side);
+  const Side_evaluator placed(side);
   const Placed_curve in_space(curve);
   const Foot_finder finder(placed, in_space);
   std::vector<double> t = inner_knots(*curve.curve);
@@ -428,7 +428,7 @@ inline std::optional<Foot_comparison> compare_at_feet(const Edge_side& a, const 
   std::array<std::optional<Foot_finder::Enclosed>, 2> feet;
   std::array<double, 2> distances{};
   for (std::size_t i = 0; i < 2; ++i) {
-    const Placed_side side(i == 0 ? a : b);
+    const Side_evaluator side(i == 0 ? a : b);
     const Foot_finder finder(side, in_space);
     feet[i] = finder.enclosed(t, is_projected[i]);
     if (!feet[i]) return std::nullopt;

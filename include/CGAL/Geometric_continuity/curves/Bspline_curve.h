@@ -67,7 +67,7 @@ span_end_jets(const Knot_vector<FT>& knots, const std::vector<Coordinate_vector<
   const int p = knots.degree(), n = c[0].dimension(), last = (std::min)(k, p);
   const std::size_t spans = knots.spans().size();
   std::vector<std::pair<Jet, Jet>> jets(spans, {Jet(n, k), Jet(n, k)});
-  const Work_on_object work("derivatives of a spline");
+  const Work_guard work("derivatives of a spline");
   for (int d = 0; d < n; ++d) {
     std::vector<FT> column;
     for (const Coordinate_vector<FT, N>& x : c) column.push_back(x[d]);

@@ -242,7 +242,7 @@ Bspline_curve<Traits>
 interpolate_open(Spline_points<Traits> b, const std::vector<typename Traits::FT>& parameters,
                  const std::optional<std::pair<Coordinates<Traits>, Coordinates<Traits>>>& derivatives) {
   typedef typename Traits::FT FT;
-  const Work_on_object work("interpolate");
+  const Work_guard work("interpolate");
   const int last = static_cast<int>(parameters.size()) - 1;
   const auto u = [&](int i) -> const FT& { return parameters[(std::min)((std::max)(i, 0), last)]; };
   const auto get = [&](int i) { return b[i + 1]; };
@@ -271,7 +271,7 @@ interpolate_open(Spline_points<Traits> b, const std::vector<typename Traits::FT>
 template <class Traits>
 Bspline_curve<Traits> interpolate_closed(Spline_points<Traits> b, const std::vector<typename Traits::FT>& parameters) {
   typedef typename Traits::FT FT;
-  const Work_on_object work("interpolate");
+  const Work_guard work("interpolate");
   const int n = static_cast<int>(parameters.size()) - 1;
   const FT period = parameters[n] - parameters[0];
   const auto u = [&](int i) -> FT {

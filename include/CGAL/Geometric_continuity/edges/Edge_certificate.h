@@ -124,7 +124,7 @@ template <class Surface>
 std::vector<Edge_certificate<Edge_field<typename Surface::Traits>>>
 edge_certificates(const Surface& a, Patch_edge edge_a, const Surface& b, Patch_edge edge_b,
                   const Spline_edge_continuity<Edge_field<typename Surface::Traits>>& verdict) {
-  const internal::Work_on_object work("edge_certificates");
+  const internal::Work_guard work("edge_certificates");
   return internal::edge_certificates_on(internal::edge_pieces_in<4>(a, edge_a), internal::edge_pieces_in<4>(b, edge_b),
                                         verdict.reversed ? Edge_direction::opposite : Edge_direction::same, verdict);
 }
@@ -138,7 +138,7 @@ knot_line_certificates(const Surface& surface, const Knot_line<Edge_field<typena
   typedef Edge_field<typename Surface::Traits> Field;
   static_assert(std::is_same_v<Field, typename Surface::FT>,
                 "certificates of knot lines are for surfaces over an exact field");
-  const internal::Work_on_object work("knot_line_certificates");
+  const internal::Work_guard work("knot_line_certificates");
   const Parameter_line along = line.constant_u ? Parameter_line::along_v : Parameter_line::along_u;
   const auto pieces = [&](Line_side side) {
     return internal::homogeneous(

@@ -55,7 +55,7 @@ public:
   /// \param a, b the rows
   /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`: here and in each question
   Edge_conditions(const Edge_rows<FT>& a, const Edge_rows<FT>& b)
-      : Edge_conditions(a, b, internal::Work_on_object(place)) {}
+      : Edge_conditions(a, b, internal::Work_guard(place)) {}
 
   /// Returns \f$ \det(C', T_1, T_2) \f$. With rows of degrees `p` (the lower of the two edges), `l` and `m` it has the coefficients
   /// \f$ \binom{p+l+m-1}{k}^{-1} \sum_{i+j+h=k} \binom{p-1}{i} \binom{l}{j} \binom{m}{h} \det(p\,\Delta C_i, T_{1,j}, T_{2,h}) \f$.
@@ -69,19 +69,19 @@ public:
 
   /// Returns the signs of `side()` on the closed interval.
   Sign_pattern side_pattern() const {
-    const internal::Work_on_object work(place);
+    const internal::Work_guard work(place);
     return normals_.side_signs();
   }
 
   /// Returns whether a normal vanishes somewhere on the closed interval.
   bool normal_vanishes() const {
-    const internal::Work_on_object work(place);
+    const internal::Work_guard work(place);
     return normals_.normal_vanishes(side_pattern());
   }
 
   /// Returns whether `coplanar()` holds and the identity of \f$ G^2 \f$, which alone does not see on which sides the surfaces lie.
   bool second_order() const {
-    const internal::Work_on_object work(place);
+    const internal::Work_guard work(place);
     return coplanar() && normals_.second_order(sides_);
   }
 
@@ -95,7 +95,7 @@ private:
   internal::Edge_sides<Field> sides_;
   internal::Edge_normals<Field> normals_;
 
-  Edge_conditions(const Edge_rows<FT>& a, const Edge_rows<FT>& b, internal::Work_on_object&&)
+  Edge_conditions(const Edge_rows<FT>& a, const Edge_rows<FT>& b, internal::Work_guard&&)
       : sides_(a, b), normals_(sides_) {}
 
   template <class Polynomial> Bernstein_polynomial<Field> bernstein(const Polynomial& p, int power) const {
@@ -125,7 +125,7 @@ private:
 template <class FT>
 Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<FT>& a, const Edge_rows<FT>& b) {
   typedef typename Exact_field<FT>::type Field;
-  const internal::Work_on_object work("edge_continuity");
+  const internal::Work_guard work("edge_continuity");
   internal::Edge_sides<Field> sides(a, b);
   const std::optional<bool> reversed = sides.align();
   if (!reversed) return {};
@@ -351,7 +351,7 @@ template <class Patch> std::vector<Common_edge> all_common_edges(const Patch& a,
   for (Patch_edge edge_a : patch_edges)
     for (Patch_edge edge_b : patch_edges) {
       if (&a == &b && !(edge_a < edge_b)) continue;
-      const Work_on_object work("common_edges");
+      const Work_guard work("common_edges");
       if (const std::optional<bool> reversed = common_edge_reversed(a, edge_a, b, edge_b))
         result.push_back({edge_a, edge_b, *reversed});
     }

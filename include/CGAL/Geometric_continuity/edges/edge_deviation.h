@@ -158,7 +158,7 @@ Edge_deviation edge_deviation(const std::vector<Edge_piece<Field, N>>& a, const 
 // Along lines over one domain, at equal parameters.
 template <class Field, int N>
 Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field, N>& a, const Spline_edge_rows<Field, N>& b) {
-  const Work_on_object work("deviation of edges");
+  const Work_guard work("deviation of edges");
   const std::vector<Edge_sides<Field, N>> spans =
       sides_on_spans(edge_pieces<Field>(a), edge_pieces<Field>(b), Affine_parameter_map<Field>{Field(1), Field(0)});
   return edge_deviation(spans, largest_distance(spans), Edge_direction::same);
@@ -174,7 +174,7 @@ Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field, N>& a,
 /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`
 template <class FT> Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_rows<FT>& b) {
   typedef typename Exact_field<FT>::type Field;
-  const internal::Work_on_object work("deviation of edges");
+  const internal::Work_guard work("deviation of edges");
   const auto pieces = [](const Edge_rows<FT>& rows) {
     return std::vector<internal::Edge_piece<Field>>{
         {Field(0),
@@ -193,7 +193,7 @@ template <class FT> Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_
 template <class FT, int N>
 Edge_deviation deviation(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>& b) {
   typedef typename Exact_field<FT>::type Field;
-  const internal::Work_on_object work("deviation of edges");
+  const internal::Work_guard work("deviation of edges");
   return internal::edge_deviation(internal::edge_pieces<Field>(a), internal::edge_pieces<Field>(b));
 }
 
@@ -207,7 +207,7 @@ Edge_deviation deviation(const Spline_edge_rows<FT, N>& a, const Spline_edge_row
 template <class Surface_a, class Surface_b>
 Edge_deviation deviation(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
   internal::require_space(a, b, "deviation");
-  const internal::Work_on_object work("deviation of edges");
+  const internal::Work_guard work("deviation of edges");
   constexpr int N = internal::row_dimension<Surface_a, Surface_b>;
   return internal::edge_deviation(internal::edge_pieces_in<N>(a, edge_a), internal::edge_pieces_in<N>(b, edge_b));
 }

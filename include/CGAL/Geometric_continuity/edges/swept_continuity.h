@@ -172,7 +172,7 @@ Edge_continuity<Edge_field<typename Left::Traits>> revolution_continuity(const L
   const Vector inwards = Field(-1) * join.left[1];
   const internal::Point_of_edge<Field> point(m, cross_product(w, m), {inwards, join.right[1]},
                                              cross_product(w, inwards), {join.left[2], join.right[2]});
-  const internal::Work_on_object work("revolution_continuity");
+  const internal::Work_guard work("revolution_continuity");
   Edge_continuity<Field> edge = internal::Edge_decision<Field>()(point);
   if (edge.deviation) {
     edge.deviation->begin = Field(0);

@@ -45,7 +45,7 @@ enum class Frenet_order {
 
 namespace internal {
 
-// A number that a caller may leave out, see Given_number.
+// A number that a caller may leave out, see Convertible_number.
 template <class FT> struct Given_optional_number {
   std::optional<FT> value;
 
@@ -54,7 +54,7 @@ template <class FT> struct Given_optional_number {
   Given_optional_number(std::optional<FT> x) : value(std::move(x)) {}
   template <class T, class = std::enable_if_t<!std::is_same_v<std::decay_t<T>, std::optional<FT>> &&
                                               std::is_constructible_v<FT, T&&>>>
-  Given_optional_number(T&& x) : value(Given_number<FT>(std::forward<T>(x)).value) {}
+  Given_optional_number(T&& x) : value(Convertible_number<FT>(std::forward<T>(x)).value) {}
 };
 
 } // namespace internal
@@ -73,7 +73,7 @@ template <class FT> struct Extension_parameters {
   Extension_parameters() = default;
   /// Takes numbers of any type from which `FT` can be made; what is `{}` or `std::nullopt` is not given.
   /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
-  Extension_parameters(internal::Given_number<FT> given_beta, internal::Given_optional_number<FT> given_c0 = {},
+  Extension_parameters(internal::Convertible_number<FT> given_beta, internal::Given_optional_number<FT> given_c0 = {},
                        internal::Given_optional_number<FT> given_c1 = {},
                        internal::Given_optional_number<FT> given_c2 = {})
       : beta(std::move(given_beta.value)), c0(std::move(given_c0.value)), c1(std::move(given_c1.value)),
@@ -89,7 +89,7 @@ std::vector<Coordinates<Traits>> continued_polygon(const Bezier_curve<Traits, De
   typedef typename Traits::FT FT;
   std::vector<Coordinates<Traits>> b, before;
   for (int j = 0; j <= left.degree(); ++j) b.push_back(left.coordinates(j));
-  const Work_on_object work("extend");
+  const Work_guard work("extend");
   const double p = left.degree();
   const std::size_t words = common_words<FT>(b);
   if (words > 0) // p^2/2 combinations of two

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_PARALLEL_H
 #define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_PARALLEL_H
 
-#include <CGAL/Geometric_continuity/internal/Steps_of_each.h>
+#include <CGAL/Geometric_continuity/internal/Per_object_limit.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -40,8 +40,8 @@ void for_each_block(std::size_t n, const Work& work, [[maybe_unused]] std::size_
   if constexpr (std::is_convertible_v<Concurrency_tag, Parallel_tag>) {
     if (!several_cores()) return work(std::size_t(0), n);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
-                      [&work, steps = Steps_of_each::steps()](const tbb::blocked_range<std::size_t>& r) {
-                        const Steps_of_each each(steps);
+                      [&work, steps = Per_object_limit::steps()](const tbb::blocked_range<std::size_t>& r) {
+                        const Per_object_limit each(steps);
                         work(r.begin(), r.end());
                       });
     return;
@@ -83,8 +83,8 @@ public:
   template <class Function> void run(Function f) {
     if (!several_cores()) return f();
     if (!group_) group_.emplace();
-    group_->run([f, steps = Steps_of_each::steps()] {
-      const Steps_of_each each(steps);
+    group_->run([f, steps = Per_object_limit::steps()] {
+      const Per_object_limit each(steps);
       f();
     });
   }

@@ -111,7 +111,7 @@ public:
 
   /// Makes the bound of this many degrees, as an exact number: 5 unless another one is given. (The `double` 0.1 is not the decimal 0.1.)
   /// \throws Error `parameter_outside_domain` unless the angle is larger than 0 and less than 180 degrees, `not_finite`
-  explicit Kink_bound(const internal::Given_number<Field>& degrees = 5) : degrees_(degrees.value) {
+  explicit Kink_bound(const internal::Convertible_number<Field>& degrees = 5) : degrees_(degrees.value) {
     if (!(Field(0) < degrees_) || !(degrees_ < Field(180)))
       throw Error(Error_code::parameter_outside_domain, "Kink_bound: an angle that is not between 0 and 180 degrees");
     const Rotation rotation = rotation_bounds(128);

@@ -361,7 +361,7 @@ Composite_continuity<Traits> chain_continuity(const Composite_bezier_curve<Trait
 namespace internal {
 
 // A curve cut at a parameter: the part on the left ends there, the part on the right starts there.
-template <class Curve> struct Cut_curve {
+template <class Curve> struct Split_view {
   typedef typename Curve::Traits Traits;
   const Curve& curve;
   const typename Traits::FT& u;
@@ -397,7 +397,7 @@ Join_continuity<Predicate_FT<typename Curve::Traits>>
 knot_continuity(const Curve& curve, const typename Curve::FT& knot, int max_order = 3) {
   if (knot == curve.domain().first || knot == curve.domain().second)
     throw Error(Error_code::parameter_outside_domain, "knot_continuity: an end of the domain has one side only");
-  const internal::Cut_curve<Curve> cut{curve, knot};
+  const internal::Split_view<Curve> cut{curve, knot};
   return continuity(cut, cut, max_order);
 }
 

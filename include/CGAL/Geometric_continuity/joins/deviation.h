@@ -29,7 +29,7 @@ namespace internal {
 // Takes note of the work on curvatures and torsions, which are forms of degree 6 at most.
 template <class Field, int N>
 void charge_invariants(const Coordinate_jet<Field, N>& x, const Coordinate_jet<Field, N>& y) {
-  const Work_on_object work("deviation");
+  const Work_guard work("deviation");
   std::vector<Coordinate_vector<Field, N>> vectors;
   for (const Coordinate_jet<Field, N>* jet : {&x, &y})
     for (int j = 0; j <= jet->order(); ++j) vectors.push_back((*jet)[j]);

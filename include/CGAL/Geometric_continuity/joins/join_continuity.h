@@ -23,7 +23,7 @@
 /// join_predicates.h.
 ///
 /// There are two roads to one answer. Curves with `double` coordinates in the plane and in space, decided exactly up to
-/// order 3, take the rungs of joins/internal/Join_ladder.h on their control points. All others are decided by jets, see
+/// order 3, take the stages of joins/internal/Join_ladder.h on their control points. All others are decided by jets, see
 /// joins/internal/Join_decision.h.
 
 namespace CGAL {

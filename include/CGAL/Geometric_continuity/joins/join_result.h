@@ -150,7 +150,7 @@ private:
 //   G2:   |K_b - K_a| min(n/(n-1) |b|^2, m/(m-1) |a|^2),   K = (m-1)/m  (w_0 w_2 / w_1^2)  h^orthogonal / |a|^2.
 //
 // Coordinates and weights are divided by powers of two first, so that no square overflows or vanishes.
-class Rounded_points {
+class Near_miss {
   struct Side {
     int degree;
     double weights[3] = {1, 1, 1};
@@ -287,7 +287,7 @@ template <class FT> struct Join_continuity {
 
   /// \cond
   internal::Join_parameters<FT> parameters;
-  internal::Rounded_points points;
+  internal::Near_miss points;
   /// \endcond
 };
 

@@ -55,7 +55,7 @@ template <class Field, int N> struct Boundary_edge {
   Box boxes[2];
 
   Boundary_edge(std::size_t p, Patch_edge e, const Spline_edge_rows<Field, N>& rows) : patch(p), edge(e) {
-    const Work_on_object work("near_edges");
+    const Work_guard work("near_edges");
     pieces = edge_pieces<Field>(rows);
     ends[0] = point_of(pieces.front().rows.edge.front());
     ends[1] = point_of(pieces.back().rows.edge.back());
@@ -144,7 +144,7 @@ std::vector<Near_edges> near_edges(const PatchRange& patches, const Model_contin
   }
   const int side = internal::longest_side(edges);
   std::sort(edges.begin(), edges.end(), [&](const Edge& a, const Edge& b) { return a.low(side) < b.low(side); });
-  const internal::Work_on_object work("near_edges", 1 + static_cast<double>(edges.size()) / 1000);
+  const internal::Work_guard work("near_edges", 1 + static_cast<double>(edges.size()) / 1000);
   std::vector<Near_edges> result;
   for (auto i = edges.begin(); i != edges.end(); ++i) {
     for (auto j = i + 1; j != edges.end(); ++j) {

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_WORK_LIMIT_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/internal/Steps_of_each.h>
+#include <CGAL/Geometric_continuity/internal/Per_object_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/number_words.h>
 #include <CGAL/assertions.h>
 
@@ -36,7 +36,7 @@ class Work_limit {
 
 public:
   /// The default, which takes some seconds. Ordinary joins and edges need less than its thousandth part.
-  static constexpr std::uint64_t default_steps = internal::Steps_of_each::default_steps;
+  static constexpr std::uint64_t default_steps = internal::Per_object_limit::default_steps;
 
   /// Constructs the default.
   constexpr Work_limit() = default;
@@ -129,18 +129,18 @@ private:
 };
 
 // The work on one object, from here to the end of the block: work_meter() counts it.
-class Work_on_object {
+class Work_guard {
   Work_meter meter_;
   Work_meter* const before_;
 
 public:
   // The place is named by the errors; the limit is `factor` times that of each object.
-  explicit Work_on_object(const char* place, double factor = 1)
-      : meter_(Work_limit(Steps_of_each::steps()), place, factor),
+  explicit Work_guard(const char* place, double factor = 1)
+      : meter_(Work_limit(Per_object_limit::steps()), place, factor),
         before_(std::exchange(Work_meter::object(), &meter_)) {}
-  Work_on_object(const Work_on_object&) = delete;
-  Work_on_object& operator=(const Work_on_object&) = delete;
-  ~Work_on_object() { Work_meter::object() = before_; }
+  Work_guard(const Work_guard&) = delete;
+  Work_guard& operator=(const Work_guard&) = delete;
+  ~Work_guard() { Work_meter::object() = before_; }
 };
 
 // The work on an object, if this thread is not yet at work on one of which this is a part.
@@ -150,7 +150,7 @@ class Work_on_part {
 
 public:
   explicit Work_on_part(const char* place)
-      : meter_(Work_limit(Steps_of_each::steps()), place), before_(Work_meter::object()) {
+      : meter_(Work_limit(Per_object_limit::steps()), place), before_(Work_meter::object()) {
     if (!before_) Work_meter::object() = &meter_;
   }
   Work_on_part(const Work_on_part&) = delete;
@@ -181,7 +181,7 @@ inline Work_meter& work_meter() {
 /// \endcode
 class Work_scope {
   std::function<void()> pause_;
-  internal::Steps_of_each each_;
+  internal::Per_object_limit each_;
   internal::Work_meter all_; // which counts when it is the scope
   internal::Work_meter* const before_ = internal::Work_meter::scope();
 
@@ -189,12 +189,12 @@ public:
   /// Limits the work on each object.
   explicit Work_scope(Work_limit each) : each_(each.steps()), all_(each, "") {}
   /// Starts to count all work. The place is named by the errors and must live as long as the object.
-  Work_scope(Work_limit all, const char* place) : each_(internal::Steps_of_each::steps()), all_(all, place) {
+  Work_scope(Work_limit all, const char* place) : each_(internal::Per_object_limit::steps()), all_(all, place) {
     internal::Work_meter::scope() = &all_;
   }
   /// Counts without a limit, and calls `pause()` about as often as every millisecond or more often, from this thread.
   Work_scope(const char* place, std::function<void()> pause)
-      : pause_(std::move(pause)), each_(internal::Steps_of_each::steps()),
+      : pause_(std::move(pause)), each_(internal::Per_object_limit::steps()),
         all_(Work_limit((std::numeric_limits<std::uint64_t>::max)()), place, pause_) {
     internal::Work_meter::scope() = &all_;
   }
@@ -207,7 +207,7 @@ public:
   static void pause() { internal::Work_meter::pause(); }
 
   /// Returns the limit of each object that holds at present.
-  static Work_limit limit_of_each() { return Work_limit(internal::Steps_of_each::steps()); }
+  static Work_limit limit_of_each() { return Work_limit(internal::Per_object_limit::steps()); }
 };
 
 } // namespace Geometric_continuity

@@ -136,7 +136,7 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 ///   lie on one line; `zero_direction` when both cuts lie in one point, e.g. where one curve is the other one reversed
 /// \throws Error `dimension_mismatch`, `not_representable` when a cut has no parameter of type `double`
 template <class Left, class Right, class Strategy = Fair>
-auto round_corner(const Left& left, const Right& right, const internal::Given_number<typename Left::FT>& distance,
+auto round_corner(const Left& left, const Right& right, const internal::Convertible_number<typename Left::FT>& distance,
                   const Strategy& strategy = Strategy()) {
   typedef typename Left::FT FT;
   const char* const place = "round_corner";
@@ -252,10 +252,10 @@ void add_bezier_pieces(const Rational_bspline_curve<Traits>& curve,
 /// \throws Error `parameter_outside_domain` when the distance is not positive, or a curve at a corner has length zero
 /// \throws Error `zero_tangent`, `zero_direction`, `dimension_mismatch`, `not_representable` as `round_corner()` does
 template <class ForwardIterator, class Strategy = Fair>
-Rounded_chain<internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type>>
-round_corners(ForwardIterator first, ForwardIterator last,
-              const internal::Given_number<typename std::iterator_traits<ForwardIterator>::value_type::FT>& distance,
-              Closure closure, int order = 2, const Strategy& strategy = Strategy()) {
+Rounded_chain<internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type>> round_corners(
+    ForwardIterator first, ForwardIterator last,
+    const internal::Convertible_number<typename std::iterator_traits<ForwardIterator>::value_type::FT>& distance,
+    Closure closure, int order = 2, const Strategy& strategy = Strategy()) {
   typedef internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type> Curve;
   typedef typename Curve::FT FT;
   const bool closed = closure == Closure::closed;
@@ -317,9 +317,10 @@ round_corners(ForwardIterator first, ForwardIterator last,
 /// \ingroup PkgGeometricContinuityConstruction
 /// Rounds all corners of the curves of a range, such as a `std::vector`.
 template <class Range, class Strategy = Fair>
-auto round_corners(const Range& chain,
-                   const internal::Given_number<typename std::decay_t<decltype(*std::begin(chain))>::FT>& distance,
-                   Closure closure, int order = 2, const Strategy& strategy = Strategy()) {
+auto round_corners(
+    const Range& chain,
+    const internal::Convertible_number<typename std::decay_t<decltype(*std::begin(chain))>::FT>& distance,
+    Closure closure, int order = 2, const Strategy& strategy = Strategy()) {
   return round_corners(std::begin(chain), std::end(chain), distance, closure, order, strategy);
 }
 

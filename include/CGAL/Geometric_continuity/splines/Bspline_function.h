@@ -140,7 +140,7 @@ std::vector<typename Coefficients::value_type> bspline_insert(const Knot_vector<
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_bezier(const Knot_vector<FT>& knots, const Coefficients& c) {
   internal::check_number_of_coefficients(knots, c, "bspline_bezier");
-  const internal::Work_on_object work("Bernstein coefficients of a spline");
+  const internal::Work_guard work("Bernstein coefficients of a spline");
   return internal::bernstein_pieces(knots, c);
 }
 

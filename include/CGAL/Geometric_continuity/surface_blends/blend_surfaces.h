@@ -359,7 +359,7 @@ Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a,
   if constexpr (Kind::is_patch && !Kind::is_rational)
     if (internal::is_blend_of_columns(a, edge_a, b, edge_b, shape))
       return internal::Blended_columns<typename Kind::Traits>::blend(a, edge_a, b, edge_b, shape, direction);
-  const internal::Work_on_object work("blend");
+  const internal::Work_guard work("blend");
   const auto ends = internal::checked_ends<Kind>(a, edge_a, b, edge_b, shape, direction, 2);
   return Kind::surface(internal::rows_of_blend(ends.first, ends.second, shape));
 }
@@ -378,7 +378,7 @@ blend(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge
       const Septic_surface_blend_shape<Blend_surface_shape<Surface_a, Surface_b>>& shape,
       Edge_direction direction = Edge_direction::same) {
   typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
-  const internal::Work_on_object work("blend");
+  const internal::Work_guard work("blend");
   internal::check_beta(shape);
   const auto ends = internal::checked_ends<Kind>(a, edge_a, b, edge_b, shape, direction, 3);
   return Kind::surface(internal::rows_of_septic_blend(ends.first, ends.second, shape));

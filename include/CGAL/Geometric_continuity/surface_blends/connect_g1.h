@@ -230,7 +230,7 @@ G1_ribbon<Traits> connect_g1(const Bspline_curve<Traits>& C, const Bspline_curve
   typedef Bernstein_polynomial<Field> Polynomial;
   typedef typename Traits::Point Point;
   internal::check_ribbon_input(C, C1, C2);
-  const internal::Work_on_object work("connect_g1");
+  const internal::Work_guard work("connect_g1");
   for (const Bspline_curve<Traits>* curve : {&C, &C1, &C2}) {
     const std::size_t words = internal::common_words<FT>(curve->function().coefficients()) +
                               internal::common_words<FT>(std::array<const Knot_vector<FT>, 1>{curve->knots()});

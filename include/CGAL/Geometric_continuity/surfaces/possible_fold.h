@@ -258,7 +258,7 @@ template <class Surface>
 std::optional<Parameter_rectangle<typename Surface::FT>> possible_fold(const Surface& surface) {
   static_assert(Surface::N == 0 || Surface::N == 3, "surfaces in dimension 3 have normals");
   if (surface.dimension() != 3) throw Error(Error_code::dimension_mismatch, "possible_fold: in dimension 3 only");
-  const internal::Work_on_object work("possible_fold");
+  const internal::Work_guard work("possible_fold");
   std::optional<Parameter_rectangle<typename Surface::FT>> found;
   if constexpr (internal::Surface_shape<typename internal::Shape_of<Surface>::type>::is_spline)
     surface.for_each_bezier_patch([&](const auto& patch) {

@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE(series_of_surfaces) {
         range[i] = part_of(std::make_pair(first, last));
       }
       const Interval a(range[0].first, range[0].second), b(range[1].first, range[1].second);
-      const auto spans = GC::internal::touched_pieces(surface, a, b, 0, 0);
+      const auto spans = GC::internal::intersected_pieces(surface, a, b, 0, 0);
       for (const int i : spans[0])
         for (const int j : spans[1]) {
           const auto on_box = GC::internal::cad_surface_jet(surface, {a, b, i, j}, 2);
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE(pieces_that_a_range_touches) {
         if (a < b ? (std::max)(a, u[s]) < (std::min)(b, u[s + 1]) : is_below_end && is_above_start)
           expected.push_back(s);
       }
-      const std::vector<int> found = GC::internal::touched_pieces(curve, Interval(a, b), side);
+      const std::vector<int> found = GC::internal::intersected_pieces(curve, Interval(a, b), side);
       BOOST_CHECK_EQUAL_COLLECTIONS(found.begin(), found.end(), expected.begin(), expected.end());
     }
   }

@@ -27,8 +27,8 @@ constexpr unsigned stage(Join_stage s) { return 1u << static_cast<int>(s); }
 template <CGAL::Geometric_continuity::internal::Join_question question, int N, bool weighted, class Left, class Right>
 Join_answer decide_by_ladder(const Left& left, const Right& right, Stages& stages) {
   namespace GC = CGAL::Geometric_continuity;
-  return GC::internal::decide_by_rungs(GC::internal::Read_join<question, N, weighted, Left, Right>(left, right)(),
-                                       stages);
+  return GC::internal::decide_by_stages(GC::internal::Join_reader<question, N, weighted, Left, Right>(left, right)(),
+                                        stages);
 }
 template <CGAL::Geometric_continuity::internal::Join_question question, int N, bool weighted, class Left, class Right>
 Join_answer decide_all_the_way(const Left& left, const Right& right, Stages& stages) {

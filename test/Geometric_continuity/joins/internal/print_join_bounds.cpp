@@ -83,18 +83,18 @@ template <int N> void all(const Theorem_arguments& arguments, int exponent) {
   const auto rounded = [] { return Term::factor("16b-52"); };
   Theorems theorems(prefix, arguments.factor, exponent, Join_rounding());
   const Differences<Term, N> a = differences<N>(true, exponent), b = differences<N>(true, exponent);
-  geometric<N>(theorems, a, b, Join_weights<Term>{whole(), whole(), whole(), whole(), whole()});
+  geometric<N>(theorems, a, b, Degree_factors<Term>{whole(), whole(), whole(), whole(), whole()});
 
-  const Parametric_join_weights<Term> w{whole(), whole(), whole(), whole(), whole(), whole()};
-  const Join_equations<Term, N, Parametric_join_weights<Term>, Theorems> parametric(a, b, w, theorems);
+  const Parametric_degree_factors<Term> w{whole(), whole(), whole(), whole(), whole(), whole()};
+  const Join_equations<Term, N, Parametric_degree_factors<Term>, Theorems> parametric(a, b, w, theorems);
   (void)parametric.template derivatives_equal<1>();
   (void)parametric.template derivatives_equal<2>();
   (void)parametric.template derivatives_equal<3>();
 
-  geometric<N>(
-      Theorems(prefix + "weighted_", arguments.factor, exponent, Rounding_of_weighted_ends::value()),
-      differences<N>(false, exponent), differences<N>(false, exponent),
-      Rational_join_weights<Join_question::g3, Term>{rounded(), rounded(), rounded(), rounded(), rounded(), rounded()});
+  geometric<N>(Theorems(prefix + "weighted_", arguments.factor, exponent, Rounding_of_weighted_ends::value()),
+               differences<N>(false, exponent), differences<N>(false, exponent),
+               Weighted_degree_factors<Join_question::g3, Term>{rounded(), rounded(), rounded(), rounded(), rounded(),
+                                                                rounded()});
 }
 
 } // namespace

@@ -92,7 +92,7 @@ void check_kind(const Curve<Traits>& left, const Curve<Traits>& right, const GC:
                 Counter& counter) {
   const auto x = GC::internal::left_end(left);
   const auto y = GC::internal::right_end(right);
-  const bool decided_before = GC::internal::asks_for_contact(kind) && !GC::internal::ends_meet(x, y);
+  const bool decided_before = GC::internal::requires_coincident_ends(kind) && !GC::internal::ends_meet(x, y);
   const Join_answer truth = expected(join, kind);
   ++counter.answers[static_cast<int>(kind)][static_cast<int>(truth)];
   bool right_answers = true;
@@ -590,19 +590,20 @@ int largest_form(int coordinates, int degrees, int first_numbers, int second_num
   };
   if constexpr (GC::internal::is_parametric(question)) {
     const Magnitude length = below(first_numbers) + below(first_numbers);
-    record(GC::internal::Parametric_join_weights<Magnitude>::of(m, n, length, length));
+    record(GC::internal::Parametric_degree_factors<Magnitude>::of(m, n, length, length));
   } else if constexpr (weighted) {
     const auto weights = [](int bits) {
       return std::array<Magnitude, 4>{below(bits), below(bits), below(bits), below(bits)};
     };
     for (const auto& [i, j] : {std::pair<int, int>{m, n}, {n, m}, {m, m}}) {
-      const auto w = GC::internal::Rational_join_weights<question, Magnitude>::of(weights(first_numbers), i,
-                                                                                  weights(second_numbers), j);
-      record(GC::internal::Rational_join_weights<Join_question::g3, Magnitude>{w.a2, w.b2, w.first, w.a3, w.b3, w.mix});
+      const auto w = GC::internal::Weighted_degree_factors<question, Magnitude>::of(weights(first_numbers), i,
+                                                                                    weights(second_numbers), j);
+      record(
+          GC::internal::Weighted_degree_factors<Join_question::g3, Magnitude>{w.a2, w.b2, w.first, w.a3, w.b3, w.mix});
     }
   } else
     for (const auto& [i, j] : {std::pair<int, int>{m, n}, {n, m}, {m, m}})
-      record(GC::internal::Join_weights<Magnitude>::geometric<question>(i, j));
+      record(GC::internal::Degree_factors<Magnitude>::geometric<question>(i, j));
   const auto& largest = (std::max)(straight.value, curved.value);
   return largest == 0 ? 0 : static_cast<int>(msb(largest)) + 1;
 }

@@ -57,7 +57,7 @@ constexpr Factor_bound below(std::int64_t limit) { return Factor_bound(static_ca
 // Whether all parts of the forms of a question fit, for points of so many bits and factors up to their limits.
 template <Join_question question, int N> constexpr bool forms_fit(const Lengths& lengths = {}) {
   typedef Bounded_integer<1> Integer;
-  typedef Join_weights<Factor_bound> Factors;
+  typedef Degree_factors<Factor_bound> Factors;
   const Integer d1 = 2 * bound_of_bits(lengths.bits), d2 = 2 * d1.bound, d3 = 2 * d2.bound;
   const std::array<Integer, 3> x1{d1, d1, d1}, x2{d2, d2, d2}, x3{d3, d3, d3};
   Differences<Integer, N> d = [&]() -> Differences<Integer, N> {
@@ -66,7 +66,7 @@ template <Join_question question, int N> constexpr bool forms_fit(const Lengths&
     else
       return {std::array<Integer, 2>{d1, d1}, std::array<Integer, 2>{d2, d2}, std::array<Integer, 2>{d3, d3}};
   }();
-  const Join_weights<std::int64_t> limits = factor_limits<question>();
+  const Degree_factors<std::int64_t> limits = factor_limits<question>();
   const auto factor = [&](std::int64_t limit) { return below(lengths.times * limit); };
   const Factors w{factor(limits.a2), factor(limits.b2), factor(limits.a3), factor(limits.b3), factor(limits.mix)};
   bool fits = true;
@@ -90,7 +90,7 @@ template <Join_question question> constexpr bool all_fit(const Lengths& lengths 
 
 // Factors are refused exactly where one of them that the question needs reaches its limit.
 template <Join_question question> void check_limits() {
-  typedef Join_weights<std::int64_t> Factors;
+  typedef Degree_factors<std::int64_t> Factors;
   const Factors limits = factor_limits<question>();
   for (int k = 0; k < 5; ++k)
     for (const bool reaches : {false, true}) {

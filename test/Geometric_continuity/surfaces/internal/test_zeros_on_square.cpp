@@ -98,7 +98,7 @@ Polynomial minus(const Polynomial& f, const Q& c) { return sum(f, constant(Q(-c)
 BOOST_AUTO_TEST_CASE(rational_numbers) {
   typedef GC::Power_polynomial<Q> Power;
   const Power s(std::vector<Q>{Q(3) / 2, Q(-7) / 2, Q(1)}); // (x - 1/2) (x - 3)
-  const GC::internal::Work_on_object work("test");
+  const GC::internal::Work_guard work("test");
   const auto sign = [&](const Q& c) {
     return GC::internal::Algebraic_number<Q>(s, Q(0), Q(1)).sign(Power(std::vector<Q>{Q(-c), Q(1)}));
   };

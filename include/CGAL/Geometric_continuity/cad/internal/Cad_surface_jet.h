@@ -315,10 +315,10 @@ inline Surface_jets surface_jets(const Cad_surface& surface, double u, double v,
 }
 
 // The pieces of a surface that ranges of parameters touch, by their spans in u and v; sides of knots as for curves.
-inline std::array<std::vector<int>, 2> touched_pieces(const Cad_surface& surface, const Interval& u, const Interval& v,
-                                                      int u_side, int v_side) {
+inline std::array<std::vector<int>, 2> intersected_pieces(const Cad_surface& surface, const Interval& u,
+                                                          const Interval& v, int u_side, int v_side) {
   const std::array<Spline_parameter, 2> parameters = spline_parameters(surface);
-  return {touched_pieces(parameters[0], u, u_side), touched_pieces(parameters[1], v, v_side)};
+  return {intersected_pieces(parameters[0], u, u_side), intersected_pieces(parameters[1], v, v_side)};
 }
 
 // \throws Error when the numbers of a surface do not fit or are not finite

@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_EDGE_BOUNDS_H
 #define CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_EDGE_BOUNDS_H
 
-#include <CGAL/Geometric_continuity/cad/internal/Largest_on_ranges.h>
-#include <CGAL/Geometric_continuity/cad/internal/Placed_side.h>
+#include <CGAL/Geometric_continuity/cad/internal/Maximum_enclosure.h>
+#include <CGAL/Geometric_continuity/cad/internal/Side_evaluator.h>
 
 #include <algorithm>
 #include <array>
@@ -74,7 +74,7 @@ private:
     const Interval at(t);
     const Cad_curve_jet<2> c = cad_curve_jet(*side_.curve, at, 1);
     if (or_derivative && is_exact_zero(c.c[1][0]) && is_exact_zero(c.c[1][1])) return true;
-    const std::array<std::vector<int>, 2> spans = touched_pieces(*side_.surface, c.c[0][0], c.c[0][1], 0, 0);
+    const std::array<std::vector<int>, 2> spans = intersected_pieces(*side_.surface, c.c[0][0], c.c[0][1], 0, 0);
     const Cad_surface_jet jet =
         cad_surface_jet(*side_.surface, {c.c[0][0], c.c[0][1], spans[0].front(), spans[1].front()}, 1);
     const Interval_vector<3>&u = jet.s(1, 0), &v = jet.s(0, 1);
@@ -222,7 +222,7 @@ inline std::vector<double> divided_range(std::initializer_list<const Edge_side*>
 // Both sides of an edge over ranges of the parameter.
 class Edge_bounds {
   typedef std::array<std::vector<Side_models>, 2> Models;
-  std::array<Placed_side, 2> sides_;
+  std::array<Side_evaluator, 2> sides_;
   std::array<Vanishing_normal, 2> vanishing_;
   std::vector<double> ends_;
   Edge_quantity most_ = Edge_quantity::gap;
@@ -245,7 +245,7 @@ class Edge_bounds {
 public:
   // \throws Error for numbers that do not fit or are not finite
   Edge_bounds(const Edge_side& a, const Edge_side& b)
-      : sides_{Placed_side(a), Placed_side(b)}, vanishing_{Vanishing_normal(a), Vanishing_normal(b)} {}
+      : sides_{Side_evaluator(a), Side_evaluator(b)}, vanishing_{Vanishing_normal(a), Vanishing_normal(b)} {}
 
   // For questions about quantities up to `most` that begin with the parts of a range. \throws Error as divided_range()
   Edge_bounds(const Edge_side& a, const Edge_side& b, double first, double last, Edge_quantity most)

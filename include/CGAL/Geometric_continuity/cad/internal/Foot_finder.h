@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_FOOT_FINDER_H
 #define CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_FOOT_FINDER_H
 
-#include <CGAL/Geometric_continuity/cad/internal/Placed_side.h>
+#include <CGAL/Geometric_continuity/cad/internal/Side_evaluator.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_forms.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
@@ -32,7 +32,7 @@ inline double length_below(const Interval_vector<3>& x, const Interval_vector<3>
 
 class Foot_finder {
   typedef std::array<Interval, 2> Box;
-  const Placed_side& side_;
+  const Side_evaluator& side_;
   const Placed_curve& curve_;
   std::array<Cad_domain, 2> domain_;
 
@@ -52,7 +52,7 @@ public:
     Interval curvature;               // in the direction of the tangent plane that is orthogonal to the curve
   };
 
-  Foot_finder(const Placed_side& side, const Placed_curve& curve)
+  Foot_finder(const Side_evaluator& side, const Placed_curve& curve)
       : side_(side), curve_(curve), domain_(cad_domain(*side.given().surface)) {}
 
   // The foot point next to the curve of the side, rounded. Where the surface is singular a parameter that does not matter stays.
@@ -148,7 +148,7 @@ private:
   }
 
   std::array<std::vector<int>, 2> spans(const Box& x) const {
-    return touched_pieces(*side_.given().surface, x[0], x[1], 0, 0);
+    return intersected_pieces(*side_.given().surface, x[0], x[1], 0, 0);
   }
   bool is_in_one_piece(const Box& x) const {
     const std::array<std::vector<int>, 2> s = spans(x);
@@ -171,7 +171,7 @@ private:
       for (Interval& y : d) y = 2 * y;
       return d;
     };
-    const Checked_placement& placed = side_.placed();
+    const Validated_transform& placed = side_.placed();
     Equations e{placed(jet.s(0, 0), true),
                 placed(jet.s(1, 0), false),
                 placed(jet.s(0, 1), false),

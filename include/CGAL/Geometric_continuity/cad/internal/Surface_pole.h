@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_SURFACE_POLE_H
 #define CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_SURFACE_POLE_H
 
-#include <CGAL/Geometric_continuity/cad/internal/Placed_side.h>
+#include <CGAL/Geometric_continuity/cad/internal/Side_evaluator.h>
 
 #include <algorithm>
 #include <array>
@@ -26,10 +26,10 @@ namespace internal {
 // spline has one only where a side, or a knot line, is a point up to rounding: next to a side that is nearly one, its normal turns. Numbers that are
 // apart by far less than rounding are meant to be apart.
 class Surface_pole {
-  const Placed_side& side_;
+  const Side_evaluator& side_;
 
 public:
-  explicit Surface_pole(const Placed_side& side) : side_(side) {}
+  explicit Surface_pole(const Side_evaluator& side) : side_(side) {}
 
   // The points of space, rounded, within the distance `radius` of which it is proved that a whole parameter line lies next to the point of
   // the side at t.
@@ -98,7 +98,7 @@ private:
     if (!std::isfinite(v)) return std::nullopt;
     const Cad_surface& surface = *side_.given().surface;
     const Interval all(-4, 4); // more than a turn
-    const std::array<std::vector<int>, 2> spans = touched_pieces(surface, all, Interval(v), 0, 0);
+    const std::array<std::vector<int>, 2> spans = intersected_pieces(surface, all, Interval(v), 0, 0);
     return cad_surface_jet(surface, {all, Interval(v), 0, spans[1].front()}, 0).s(0, 0);
   }
 

@@ -45,7 +45,7 @@ inline void check_knots(const std::vector<double>& knots, int degree, std::size_
 // The pieces [knots[s], knots[s + 1]] that an interval of parameters touches in more than an end, by the numbers s; 0 without knots. The first
 // and the last piece are continued beyond the domain: parameters leave it by rounding. A point on a knot touches the pieces on
 // both sides, or the one below (`side` < 0) or above (`side` > 0).
-inline std::vector<int> touched_pieces(const Spline_parameter& parameter, const Interval& t, int side) {
+inline std::vector<int> intersected_pieces(const Spline_parameter& parameter, const Interval& t, int side) {
   if (!parameter) return {0};
   const std::vector<double>& knots = *parameter.knots;
   const int degree = parameter.degree;
@@ -117,8 +117,8 @@ template <int D> struct Cad_curve_jet { std::array<Interval_vector<D>, highest_o
 
 template <int D> Cad_curve_jet<D> cad_curve_jet(const Cad_curve<D>& curve, const Interval& t, int order, int span);
 
-template <int D> std::vector<int> touched_pieces(const Cad_curve<D>& curve, const Interval& t, int side) {
-  return touched_pieces(spline_parameter(curve), t, side);
+template <int D> std::vector<int> intersected_pieces(const Cad_curve<D>& curve, const Interval& t, int side) {
+  return intersected_pieces(spline_parameter(curve), t, side);
 }
 
 // cos^(k)(t) / k! and sin^(k)(t) / k!.
@@ -246,7 +246,7 @@ template <int D> Cad_curve_jet<D> cad_curve_jet(const Cad_curve<D>& curve, const
 }
 // On the first piece that it touches.
 template <int D> Cad_curve_jet<D> cad_curve_jet(const Cad_curve<D>& curve, const Interval& t, int order) {
-  return cad_curve_jet(curve, t, order, touched_pieces(curve, t, 1).front());
+  return cad_curve_jet(curve, t, order, intersected_pieces(curve, t, 1).front());
 }
 
 inline void check_finite(std::initializer_list<double> numbers, const char* place) {

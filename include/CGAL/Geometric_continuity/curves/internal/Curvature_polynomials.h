@@ -54,7 +54,7 @@ public:
   // From the control points of the curve, or the homogeneous ones of a rational curve.
   template <int N> Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational) {
     const int dimension = rows.front().dimension() - (rational ? 1 : 0);
-    const Work_on_object work("curvature_extrema");
+    const Work_guard work("curvature_extrema");
     // S is of degree 4 in the points, and the degree below 4n; with a denominator both are twice as high
     const double n = static_cast<double>(rows.size()) * (rational ? 2 : 1);
     work_meter().charge_products(16 * n * n * dimension * dimension, (rational ? 8 : 4) * common_words<NT>(rows));

@@ -9,7 +9,7 @@
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_ladder.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
-#include <CGAL/Geometric_continuity/edges/internal/Fixed_largest_measure.h>
+#include <CGAL/Geometric_continuity/edges/internal/Integer_angle_maximum.h>
 #include <CGAL/Geometric_continuity/edges/internal/Largest_measure.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
@@ -24,7 +24,7 @@
 
 /// \file Edge_decision.h
 /// The order of two surfaces along an edge on which both are polynomials, the reason why it is not higher, and the place:
-/// by the rungs of Edge_ladder.h where the edge is smooth, otherwise in multi-precision. And the verdict on several spans.
+/// by the stages of Edge_ladder.h where the edge is smooth, otherwise in multi-precision. And the verdict on several spans.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -50,7 +50,7 @@ std::optional<Edge_continuity<Field>> crease_on_grid(Edge_ladder& ladder,
     if (s.vanishes()) return std::nullopt;
     Edge_continuity<Field> e;
     if (angles == Crease_angles::enclosed) {
-      e.deviation = Fixed_largest_measure<Field, std::decay_t<decltype(s)>, std::decay_t<decltype(p)>>(s, p)();
+      e.deviation = Integer_angle_maximum<Field, std::decay_t<decltype(s)>, std::decay_t<decltype(p)>>(s, p)();
       if (!e.deviation) return std::nullopt;
     }
     e.g_order = 0;

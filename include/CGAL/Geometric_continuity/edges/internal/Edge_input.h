@@ -26,7 +26,7 @@
 #include <vector>
 
 /// \file Edge_input.h
-/// What the rungs of Edge_ladder.h are asked about: the control points next to an edge of each of two patches, or of rows, in numbers of
+/// What the stages of Edge_ladder.h are asked about: the control points next to an edge of each of two patches, or of rows, in numbers of
 /// fixed length; and those of B-spline surfaces over inner knots, for all spans at once.
 
 namespace CGAL {

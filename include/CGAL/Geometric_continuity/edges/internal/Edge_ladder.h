@@ -22,7 +22,7 @@
 #include <optional>
 
 /// \file Edge_ladder.h
-/// The rungs by which the order along an edge is found on the control points next to it (Edge_input.h), from the cheapest to the one that
+/// The stages by which the order along an edge is found on the control points next to it (Edge_input.h), from the cheapest to the one that
 /// is left: control points are compared, rounded numbers refute at the ends, integers of fixed length decide, with a short ratio of the
 /// tangent planes or without. What they leave open, and why an edge is not smooth, is decided in numbers of any length (Edge_decision.h).
 
@@ -228,7 +228,7 @@ CGAL_GC_FORCEINLINE std::optional<bool> decide_on_layers(const Edge_points<T, N>
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// The rung for edges of B-spline surfaces as a whole: whether they continue each other twice continuously differentiably along a whole edge,
+// The stage for edges of B-spline surfaces as a whole: whether they continue each other twice continuously differentiably along a whole edge,
 // but for the speed of the parameter across it, as the parts of one surface do. Decided by the control points, in integers of fixed length:
 // T2 = -k T1 and W2 = k^2 W1 for a number k > 0. \pre the edges are the same curve in one direction
 template <class Field> class Spline_edge_on_grid {

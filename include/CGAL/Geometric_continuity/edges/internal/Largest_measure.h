@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_normals.h>
-#include <CGAL/Geometric_continuity/edges/internal/Fixed_largest_measure.h>
+#include <CGAL/Geometric_continuity/edges/internal/Integer_angle_maximum.h>
 #include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
 #include <optional>
@@ -242,7 +242,7 @@ Normal_deviation<Field> largest_measure(Polynomial s, Polynomial p, Polynomial s
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   if constexpr (Common_denominator<Field>::clears)
     if (is_acute(side))
-      if (const std::optional<Normal_deviation<Field>> found = Fixed_largest_measure<Field, Polynomial>(s, p)())
+      if (const std::optional<Normal_deviation<Field>> found = Integer_angle_maximum<Field, Polynomial>(s, p)())
         return *found;
 #endif
   return Largest_measure<Field>(std::move(s), std::move(p), std::move(side))();

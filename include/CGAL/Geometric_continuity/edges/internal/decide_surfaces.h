@@ -97,7 +97,7 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
   if constexpr (N == 4)
     if (has_equal_weights(a) && has_equal_weights(b))
       return decide_surfaces(without_weights(a), edge_a, without_weights(b), edge_b, find_match, angles);
-  const Work_on_object work("edge_continuity");
+  const Work_guard work("edge_continuity");
   std::optional<Edge_direction> direction;
   if constexpr (Edge_rungs<N>::exist) {
     typename Edge_rungs<N>::Layers x, y;
@@ -140,7 +140,7 @@ auto continuity_of_same_edge(const Surface_a& a, Patch_edge edge_a, const Surfac
 // Along the common part of two edges.
 template <class Field, class FT, int N>
 Spline_edge_continuity<Field> decide_rows(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>& b) {
-  const Work_on_object work("edge_continuity");
+  const Work_guard work("edge_continuity");
   const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces<Field>(a), pieces_b = edge_pieces<Field>(b);
   return decide_spans(pieces_a, pieces_b, common_edge_part(pieces_a, pieces_b), decide_edge<Field, N>);
 }
@@ -149,7 +149,7 @@ Spline_edge_continuity<Field> decide_rows(const Spline_edge_rows<FT, N>& a, cons
 template <class Field, int N>
 Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_rows<Field, N>& a,
                                                             const Spline_edge_rows<Field, N>& b) {
-  const Work_on_object work("edge_continuity");
+  const Work_guard work("edge_continuity");
   const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces<Field>(a), pieces_b = edge_pieces<Field>(b);
   const Edge_match<Field> match = whole_match(pieces_a, pieces_b, Edge_direction::same);
   return decide_spans(pieces_a, pieces_b, match, [](const Edge_rows<Field, N>& x, const Edge_rows<Field, N>& y) {
@@ -198,7 +198,7 @@ bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, P
       if (const std::optional<bool> answer = decide_on_layers<order_on_layers<order>>(x, y, stages))
         if (order <= 2 || !*answer) return *answer;
   }
-  const Work_on_object work("edge predicate");
+  const Work_guard work("edge predicate");
   constexpr int row_order = (std::max)(order, 2);
   const std::vector<Edge_piece<Field, N>> pieces_a = edge_pieces_in<N>(a, edge_a, row_order),
                                           pieces_b = edge_pieces_in<N>(b, edge_b, row_order);

@@ -52,7 +52,7 @@ template <class T, int N> using Legs = std::array<std::array<T, N>, 3>;
 
 // As many legs as the order k needs.
 template <int k, class T, std::size_t N>
-CGAL_GC_FORCEINLINE Legs<T, N> legs_of(const std::array<std::array<T, N>, 4>& x) {
+CGAL_GC_FORCEINLINE Legs<T, N> first_differences(const std::array<std::array<T, N>, 4>& x) {
   if constexpr (k == 1)
     return {internal::minus(x[1], x[0])};
   else if constexpr (k == 2)
@@ -161,7 +161,7 @@ CGAL_GC_FORCEINLINE Difference_bounds bounds_of_differences(const std::array<std
 
 // The differences b_i - b_0 from the end point inwards, in the direction of the curve, for k = 1, 2, 3.
 template <int k, bool left, class T, std::size_t N>
-CGAL_GC_FORCEINLINE Differences<T, N> fan_of(const std::array<std::array<T, N>, 4>& x) {
+CGAL_GC_FORCEINLINE Differences<T, N> chords_from_end(const std::array<std::array<T, N>, 4>& x) {
   Differences<T, N> d{};
   d[0] = left ? internal::minus(x[0], x[1]) : internal::minus(x[1], x[0]);
   if constexpr (k >= 2) d[1] = internal::minus(x[2], x[0]);
@@ -171,7 +171,7 @@ CGAL_GC_FORCEINLINE Differences<T, N> fan_of(const std::array<std::array<T, N>, 
 
 // Bounds of these.
 template <int k, std::size_t N>
-CGAL_GC_FORCEINLINE Difference_bounds bounds_of_fan(const std::array<std::array<double, N>, 3>& d) {
+CGAL_GC_FORCEINLINE Difference_bounds bounds_of_chords(const std::array<std::array<double, N>, 3>& d) {
   const double first = largest(d[0]), second = k >= 2 ? (std::max)(first, largest(d[1])) : first;
   return {first, second, k >= 3 ? (std::max)(second, largest(d[2])) : second};
 }
@@ -220,7 +220,7 @@ CGAL_GC_FORCEINLINE Grid_legs<N> grid_legs_of(const std::array<std::array<double
   x[1] = grid(points[1]);
   if constexpr (k >= 2) x[2] = grid(points[2]);
   if constexpr (k >= 3) x[3] = grid(points[3]);
-  const Legs<std::int64_t, N> legs = legs_of<k>(x);
+  const Legs<std::int64_t, N> legs = first_differences<k>(x);
   std::int64_t bits = any_bits(legs[0]);
   if constexpr (k >= 2) bits |= any_bits(legs[1]);
   if constexpr (k >= 3) bits |= any_bits(legs[2]);

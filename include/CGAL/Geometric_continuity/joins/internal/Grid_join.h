@@ -117,7 +117,7 @@ template <class Part> bool has_bezier_points(const Part& part, bool at_end) {
 // A join on grids: the points and parameters of the curves are these times powers of ten. It answers questions as
 // decide_all_questions() asks them.
 template <int N> class Grid_join {
-  Long_end<N> left_, right_;
+  Integer_end<N> left_, right_;
   Double_end<N> double_left_, double_right_; // the same rounded, or what is given
   Short_lengths lengths_;                    // of their domains
   bool has_integers_ = false, has_doubles_ = true;
@@ -195,11 +195,12 @@ public:
   }
   template <Join_question question> Join_answer decide() const {
     const All_join_stages stages;
-    return has_doubles_ ? decide_by_rungs(Double_join<question, N>(double_left_, double_right_, lengths_), stages)
-                        : decide_by_rungs(Long_join<question, N>(left_, right_), stages);
+    return has_doubles_ ? decide_by_stages(Double_join<question, N>(double_left_, double_right_, lengths_), stages)
+                        : decide_by_stages(Integer_join<question, N>(left_, right_), stages);
   }
   bool is_curved() const {
-    return internal::is_curved(has_integers_ ? converted<2, double>(legs_of<2>(left_.points)) : double_left_.legs());
+    return internal::is_curved(has_integers_ ? converted<2, double>(first_differences<2>(left_.points))
+                                             : double_left_.legs());
   }
   Join_answer equal_curvatures() const {
     const bool differ =
@@ -246,7 +247,7 @@ private:
   template <bool left, class Points> static Jet jet(const Points& points, int degree, const Interval& unit) {
     const auto& x = numbers(points);
     typedef std::decay_t<decltype(x[0][0])> Number;
-    const Differences<Number, N> d = differences_of<3, left>(legs_of<3>(x), degree);
+    const Differences<Number, N> d = differences_of<3, left>(first_differences<3>(x), degree);
     Jet jet(N, 3);
     double factor = 1; // m!/(m-k)!
     for (int i = 0; i < N; ++i) jet[0][i] = interval(x[0][i]) * unit;

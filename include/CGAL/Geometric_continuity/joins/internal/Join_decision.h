@@ -80,7 +80,7 @@ template <class FT, int N> class Join_decision {
 
   std::conditional_t<rounded, Jet, const Jet&> X, Y;
   const int max_order;
-  const Work_on_object work{"continuity"};
+  const Work_guard work{"continuity"};
   Parameter_scale scale;
   FT g, a; // g = X'.X', a = X'.Y'; G1 iff g Y' = a X' and a > 0; then beta_1 = a/g
   Join_continuity<FT> join;

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_EQUATIONS_H
 
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
-#include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
+#include <CGAL/Geometric_continuity/joins/internal/Degree_factors.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_forms.h>
 
 #include <array>

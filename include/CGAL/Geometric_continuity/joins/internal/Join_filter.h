@@ -54,9 +54,10 @@ struct Join_rounding {
   constexpr Join_rounding() {
     const Rounding_bound d1 = leg(1), d2 = leg(0.5) - leg(0.5), d3 = (leg(0.25) - leg(0.25)) - (leg(0.25) - leg(0.25));
     const Differences<Rounding_bound, 3> d{{{d1, d1, d1}, {d2, d2, d2}, {d3, d3, d3}}};
-    record_geometric(d, Join_weights<int>{1, 1, 1, 1, 1});
-    const Parametric_join_weights<int> units{1, 1, 1, 1, 1, 1};
-    const Join_equations<Rounding_bound, 3, Parametric_join_weights<int>, Join_rounding> parametric(d, d, units, *this);
+    record_geometric(d, Degree_factors<int>{1, 1, 1, 1, 1});
+    const Parametric_degree_factors<int> units{1, 1, 1, 1, 1, 1};
+    const Join_equations<Rounding_bound, 3, Parametric_degree_factors<int>, Join_rounding> parametric(d, d, units,
+                                                                                                      *this);
     (void)parametric.derivatives_equal<1>();
     (void)parametric.derivatives_equal<2>();
     (void)parametric.derivatives_equal<3>();
@@ -133,7 +134,7 @@ template <class Weights, class Rounding = Rounding_of_differences> struct Join_f
 private:
   CGAL_GC_FORCEINLINE double largest_product(Join_question form) const {
     const double a = A.d1, b = B.d1;
-    if constexpr (std::is_same_v<Weights, Parametric_join_weights<double>>) switch (form) {
+    if constexpr (std::is_same_v<Weights, Parametric_degree_factors<double>>) switch (form) {
       case Join_question::c1: return (std::max)(w.a1 * A.d1, w.b1 * B.d1);
       case Join_question::c2: return (std::max)(w.a2 * A.d2, w.b2 * B.d2);
       default: return (std::max)(w.a3 * A.d3, w.b3 * B.d3);

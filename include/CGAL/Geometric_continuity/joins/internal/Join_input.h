@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_INPUT_H
 
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
+#include <CGAL/Geometric_continuity/joins/internal/Degree_factors.h>
 #include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_filter.h>
-#include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
 #include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 #include <utility>
 
 /// \file Join_input.h
-/// What the rungs of Join_ladder.h ask of two ends, for each kind of ends. A rung says what it needs:
+/// What the stages of Join_ladder.h ask of two ends, for each kind of ends. A stage says what it needs:
 ///
 /// - signs: `first_left()` and `first_right()`, the first differences with the signs of the exact ones, and the `pivot()`;
 /// - factors: `find_factors()`, or else `first_derivatives_differ()`;
@@ -83,11 +83,11 @@ public:
   template <class Points, Join_question question>
   CGAL_GC_FORCEINLINE Double_end(const Points& end, Question<question>)
       : degree_(end.degree()), points_(points_of<highest_difference(question), N>(end)),
-        legs_(legs_of<highest_difference(question)>(points_)) {
+        legs_(first_differences<highest_difference(question)>(points_)) {
     if constexpr (is_parametric(question)) domain_ = end.domain();
   }
   Double_end(const End_polygon<double, N>& points, int degree, const std::pair<double, double>& domain)
-      : degree_(degree), domain_(domain), points_(points), legs_(legs_of<3>(points)) {}
+      : degree_(degree), domain_(domain), points_(points), legs_(first_differences<3>(points)) {}
 
   int degree() const { return degree_; }
   int dimension() const { return N; }
@@ -110,13 +110,13 @@ protected:
 
   // For domains whose lengths are as h to l, which are at most 1024, if the question is parametric.
   CGAL_GC_FORCEINLINE bool factors_with(std::int64_t h, std::int64_t l,
-                                        Join_weights_of<question_, std::int64_t>& w) const {
+                                        Degree_factors_of<question_, std::int64_t>& w) const {
     if (!degrees_fit(m_, n_)) return false;
     if constexpr (is_parametric(question_)) {
-      w = Parametric_join_weights<std::int64_t>::of(m_, n_, h, l);
+      w = Parametric_degree_factors<std::int64_t>::of(m_, n_, h, l);
       return weights_fit<k>(w);
     } else {
-      w = Join_weights<std::int64_t>::geometric<question_>(m_, n_);
+      w = Degree_factors<std::int64_t>::geometric<question_>(m_, n_);
       return true;
     }
   }
@@ -131,11 +131,11 @@ public:
   CGAL_GC_FORCEINLINE const std::array<double, N>& first_right() const { return right_legs_[0]; }
   CGAL_GC_FORCEINLINE int pivot() const { return largest_coordinate(left_legs_[0]); }
 
-  typedef Join_weights_of<question, std::int64_t> Factors;
+  typedef Degree_factors_of<question, std::int64_t> Factors;
 
   static constexpr bool rounded = true, weighted = false;
   typedef Rounding_of_differences Rounding;
-  typedef Join_weights_of<question, double> Rounded_factors;
+  typedef Degree_factors_of<question, double> Rounded_factors;
   CGAL_GC_FORCEINLINE Differences<double, N> left() const { return differences_of<k, true>(left_legs_, m_); }
   CGAL_GC_FORCEINLINE Differences<double, N> right() const { return differences_of<k, false>(right_legs_, n_); }
   CGAL_GC_FORCEINLINE Difference_bounds left_bounds() const { return bounds_of_differences<k>(left_legs_); }
@@ -203,7 +203,7 @@ public:
 };
 
 // An end with integers as coordinates, all below 2^60 in absolute value: longer than those of doubles.
-template <int N> struct Long_end {
+template <int N> struct Integer_end {
   End_polygon<std::int64_t, N> points; // the last one repeated
   int degree;
   std::int64_t length; // of the domain, in units of both curves
@@ -215,14 +215,14 @@ template <int k, int N> struct Long_legs {
   Legs<std::int64_t, N> left_integers, right_integers;
   Legs<double, N> rounded_left, rounded_right;
 
-  CGAL_GC_FORCEINLINE Long_legs(const Long_end<N>& left, const Long_end<N>& right)
-      : left_integers(legs_of<k>(left.points)), right_integers(legs_of<k>(right.points)),
+  CGAL_GC_FORCEINLINE Long_legs(const Integer_end<N>& left, const Integer_end<N>& right)
+      : left_integers(first_differences<k>(left.points)), right_integers(first_differences<k>(right.points)),
         rounded_left(converted<k, double>(left_integers)), rounded_right(converted<k, double>(right_integers)) {}
 };
 
 // Two such ends.
 template <Join_question question_, int N>
-class Long_join : Long_legs<highest_difference(question_), N>, public Rounded_polygons<question_, N> {
+class Integer_join : Long_legs<highest_difference(question_), N>, public Rounded_polygons<question_, N> {
   static constexpr int k = highest_difference(question_);
   typedef Long_legs<k, N> Integers;
   typedef Rounded_polygons<question_, N> Base;
@@ -231,7 +231,7 @@ class Long_join : Long_legs<highest_difference(question_), N>, public Rounded_po
 public:
   using typename Base::Factors;
 
-  CGAL_GC_FORCEINLINE Long_join(const Long_end<N>& left, const Long_end<N>& right)
+  CGAL_GC_FORCEINLINE Integer_join(const Integer_end<N>& left, const Integer_end<N>& right)
       : Integers(left, right), Base(this->rounded_left, left.degree, this->rounded_right, right.degree),
         h_(left.length), l_(right.length) {}
 
@@ -311,7 +311,7 @@ public:
 struct Rounding_of_weighted_ends {
   static constexpr Join_rounding value() {
     constexpr Rounding_bound w(1, 16 * 0x1p-52);
-    return Join_rounding(Rational_join_weights<Join_question::g3, Rounding_bound>{w, w, w, w, w, w});
+    return Join_rounding(Weighted_degree_factors<Join_question::g3, Rounding_bound>{w, w, w, w, w, w});
   }
 };
 
@@ -330,7 +330,7 @@ public:
 
   CGAL_GC_FORCEINLINE Weighted_join(const Left& left, const Right& right)
       : left_end_(left), right_end_(right), p_(points_of<k, N>(left)), q_(points_of<k, N>(right)),
-        left_(fan_of<k, true>(p_)), right_(fan_of<k, false>(q_)) {}
+        left_(chords_from_end<k, true>(p_)), right_(chords_from_end<k, false>(q_)) {}
 
   CGAL_GC_FORCEINLINE const std::array<double, N>& first_left() const { return left_[0]; }
   CGAL_GC_FORCEINLINE const std::array<double, N>& first_right() const { return right_[0]; }
@@ -351,11 +351,11 @@ public:
 
   static constexpr bool rounded = true, weighted = true;
   typedef Rounding_of_weighted_ends Rounding;
-  typedef Rational_join_weights<question, double> Rounded_factors;
+  typedef Weighted_degree_factors<question, double> Rounded_factors;
   CGAL_GC_FORCEINLINE const Differences<double, N>& left() const { return left_; }
   CGAL_GC_FORCEINLINE const Differences<double, N>& right() const { return right_; }
-  CGAL_GC_FORCEINLINE Difference_bounds left_bounds() const { return bounds_of_fan<k>(left_); }
-  CGAL_GC_FORCEINLINE Difference_bounds right_bounds() const { return bounds_of_fan<k>(right_); }
+  CGAL_GC_FORCEINLINE Difference_bounds left_bounds() const { return bounds_of_chords<k>(left_); }
+  CGAL_GC_FORCEINLINE Difference_bounds right_bounds() const { return bounds_of_chords<k>(right_); }
   CGAL_GC_FORCEINLINE Rounded_factors rounded_factors(const Factors& w) const {
     return Rounded_factors::of(w.left(), w.m, w.right(), w.n);
   }
@@ -365,7 +365,7 @@ public:
                              std::integer_sequence<int, 4, 8>>
       Limbs;
   template <int limbs> using Integer = Fixed_integer<1, limbs>;
-  template <int limbs> using Integer_factors = Rational_join_weights<question, Integer<limbs>>;
+  template <int limbs> using Integer_factors = Weighted_degree_factors<question, Integer<limbs>>;
 
   CGAL_GC_FORCEINLINE bool find_unit(double largest, int& unit) const {
     return find_common_unit<k>(p_, q_, largest, unit);
@@ -382,7 +382,7 @@ public:
   // Those that have one limb, as the factors of ends without weights. Here all products are exact as doubles.
   template <int limbs> static constexpr bool has_short_factors = question == Join_question::g2&& limbs == 3;
   CGAL_GC_FORCEINLINE bool short_factors(const Rounded_factors& factors, const Units& units,
-                                         Join_weights<std::int64_t>& w) const {
+                                         Degree_factors<std::int64_t>& w) const {
     const double scale = power_of_two(-units(question)), a2 = factors.a2 * scale, b2 = factors.b2 * scale;
     if (!((std::max)(a2, b2) < factor_limits<question>().a2)) return false;
     w = {static_cast<std::int64_t>(a2), static_cast<std::int64_t>(b2), 1, 1, 1};
@@ -428,9 +428,9 @@ public:
     const double r = ratio(left), s = ratio(right);
     const bool in_range = 0x1p-500 <= (std::min)(r, s) && (std::max)(r, s) <= 0x1p500 &&
                           (std::max)(m * (l.second - l.first), n * (h.second - h.first)) <= 0x1p500;
-    differ_ = in_range &&
-              internal::first_derivatives_differ(first_derivative(fan_of<1, true>(points_of<1, N>(left)), r), m, h,
-                                                 first_derivative(fan_of<1, false>(points_of<1, N>(right)), s), n, l);
+    differ_ = in_range && internal::first_derivatives_differ(
+                              first_derivative(chords_from_end<1, true>(points_of<1, N>(left)), r), m, h,
+                              first_derivative(chords_from_end<1, false>(points_of<1, N>(right)), s), n, l);
   }
 
   struct Factors {};

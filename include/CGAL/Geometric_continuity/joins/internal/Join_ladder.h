@@ -17,7 +17,7 @@
 #include <utility>
 
 /// \file Join_ladder.h
-/// The rungs by which a question about a join is decided on two ends (Join_input.h), from the cheapest to the one that is left: signs, a
+/// The stages by which a question about a join is decided on two ends (Join_input.h), from the cheapest to the one that is left: signs, a
 /// rounded form that exceeds its error, residues of a form that is smaller than the modulus. Each answers, or `unknown`. What all of them leave open is decided in numbers of any length (decide_in_ring.h).
 
 namespace CGAL {
@@ -54,14 +54,14 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<T, N>& a1, cons
 // shorter than the residues stays within its limbs: test_integer_lengths.cpp computes the bounds by the same equations. The bound that the
 // filter proves for a form of degree d is divided by 2^(g d) and by the power of the factors. Forms of degree at most 2, and for polynomials the one
 // for G2 with the limbs of a form of degree 6, are shorter than the residues anyway.
-template <class Input, class Filter> class Residue_room {
+template <class Input, class Filter> class Residue_width {
   const Filter& filter_;
   int unit_;
   typename Input::Units units_;
   bool valid_;
 
 public:
-  CGAL_GC_FORCEINLINE Residue_room(const Input& join, const typename Input::Factors& w, const Filter& filter)
+  CGAL_GC_FORCEINLINE Residue_width(const Input& join, const typename Input::Factors& w, const Filter& filter)
       : filter_(filter), valid_(join.find_unit((std::max)(filter.A.d3, filter.B.d3), unit_)) {
     if (valid_) units_ = join.units_of_factors(w);
   }
@@ -106,43 +106,43 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_residues_with(const Factors& w, const 
 }
 // By residues of the least length that suffices. Long ones need much room, and are compiled apart. That is called by value, since what it
 // could read by reference would not stay in registers anywhere.
-template <class Input, class Room, class Stages, int... limbs>
-BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Room room, int pivot,
+template <class Input, class Width, class Stages, int... limbs>
+BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Width width, int pivot,
                                                    Stages& stages, std::integer_sequence<int, limbs...>);
-template <bool apart, class Input, class Room, class Stages, int limbs, int... more>
+template <bool apart, class Input, class Width, class Stages, int limbs, int... more>
 CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const typename Input::Factors& given,
-                                                   const Room& room, int pivot, Stages& stages,
+                                                   const Width& width, int pivot, Stages& stages,
                                                    std::integer_sequence<int, limbs, more...>) {
-  if (!room.fits(limbs)) {
+  if (!width.fits(limbs)) {
     if constexpr (sizeof...(more) != 0)
-      return decide_by_residues<apart>(join, given, room, pivot, stages, std::integer_sequence<int, more...>());
+      return decide_by_residues<apart>(join, given, width, pivot, stages, std::integer_sequence<int, more...>());
     else
       return Join_answer::unknown;
   }
   if constexpr (limbs > 4 && !apart)
-    return decide_by_long_residues(join, given, room, pivot, stages, std::integer_sequence<int, limbs>());
+    return decide_by_long_residues(join, given, width, pivot, stages, std::integer_sequence<int, limbs>());
   else {
     if constexpr (Input::template has_short_factors<limbs>) {
-      Join_weights<std::int64_t> w;
-      if (join.short_factors(room.rounded_factors(), room.units_of_factors(), w))
-        return decide_by_residues_with<limbs>(w, join, room.unit(), pivot, stages);
+      Degree_factors<std::int64_t> w;
+      if (join.short_factors(width.rounded_factors(), width.units_of_factors(), w))
+        return decide_by_residues_with<limbs>(w, join, width.unit(), pivot, stages);
     }
     typename Input::template Integer_factors<limbs> w;
-    if (!join.template integer_factors<limbs>(given, room.units_of_factors(), w)) return Join_answer::unknown;
-    return decide_by_residues_with<limbs>(w, join, room.unit(), pivot, stages);
+    if (!join.template integer_factors<limbs>(given, width.units_of_factors(), w)) return Join_answer::unknown;
+    return decide_by_residues_with<limbs>(w, join, width.unit(), pivot, stages);
   }
 }
-template <class Input, class Room, class Stages, int... limbs>
-BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Room room, int pivot,
+template <class Input, class Width, class Stages, int... limbs>
+BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Width width, int pivot,
                                                    Stages& stages, std::integer_sequence<int, limbs...> length) {
-  return decide_by_residues<true>(join, given, room, pivot, stages, length);
+  return decide_by_residues<true>(join, given, width, pivot, stages, length);
 }
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
 // The ladder. Exact or `unknown`; that the ends meet is not asked here.
 template <class Input, class Stages>
-CGAL_GC_FORCEINLINE Join_answer decide_by_rungs(const Input& join, Stages& stages) {
+CGAL_GC_FORCEINLINE Join_answer decide_by_stages(const Input& join, Stages& stages) {
   constexpr Join_question question = Input::question;
   static_assert(highest_difference(question) > 0, "the points are compared before");
   int pivot = 0;
@@ -177,8 +177,8 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_rungs(const Input& join, Stages& stage
       }
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
       if (stages.uses(Join_stage::bounded_residue)) {
-        const Residue_room<Input, Filter> room(join, w, filter);
-        if (room.valid()) return decide_by_residues<false>(join, w, room, pivot, stages, typename Input::Limbs());
+        const Residue_width<Input, Filter> width(join, w, filter);
+        if (width.valid()) return decide_by_residues<false>(join, w, width, pivot, stages, typename Input::Limbs());
       }
 #endif
       return Join_answer::unknown;
@@ -188,19 +188,19 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_rungs(const Input& join, Stages& stage
 
 // What the ladder decides of two ends with double coordinates: they are read by the constructor, with positive weights if they are asked
 // for them.
-template <Join_question question, int N, bool weighted, class Left, class Right> class Read_join {
+template <Join_question question, int N, bool weighted, class Left, class Right> class Join_reader {
   Double_end<N> left_, right_;
   Short_lengths lengths_;
 
 public:
-  CGAL_GC_FORCEINLINE Read_join(const Left& left, const Right& right)
+  CGAL_GC_FORCEINLINE Join_reader(const Left& left, const Right& right)
       : left_(left, Question<question>()), right_(right, Question<question>()) {
     if constexpr (is_parametric(question)) lengths_ = Short_lengths(left_.domain(), right_.domain());
   }
   CGAL_GC_FORCEINLINE Double_join<question, N> operator()() const { return {left_, right_, lengths_}; }
 };
 template <Join_question question, int N, class Left, class Right>
-class Read_join<question, N, true, Left, Right> : Weighted_join<question, N, Left, Right> {
+class Join_reader<question, N, true, Left, Right> : Weighted_join<question, N, Left, Right> {
 public:
   using Weighted_join<question, N, Left, Right>::Weighted_join;
   CGAL_GC_FORCEINLINE const Weighted_join<question, N, Left, Right>& operator()() const { return *this; }

@@ -11,8 +11,8 @@
 //   is_g2_join          join_predicates.h
 //   decide_join         decide_join.h      control points or jets?
 //   decide_polygons     decide_join.h      the ends meet: comparison of the points
-//   decide_legs         decide_join.h      doubles first, then numbers of any length
-//   decide_by_rungs     Join_ladder.h      the ladder, on what Join_input.h makes of the ends:
+//   decide_ends         decide_join.h      doubles first, then numbers of any length
+//   decide_by_stages     Join_ladder.h      the ladder, on what Join_input.h makes of the ends:
 //     decide_by_signs                      comparison of signs and zeros
 //     all_hold                             the filter: a rounded form exceeds its error
 //     decide_by_residues                   a form below a proven bound, modulo a power of two above it
@@ -26,8 +26,8 @@
 //   rounded value exceeds the bound of its error the exact one is not 0; otherwise nothing. Modular_zero: the number is smaller
 //   than the modulus, so it is 0 if and only if its residue is. Join_rounding: nothing is known, the bound of the error is
 //   recorded.
-// - `Weights` are the factors of the differences by which degrees and domains enter. Parametric_join_weights (both, for C^k) or
-//   Join_weights (degrees, for all others), in the integers or doubles in which the stage computes. Rational_join_weights has the
+// - `Weights` are the factors of the differences by which degrees and domains enter. Parametric_degree_factors (both, for C^k) or
+//   Degree_factors (degrees, for all others), in the integers or doubles in which the stage computes. Weighted_degree_factors has the
 //   weights of rational curves besides the degrees.
 // - `Stages` says which stages are taken, and is told what each of them decides. All_join_stages takes all of them and records
 //   nothing; tests switch stages off and count.

@@ -50,21 +50,21 @@ std::array<T, 2> curvature_forms(const std::array<std::array<T, N>, 3>& left,
 // `true` is a proof, as below.
 template <int N>
 bool curvatures_differ(const Legs<std::int64_t, N>& left, const Legs<std::int64_t, N>& right,
-                       const Join_weights<std::int64_t>& w, int units) {
+                       const Degree_factors<std::int64_t>& w, int units) {
   typedef std::uint64_t Residue;
   const auto [a, b] = curvature_forms(converted<2, Residue>(left), converted<2, Residue>(right),
                                       static_cast<Residue>(w.a2), static_cast<Residue>(w.b2));
   return units < 0 ? (a << -2 * units) != b : a != (b << 2 * units);
 }
-template <int N> bool curvatures_differ(const Long_end<N>& left, const Long_end<N>& right) {
-  return curvatures_differ<N>(legs_of<2>(left.points), legs_of<2>(right.points),
-                              Join_weights<std::int64_t>::geometric<Join_question::g2>(left.degree, right.degree), 0);
+template <int N> bool curvatures_differ(const Integer_end<N>& left, const Integer_end<N>& right) {
+  return curvatures_differ<N>(first_differences<2>(left.points), first_differences<2>(right.points),
+                              Degree_factors<std::int64_t>::geometric<Join_question::g2>(left.degree, right.degree), 0);
 }
 // On grids, or in interval arithmetic.
 template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_end<N>& right) {
   if (!degrees_fit(left.degree(), right.degree())) return false;
-  const Join_weights<std::int64_t> w =
-      Join_weights<std::int64_t>::geometric<Join_question::g2>(left.degree(), right.degree());
+  const Degree_factors<std::int64_t> w =
+      Degree_factors<std::int64_t>::geometric<Join_question::g2>(left.degree(), right.degree());
   const Grid_legs<N> x = grid_legs_of<2>(left.points()), y = grid_legs_of<2>(right.points());
   const int units = x.exponent + x.zeros - y.exponent - y.zeros; // the left legs are in units of 2^units
   if (x.valid && y.valid && -14 <= units && units <= 14 &&
@@ -76,7 +76,7 @@ template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_
     End_polygon<Interval, N> intervals;
     for (int j = 0; j <= 2; ++j)
       for (int i = 0; i < N; ++i) intervals[j][i] = Interval(points[j][i]);
-    return legs_of<2>(intervals);
+    return first_differences<2>(intervals);
   };
   const auto [a, b] = curvature_forms(legs(left.points()), legs(right.points()), Interval(static_cast<double>(w.a2)),
                                       Interval(static_cast<double>(w.b2)));
@@ -194,7 +194,7 @@ public:
   bool ends_meet() const { return meet_; }
   template <Join_question question> Join_answer decide() const {
     const All_join_stages stages;
-    const Join_answer answer = decide_by_rungs(Double_join<question, N>(left_, right_, lengths_), stages);
+    const Join_answer answer = decide_by_stages(Double_join<question, N>(left_, right_, lengths_), stages);
     return answer != Join_answer::unknown
                ? answer
                : decide_in_ring<question, N, false, Join_scale_of_doubles>(left_, right_, stages);
@@ -215,9 +215,9 @@ template <class FT, int N> Join_parameters<FT> parameters_of(const Double_end<N>
   };
   return Join_parameters<FT>(along(left), along(right));
 }
-template <class FT, int N> Join_parameters<FT> parameters_of(const Long_end<N>& left, const Long_end<N>& right) {
-  const int i = largest_coordinate(legs_of<1>(left.points)[0]);
-  const auto along = [i](const Long_end<N>& end) {
+template <class FT, int N> Join_parameters<FT> parameters_of(const Integer_end<N>& left, const Integer_end<N>& right) {
+  const int i = largest_coordinate(first_differences<1>(left.points)[0]);
+  const auto along = [i](const Integer_end<N>& end) {
     Parameter_end result{{}, 0, static_cast<double>(end.length), end.degree};
     for (int j = 0; j <= 3; ++j) {
       const std::int64_t x = end.points[j][i];

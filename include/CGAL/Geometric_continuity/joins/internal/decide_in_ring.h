@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DECIDE_IN_RING_H
 
 #include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Geometric_continuity/joins/internal/Degree_factors.h>
 #include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_equations.h>
-#include <CGAL/Geometric_continuity/joins/internal/Join_weights.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Remainder.h>
 #include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
@@ -25,7 +25,7 @@
 #include <utility>
 
 /// \file decide_in_ring.h
-/// The last rung of the ladder: the equations of a join in a ring, for numbers of any length, which are multiplied by their common
+/// The last stage of the ladder: the equations of a join in a ring, for numbers of any length, which are multiplied by their common
 /// denominator, so that no fraction is cancelled. The ring is that of the numerators of an exact field; for floating-point numbers those of
 /// the remainders by as many moduli as prove that a form is zero (Remainder.h).
 
@@ -68,7 +68,7 @@ constexpr int bits_of_form(int form_degree, int coordinates, int degrees, int fi
   if constexpr (is_parametric(question))
     factors += highest_difference(question) * (first_numbers + 1);
   else if constexpr (weighted) {
-    typedef Rational_join_weights<question, int> Weights;
+    typedef Weighted_degree_factors<question, int> Weights;
     factors += Weights::left_degree(question) * first_numbers + Weights::right_degree(question) * second_numbers;
   }
   return form_degree * coordinates + factors + 24;
@@ -166,13 +166,13 @@ public:
   // Of ends with weights, in one type for all questions. \pre the question is the one of the object
   template <Join_question question> auto factors() const {
     if constexpr (is_parametric(question))
-      return Parametric_join_weights<Ring>::of(left_.degree, right_.degree, length(left_), length(right_));
+      return Parametric_degree_factors<Ring>::of(left_.degree, right_.degree, length(left_), length(right_));
     else if constexpr (weighted) {
-      const auto w = Rational_join_weights<question, Ring>::of(weights(left_, scales_[0]), left_.degree,
-                                                               weights(right_, scales_[1]), right_.degree);
-      return Rational_join_weights<Join_question::g3, Ring>{w.a2, w.b2, w.first, w.a3, w.b3, w.mix};
+      const auto w = Weighted_degree_factors<question, Ring>::of(weights(left_, scales_[0]), left_.degree,
+                                                                 weights(right_, scales_[1]), right_.degree);
+      return Weighted_degree_factors<Join_question::g3, Ring>{w.a2, w.b2, w.first, w.a3, w.b3, w.mix};
     } else
-      return Join_weights<Ring>::template geometric<question>(left_.degree, right_.degree, points_.one());
+      return Degree_factors<Ring>::template geometric<question>(left_.degree, right_.degree, points_.one());
   }
 };
 

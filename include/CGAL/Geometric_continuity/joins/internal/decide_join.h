@@ -27,7 +27,9 @@ namespace Geometric_continuity {
 namespace internal {
 
 // Whether the question is about the points as well.
-constexpr bool asks_for_contact(Join_question question) { return is_parametric(question) || is_geometric(question); }
+constexpr bool requires_coincident_ends(Join_question question) {
+  return is_parametric(question) || is_geometric(question);
+}
 
 template <class Left, class Right> void check_dimensions(const Left& left, const Right& right) {
   if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, "join of two curves");
@@ -86,16 +88,16 @@ Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages)
 
 // How an end is handed to a function that is compiled apart: views stay in registers.
 template <class End>
-using Handed =
+using By_value_or_ref =
     std::conditional_t<std::is_trivially_copyable_v<End> && sizeof(End) <= 2 * sizeof(void*), End, const End&>;
 
-// By all rungs, which need much room: ends that do not meet are not to wait for it. \pre the ends meet, if the question asks for contact
+// By all stages, which need much room: ends that do not meet are not to wait for it. \pre the ends meet, if the question asks for contact
 template <Join_question question, bool weighted, class Left, class Right, class Stages>
-BOOST_NOINLINE Join_answer decide_legs(Handed<Left> left, Handed<Right> right, Stages& stages) {
+BOOST_NOINLINE Join_answer decide_ends(By_value_or_ref<Left> left, By_value_or_ref<Right> right, Stages& stages) {
   typedef typename Left::Traits Traits;
   constexpr int N = dimension_v<Traits>;
   if constexpr (is_double<typename Traits::FT> && (N == 2 || N == 3) && !planar_by_definition<question, N>) {
-    const Join_answer answer = decide_by_rungs(Read_join<question, N, weighted, Left, Right>(left, right)(), stages);
+    const Join_answer answer = decide_by_stages(Join_reader<question, N, weighted, Left, Right>(left, right)(), stages);
     if (answer != Join_answer::unknown) return answer;
   }
   return decide_exactly<question, weighted>(left, right, stages);
@@ -107,7 +109,7 @@ Join_answer decide_weighted_derivatives(const Left& left, const Right& right, St
   typedef typename Left::Traits Traits;
   constexpr int N = dimension_v<Traits>;
   if constexpr (is_double<typename Traits::FT> && (N == 2 || N == 3))
-    return decide_by_rungs(Weighted_derivatives<question, N>(left, right), stages);
+    return decide_by_stages(Weighted_derivatives<question, N>(left, right), stages);
   else
     return Join_answer::unknown;
 }
@@ -117,7 +119,7 @@ template <Join_question question, bool weighted, class Left, class Right, class 
 CGAL_GC_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& right, Stages& stages) {
   constexpr int N = dimension_v<typename Left::Traits>;
   check_dimensions(left, right);
-  if constexpr (asks_for_contact(question))
+  if constexpr (requires_coincident_ends(question))
     if (!ends_meet(left, right)) {
       stages.decided(Join_stage::comparison, Join_answer::no);
       return Join_answer::no;
@@ -130,7 +132,7 @@ CGAL_GC_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& r
   else if constexpr (weighted && !(N == 2 || N == 3))
     return Join_answer::unknown;
   else
-    return decide_legs<question, weighted, Left, Right>(left, right, stages);
+    return decide_ends<question, weighted, Left, Right>(left, right, stages);
 }
 
 // Points and tangents do not depend on weights.

@@ -12,7 +12,7 @@
 #include <utility>
 
 /// \file rounded_points.h
-/// The points at the ends of curves of floating-point numbers, for `Rounded_points`.
+/// The points at the ends of curves of floating-point numbers, for `Near_miss`.
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -39,7 +39,7 @@ template <class Traits, int N = 3> class Edge_key {
 
 public:
   template <class Surface> Edge_key(const Surface& surface, Patch_edge edge) {
-    const Work_on_object work("model_continuity");
+    const Work_guard work("model_continuity");
     std::vector<Piece> pieces = unit_pieces(surface, edge);
     for (const Piece& piece : pieces) charge_powers<Field>(piece.row);
     numbers_ = numbers(pieces);

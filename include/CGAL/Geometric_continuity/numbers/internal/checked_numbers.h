@@ -64,11 +64,11 @@ template <class Field, class FT> Field to_field(const FT& x) {
 }
 
 // A number of the field FT that a caller gives as a number of any type: an infinity or a NaN is refused before it is converted.
-template <class FT> struct Given_number {
+template <class FT> struct Convertible_number {
   FT value;
 
   template <class T, class = std::enable_if_t<std::is_constructible_v<FT, T&&>>>
-  Given_number(T&& x) : value(convert(std::forward<T>(x))) {}
+  Convertible_number(T&& x) : value(convert(std::forward<T>(x))) {}
 
 private:
   static const FT& convert(const FT& x) { return x; }

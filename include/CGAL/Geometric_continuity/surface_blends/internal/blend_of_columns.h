@@ -256,7 +256,7 @@ public:
     const Column_end<Traits> start(a, edge_a, shape.start, 1, "the first surface"),
         end(b, edge_b, shape.end, -1, "the second surface");
     if constexpr (is_rational_v<FT>) {
-      const Work_on_object work("blend");
+      const Work_guard work("blend");
       start.charge();
       end.charge();
     }

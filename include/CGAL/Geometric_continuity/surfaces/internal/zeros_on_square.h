@@ -171,7 +171,7 @@ template <class FT> std::vector<Power_polynomial<FT>> ends_of_zeros(Polynomial_i
 // Whether f, given by the coefficients of u^i v^j in row i, has a zero on the unit square. \pre it has none on the boundary
 // \throws Error `work_limit`
 template <class FT> bool has_zero_on_square(const std::vector<std::vector<FT>>& coefficients) {
-  const Work_on_object work("zeros of a denominator");
+  const Work_guard work("zeros of a denominator");
   Polynomial_in_v<FT> f;
   for (std::size_t j = 0; j < coefficients[0].size(); ++j) {
     std::vector<FT> c;

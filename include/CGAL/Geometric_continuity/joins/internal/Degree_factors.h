@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_WEIGHTS_H
-#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_WEIGHTS_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DEGREE_FACTORS_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DEGREE_FACTORS_H
 
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_question.h>
@@ -24,13 +24,13 @@ namespace internal {
 //   a2 : b2 = (m-1)/m : (n-1)/n                        of the second derivatives,
 //   a3 : b3 = (m-1)(m-2)/m^2 : (n-1)(n-2)/n^2          of the third derivatives, for the torsion (m-2)/m : (n-2)/n,
 //   mix                                                of 3 beta_2 x'' in G3, in units of a3 and of the form for G2.
-template <class W> struct Join_weights {
+template <class W> struct Degree_factors {
   static constexpr bool parametric = false, rational = false;
   W a2, b2, a3, b3, mix;
 
   // `one` is that of a ring, if W does not tell.
   template <Join_question question>
-  static CGAL_GC_FORCEINLINE Join_weights geometric(int m, int n, const W& one = W(1)) {
+  static CGAL_GC_FORCEINLINE Degree_factors geometric(int m, int n, const W& one = W(1)) {
     constexpr bool third = highest_difference(question) >= 3;
     const int m1 = (std::max)(m - 1, 0), n1 = (std::max)(n - 1, 0), m2 = (std::max)(m - 2, 0),
               n2 = (std::max)(n - 2, 0);
@@ -52,11 +52,11 @@ template <class W> struct Join_weights {
 };
 
 // The factors of the differences 1 to 3 for C^k, for domains whose lengths are as h to l.
-template <class W> struct Parametric_join_weights {
+template <class W> struct Parametric_degree_factors {
   static constexpr bool parametric = true, rational = false;
   W a1, b1, a2, b2, a3, b3;
 
-  static CGAL_GC_FORCEINLINE Parametric_join_weights of(int m, int n, const W& h, const W& l) {
+  static CGAL_GC_FORCEINLINE Parametric_degree_factors of(int m, int n, const W& h, const W& l) {
     const W a1(W(m) * l), a2(W(a1 * W((std::max)(m - 1, 0))) * l), a3(W(a2 * W((std::max)(m - 2, 0))) * l);
     const W b1(W(n) * h), b2(W(b1 * W((std::max)(n - 1, 0))) * h), b3(W(b2 * W((std::max)(n - 2, 0))) * h);
     return {a1, b1, a2, b2, a3, b3};
@@ -64,18 +64,18 @@ template <class W> struct Parametric_join_weights {
 };
 
 template <Join_question question, class W>
-using Join_weights_of = std::conditional_t<is_parametric(question), Parametric_join_weights<W>, Join_weights<W>>;
+using Degree_factors_of = std::conditional_t<is_parametric(question), Parametric_degree_factors<W>, Degree_factors<W>>;
 
-template <class V, class W> CGAL_GC_FORCEINLINE Join_weights<V> converted(const Join_weights<W>& w) {
+template <class V, class W> CGAL_GC_FORCEINLINE Degree_factors<V> converted(const Degree_factors<W>& w) {
   return {V(w.a2), V(w.b2), V(w.a3), V(w.b3), V(w.mix)};
 }
 template <class V, class W>
-CGAL_GC_FORCEINLINE Parametric_join_weights<V> converted(const Parametric_join_weights<W>& w) {
+CGAL_GC_FORCEINLINE Parametric_degree_factors<V> converted(const Parametric_degree_factors<W>& w) {
   return {V(w.a1), V(w.b1), V(w.a2), V(w.b2), V(w.a3), V(w.b3)};
 }
 
 // At most 2^40: exact as doubles, and with room for 20 bits more.
-template <int k> CGAL_GC_FORCEINLINE bool weights_fit(const Parametric_join_weights<std::int64_t>& w) {
+template <int k> CGAL_GC_FORCEINLINE bool weights_fit(const Parametric_degree_factors<std::int64_t>& w) {
   std::int64_t largest = (std::max)(w.a1, w.b1);
   if (k >= 2) largest = (std::max)(largest, (std::max)(w.a2, w.b2));
   if (k >= 3) largest = (std::max)(largest, (std::max)(w.a3, w.b3));
@@ -83,7 +83,7 @@ template <int k> CGAL_GC_FORCEINLINE bool weights_fit(const Parametric_join_weig
 }
 
 // What integers of fixed length leave room for: factors below these.
-template <Join_question question> constexpr Join_weights<std::int64_t> factor_limits() {
+template <Join_question question> constexpr Degree_factors<std::int64_t> factor_limits() {
   constexpr std::int64_t second = std::int64_t(1) << 19,
                          third = std::int64_t(1) << (question == Join_question::torsion ? 19 : 28),
                          mixed = std::int64_t(1) << 16;
@@ -91,8 +91,8 @@ template <Join_question question> constexpr Join_weights<std::int64_t> factor_li
 }
 
 // Whether the factors that a question needs are below their limits.
-template <Join_question question> CGAL_GC_FORCEINLINE bool factors_fit(const Join_weights<std::int64_t>& w) {
-  constexpr Join_weights<std::int64_t> limits = factor_limits<question>();
+template <Join_question question> CGAL_GC_FORCEINLINE bool factors_fit(const Degree_factors<std::int64_t>& w) {
+  constexpr Degree_factors<std::int64_t> limits = factor_limits<question>();
   return highest_difference(question) < 2 ||
          ((w.a2 | w.b2) < limits.a2 && (w.a3 | w.b3) < limits.a3 && w.mix < limits.mix);
 }
@@ -120,7 +120,7 @@ template <Join_question question> CGAL_GC_FORCEINLINE bool factors_fit(const Joi
 //   a3 : b3         = gamma : delta        of the third ones; for the torsion gamma/alpha : delta/beta,
 //   mix             = 3 alpha              in G3, in units of a3 and of the form for G2.
 // X is the type of the weights, of which products have longer types.
-template <Join_question question, class X> struct Rational_join_weights {
+template <Join_question question, class X> struct Weighted_degree_factors {
   typedef Product<X, X, X, X> Second;
   typedef std::conditional_t<question == Join_question::g3, Product<X, X, X, Second>,
                              std::conditional_t<question == Join_question::f3, Product<X, X, Second>, Second>>
@@ -133,12 +133,12 @@ template <Join_question question, class X> struct Rational_join_weights {
   Mix mix;
 
   // From the weights w of the left end and v of the right one, as many as the question needs.
-  static CGAL_GC_FORCEINLINE Rational_join_weights of(const std::array<X, 4>& w, int m, const std::array<X, 4>& v,
-                                                      int n) {
+  static CGAL_GC_FORCEINLINE Weighted_degree_factors of(const std::array<X, 4>& w, int m, const std::array<X, 4>& v,
+                                                        int n) {
     typedef Product<X, X> Square;
     const int m1 = (std::max)(m - 1, 0), n1 = (std::max)(n - 1, 0), m2 = (std::max)(m - 2, 0),
               n2 = (std::max)(n - 2, 0);
-    Rational_join_weights f{};
+    Weighted_degree_factors f{};
     if constexpr (question == Join_question::torsion) {
       f.a3 = times(Second(Square(w[0] * w[3]) * Square(v[1] * v[2])), n, m2);
       f.b3 = times(Second(Square(v[0] * v[3]) * Square(w[1] * w[2])), m, n2);
@@ -188,4 +188,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_WEIGHTS_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_DEGREE_FACTORS_H

@@ -6,19 +6,19 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Geometric_continuity/cad/internal/Largest_on_ranges.h>
+#include <CGAL/Geometric_continuity/cad/internal/Maximum_enclosure.h>
 
 #include <initializer_list>
 #include <limits>
 #include <utility>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(Largest_on_ranges)
+BOOST_AUTO_TEST_SUITE(Maximum_enclosure)
 
 namespace {
 
 using CGAL::Geometric_continuity::internal::Bounds_on_range;
-typedef CGAL::Geometric_continuity::internal::Largest_on_ranges Largest;
+typedef CGAL::Geometric_continuity::internal::Maximum_enclosure Largest;
 typedef CGAL::Geometric_continuity::internal::Largest_options Options;
 typedef std::vector<std::pair<double, double>> Ranges;
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_FIXED_LARGEST_MEASURE_H
-#define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_FIXED_LARGEST_MEASURE_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_INTEGER_ANGLE_MAXIMUM_H
+#define CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_INTEGER_ANGLE_MAXIMUM_H
 
 #include <CGAL/Geometric_continuity/algebra/internal/Bounded_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Homogeneous_polynomial.h>
@@ -24,7 +24,7 @@
 #include <optional>
 #include <vector>
 
-/// \file Fixed_largest_measure.h
+/// \file Integer_angle_maximum.h
 /// The search of Largest_measure for acute angles in integers of fixed length.
 
 namespace CGAL {
@@ -48,7 +48,7 @@ template <class Ring, int degree, int bits> Ring coefficient_in(const Bounded_po
 // Branch and bound as in Largest_measure, where all angles are acute, so that their measure is s/p: all pieces that may have the
 // largest angle are halved until the bounds of it are close enough. They are rounded outwards to 62 digits; at an end of the edge
 // they are exact.
-template <class Field, class S, class P = S> class Fixed_largest_measure {
+template <class Field, class S, class P = S> class Integer_angle_maximum {
   typedef typename Common_denominator<Field>::Ring Ring;
   typedef typename Common_denominator<Field>::Exact Exact;
   typedef boost::multiprecision::int256_t Wide;
@@ -73,7 +73,7 @@ template <class Field, class S, class P = S> class Fixed_largest_measure {
 
 public:
   // Of polynomials of one degree.
-  Fixed_largest_measure(const S& s, const P& p) : exact_s_(s), exact_p_(p) {}
+  Integer_angle_maximum(const S& s, const P& p) : exact_s_(s), exact_p_(p) {}
 
   // Returns nothing where it does not get on, or the meter does not allow more.
   std::optional<Normal_deviation<Field>> operator()() {
@@ -239,4 +239,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_FIXED_LARGEST_MEASURE_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_INTERNAL_INTEGER_ANGLE_MAXIMUM_H

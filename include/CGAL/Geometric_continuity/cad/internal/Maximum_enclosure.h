@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_LARGEST_ON_RANGES_H
-#define CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_LARGEST_ON_RANGES_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_MAXIMUM_ENCLOSURE_H
+#define CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_MAXIMUM_ENCLOSURE_H
 
 #include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
 
@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-/// \file Largest_on_ranges.h
+/// \file Maximum_enclosure.h
 /// The largest value of a function on a range of parameters by branch and bound: always the part with the largest upper bound is halved.
 
 namespace CGAL {
@@ -55,7 +55,7 @@ inline std::vector<std::pair<double, double>> united(std::vector<std::pair<doubl
   return result;
 }
 
-class Largest_on_ranges {
+class Maximum_enclosure {
   struct Part : Range { // of the parameter
     double bound;       // from above, of the function
     bool defined, knots;
@@ -80,7 +80,7 @@ public:
   // it is proved that it is not: is_undefined(from, to). So are those with knot lines, unless the bounds are narrow with them:
   // where a surface itself is not smooth, which of its pieces meets which of the other is not known.
   template <class Evaluate, class Is_undefined>
-  Largest_on_ranges(const std::vector<double>& ends, const Largest_options& options, const Evaluate& evaluate,
+  Maximum_enclosure(const std::vector<double>& ends, const Largest_options& options, const Evaluate& evaluate,
                     const Is_undefined& is_undefined)
       : parameter(ends.front()), upper_at(ends.front()) {
     const double length = ends.back() - ends.front();
@@ -182,4 +182,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_LARGEST_ON_RANGES_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_MAXIMUM_ENCLOSURE_H

@@ -11,7 +11,7 @@
 #include "support/sampled_edges.h"
 
 #include <CGAL/Geometric_continuity/cad/internal/Edge_bounds.h>
-#include <CGAL/Geometric_continuity/cad/internal/Placed_side.h>
+#include <CGAL/Geometric_continuity/cad/internal/Side_evaluator.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(Placed_side)
+BOOST_AUTO_TEST_SUITE(Side_evaluator)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef GC::Cad_elementary_surface Elementary;
@@ -72,7 +72,7 @@ struct Outside {
     const GC::internal::Edge_range range(first, last);
     {
       const CGAL::Protect_FPU_rounding<true> upwards;
-      models = GC::internal::Placed_side(side).models(range, GC::internal::Edge_quantity::curvature);
+      models = GC::internal::Side_evaluator(side).models(range, GC::internal::Edge_quantity::curvature);
     }
     if (models.empty()) return;
     const GC::internal::Side_models& m = models.front();

@@ -21,7 +21,7 @@ namespace {
 
 typedef GC::internal::Common_denominator<Q>::Ring Ring;
 typedef GC::internal::Homogeneous_polynomial<Ring> Whole;
-typedef GC::internal::Fixed_largest_measure<Q, Whole> Fixed;
+typedef GC::internal::Integer_angle_maximum<Q, Whole> Fixed;
 
 // a t^i (1-t)^j, of degree n
 Whole bump(const Ring& a, int i, int j, int n) {
@@ -49,7 +49,7 @@ bool is_accurate(const GC::Normal_deviation<Q>& d) {
 
 std::optional<GC::Normal_deviation<Q>> search(const Whole& s, const Whole& p, GC::Work_limit limit = GC::Work_limit()) {
   const GC::Work_scope each(limit);
-  const GC::internal::Work_on_object work("test");
+  const GC::internal::Work_guard work("test");
   return Fixed(s, p)();
 }
 
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(no_crease) {
     return x;
   };
   const GC::internal::Edge_layers a = layers(1), b = layers(-1), c = layers(2);
-  const GC::internal::Work_on_object work("test");
+  const GC::internal::Work_guard work("test");
   GC::internal::Edge_ladder smooth(a, b), fold(a, c);
   BOOST_CHECK(!GC::internal::crease_on_grid<Q>(smooth));
   BOOST_CHECK(!GC::internal::crease_on_grid<Q>(fold));
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(creases_in_fixed_length_and_multiprecision) {
     const GC::Edge_rows<Q> rows = GC::edge_rows(p, v0), other = GC::edge_rows(q, v0);
     GC::internal::Edge_layers x, y;
     BOOST_REQUIRE((GC::internal::edge_layers(p, v0, q, v0, 2, x, y)));
-    const GC::internal::Work_on_object work("test");
+    const GC::internal::Work_guard work("test");
     GC::internal::Edge_ladder ladder(x, y);
     const std::optional<GC::Edge_continuity<Q>> found = GC::internal::crease_on_grid<Q>(ladder);
     const GC::Edge_continuity<Q> expected = GC::internal::decide_rough_edge(rows, other);

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_STEPS_OF_EACH_H
-#define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_STEPS_OF_EACH_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_PER_OBJECT_LIMIT_H
+#define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_PER_OBJECT_LIMIT_H
 
 #include <cstdint>
 #include <utility>
@@ -15,7 +15,7 @@ namespace Geometric_continuity {
 namespace internal {
 
 // Sets it for this thread, from here to the end of the block.
-class Steps_of_each {
+class Per_object_limit {
   const std::uint64_t before_;
 
   static std::uint64_t& of_this_thread() {
@@ -26,10 +26,10 @@ class Steps_of_each {
 public:
   static constexpr std::uint64_t default_steps = 4'000'000'000;
 
-  explicit Steps_of_each(std::uint64_t steps) : before_(std::exchange(of_this_thread(), steps)) {}
-  Steps_of_each(const Steps_of_each&) = delete;
-  Steps_of_each& operator=(const Steps_of_each&) = delete;
-  ~Steps_of_each() { of_this_thread() = before_; }
+  explicit Per_object_limit(std::uint64_t steps) : before_(std::exchange(of_this_thread(), steps)) {}
+  Per_object_limit(const Per_object_limit&) = delete;
+  Per_object_limit& operator=(const Per_object_limit&) = delete;
+  ~Per_object_limit() { of_this_thread() = before_; }
 
   static std::uint64_t steps() { return of_this_thread(); }
 };
@@ -38,4 +38,4 @@ public:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_INTERNAL_STEPS_OF_EACH_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_INTERNAL_PER_OBJECT_LIMIT_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_PLACED_SIDE_H
-#define CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_PLACED_SIDE_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_SIDE_EVALUATOR_H
+#define CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_SIDE_EVALUATOR_H
 
 #include <CGAL/Geometric_continuity/cad/internal/Cad_surface_jet.h>
 #include <CGAL/Geometric_continuity/cad/internal/Taylor_model.h>
@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-/// \file Placed_side.h
+/// \file Side_evaluator.h
 /// Point, normal and normal curvature of one side of an edge, as Taylor models over a range of the parameter.
 
 namespace CGAL {
@@ -81,12 +81,12 @@ private:
 };
 
 // A placement whose numbers have been checked. \throws Error `not_finite`, `singular_frame`
-class Checked_placement {
+class Validated_transform {
   const Cad_placement& m_;
   bool identity_ = true, mirror_;
 
 public:
-  explicit Checked_placement(const Cad_placement& placement) : m_(placement) {
+  explicit Validated_transform(const Cad_placement& placement) : m_(placement) {
     std::array<Interval_vector<3>, 3> m;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 4; ++j) {
@@ -132,7 +132,7 @@ public:
 // An `Edge_curve` whose numbers have been checked.
 class Placed_curve {
   const Edge_curve& given_;
-  Checked_placement placed_;
+  Validated_transform placed_;
 
 public:
   explicit Placed_curve(const Edge_curve& given) : given_(given), placed_(given.placement) {
@@ -143,7 +143,7 @@ public:
   Taylor_vector models(const Edge_range& range) const {
     constexpr int n = Taylor_model::size;
     const Cad_curve<3>& curve = *given_.curve;
-    const int span = touched_pieces(curve, range.t, 1).front();
+    const int span = intersected_pieces(curve, range.t, 1).front();
     const Cad_curve_jet<3> about_middle = cad_curve_jet(curve, Interval(range.middle), n, span),
                            on_range = cad_curve_jet(curve, range.t, n + 1, span);
     Taylor_vector point;
@@ -160,20 +160,20 @@ public:
 };
 
 // An `Edge_side` whose numbers have been checked.
-class Placed_side {
+class Side_evaluator {
   const Edge_side& side_;
-  Checked_placement placed_;
+  Validated_transform placed_;
   bool flipped_; // whether the normal is that of the placed surface times -1
 
 public:
-  explicit Placed_side(const Edge_side& side)
+  explicit Side_evaluator(const Edge_side& side)
       : side_(side), placed_(side.placement), flipped_(side.reversed != placed_.is_mirror()) {
     std::visit(Check_cad_surface(), *side.surface);
     std::visit(Check_cad_curve<2>(), *side.curve);
   }
 
   const Edge_side& given() const { return side_; }
-  const Checked_placement& placed() const { return placed_; }
+  const Validated_transform& placed() const { return placed_; }
   bool is_flipped() const { return flipped_; }
 
   // On each range the quantity asked for and those before it, by the formula of each piece of the surface that the edge may touch there,
@@ -182,7 +182,7 @@ public:
   std::vector<Side_models> models(const Edge_range& range, Edge_quantity quantity) const {
     constexpr int n = Taylor_model::size;
     const Cad_curve<2>& curve = *side_.curve;
-    const int span = touched_pieces(curve, range.t, 1).front();
+    const int span = intersected_pieces(curve, range.t, 1).front();
     const Cad_curve_jet<2> about_middle = cad_curve_jet(curve, Interval(range.middle), n, span),
                            on_range = cad_curve_jet(curve, range.t, n + 1, span),
                            first = cad_curve_jet(curve, Interval(range.t.inf()), 0, span),
@@ -194,8 +194,8 @@ public:
     // the face lies towards face_side (-v', u'): for curves along a knot line
     const auto sign = [](const Interval& x) { return x.inf() > 0 ? 1 : x.sup() < 0 ? -1 : 0; };
     const std::array<std::vector<int>, 2> spans =
-        touched_pieces(*side_.surface, u.range, v.range, -sign(on_range.c[1][1]) * side_.face_side,
-                       sign(on_range.c[1][0]) * side_.face_side);
+        intersected_pieces(*side_.surface, u.range, v.range, -sign(on_range.c[1][1]) * side_.face_side,
+                           sign(on_range.c[1][0]) * side_.face_side);
     if (spans[0].size() * spans[1].size() > 6) return result;
     for (int u_span : spans[0])
       for (int v_span : spans[1]) {
@@ -355,4 +355,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_PLACED_SIDE_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_CAD_INTERNAL_SIDE_EVALUATOR_H
