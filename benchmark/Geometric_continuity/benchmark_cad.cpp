@@ -87,7 +87,7 @@ Cad_demand demand() {
   return result;
 }
 
-// Whether an enclosure is not as narrow as it should be.
+// Returns whether an enclosure is not as narrow as it should be.
 bool is_wide(const GC::Enclosure& x, double floor) {
   return x.upper > floor && !(x.upper - x.lower <= GC::Edge_precision().relative * x.upper * (1 + 1e-9));
 }

@@ -49,7 +49,7 @@ template <class T> string digits_of(T x, int n, int& exponent) {
   return digits;
 }
 
-// Whether the digits, with a last one that is larger by -1, 0 or 1, are read as the number x.
+// Returns whether the digits, with a last one that is larger by -1, 0 or 1, are read as the number x.
 template <class T> bool is_read_as(string digits, int exponent, int more, T x, string& result) {
   for (size_t i = digits.size(); more != 0;) {
     if (i == 0) return false; // 99...9 or 10...0, which have fewer digits

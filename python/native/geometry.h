@@ -61,7 +61,7 @@ struct Curves_view {
   int degree, dimension;
   std::ptrdiff_t curve_step, point_step, coordinate_step;
 
-  // Whether all numbers follow each other.
+  // Returns whether all numbers follow each other.
   bool is_packed() const {
     return coordinate_step == 1 && point_step == dimension && curve_step == (degree + 1) * point_step;
   }

@@ -158,7 +158,7 @@ template <int N> void check_chain(std::string_view text) {
   }
 }
 
-// Whether a number has an exponent of three digits or more. Long numbers are a matter of fuzz_curves; here they would take most of the time.
+// Returns whether a number has an exponent of three digits or more. Long numbers are a matter of fuzz_curves; here they would take most of the time.
 bool has_large_exponent(std::string_view text) {
   const char* const digits = "0123456789";
   for (std::size_t e = text.find_first_of("eE"); e != std::string_view::npos; e = text.find_first_of("eE", e + 1)) {

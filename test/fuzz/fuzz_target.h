@@ -34,7 +34,7 @@ inline void require(bool property, const char* what) {
   std::abort();
 }
 
-// Whether a text that was written holds a number longer than what is read: exact numbers can be.
+// Returns whether a text that was written holds a number longer than what is read: exact numbers can be.
 inline bool has_long_number(const std::string& text) {
   std::istringstream is(text);
   for (std::string word; is >> word;)

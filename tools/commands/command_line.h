@@ -70,10 +70,10 @@ public:
     return names;
   }
 
-  // Whether the help was printed, so that nothing else is to be done.
+  // Returns whether the help was printed, so that nothing else is to be done.
   bool help() const { return values_.count("help") != 0; }
 
-  // Whether an option is given; its default value does not count.
+  // Returns whether an option is given; its default value does not count.
   bool has(const std::string& option) const { return values_.count(option) != 0 && !values_[option].defaulted(); }
 
   // Refuses options that have no meaning here, with the reason, e.g. "not with --surfaces".

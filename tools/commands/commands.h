@@ -36,7 +36,7 @@ struct Report_mode {
   std::ostream* certificate = nullptr; // where certificates are written
   const Baseline* baseline = nullptr;  // what it knows is not reported
 
-  // Whether the report consists of findings.
+  // Returns whether the report consists of findings.
   bool has_findings() const {
     return format == Report_format::sarif || format == Report_format::junit || baseline != nullptr;
   }

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-// Whether a file of the format .g2 begins with a surface: with the number of their class, 200.
+// Returns whether a file of the format .g2 begins with a surface: with the number of their class, 200.
 inline bool holds_surfaces(const std::string& file) {
   const std::string text = beginning_of_text(file);
   const std::size_t first = text.find_first_not_of(" \t\r\n");

@@ -26,7 +26,7 @@
 
 namespace GC = CGAL::Geometric_continuity;
 
-// Whether the name of a file stands for standard input.
+// Returns whether the name of a file stands for standard input.
 inline bool is_standard_input(const std::string& name) { return name == "-" || name == "/dev/stdin"; }
 
 // The name of a file in messages.

@@ -16,10 +16,10 @@
 #include <string>
 #include <system_error>
 
-// Whether the name of a file stands for standard output.
+// Returns whether the name of a file stands for standard output.
 inline bool is_standard_output(const std::string& name) { return name == "-" || name == "/dev/stdout"; }
 
-// Whether the name is that of a device, a pipe or the like, which says nothing about the format.
+// Returns whether the name is that of a device, a pipe or the like, which says nothing about the format.
 inline bool has_no_format(const std::string& name) {
   std::error_code ignored;
   return is_standard_output(name) || std::filesystem::is_other(name, ignored);
@@ -73,7 +73,7 @@ inline std::filesystem::path behind_links(std::filesystem::path path) {
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
 }
 
-// Whether two names of output files lead to one file.
+// Returns whether two names of output files lead to one file.
 inline bool lead_to_one_file(const std::string& a, const std::string& b) {
   if (is_standard_output(a) || is_standard_output(b)) return is_standard_output(a) && is_standard_output(b);
   if (has_no_format(a)) return false;

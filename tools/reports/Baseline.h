@@ -170,13 +170,13 @@ class Known_findings {
 public:
   explicit Known_findings(const Baseline& baseline) : baseline_(baseline) {}
 
-  // Whether it is known where it is.
+  // Returns whether it is known where it is.
   bool take_unmoved(const Finding& f) {
     const std::string hash = defect(f);
     return take(f, baseline_.at_place(place(f)), [&](const Baseline::Known& known) { return known.defect == hash; });
   }
 
-  // Whether it was better where it is, after all that is known has been taken there.
+  // Returns whether it was better where it is, after all that is known has been taken there.
   bool is_worse_there(const Finding& f) const {
     const std::string hash = defect(f);
     const std::vector<std::size_t>& numbers = baseline_.at_place(place(f));
@@ -184,10 +184,10 @@ public:
                        [&](std::size_t i) { return !is_used_[i] && baseline_[i].defect == hash; });
   }
 
-  // Whether it is known from another place.
+  // Returns whether it is known from another place.
   bool take_moved(const Finding& f) { return take(f, baseline_.of_defect(defect(f)), any); }
 
-  // Whether another defect is known there.
+  // Returns whether another defect is known there.
   bool take_changed(const Finding& f) { return take(f, baseline_.at_place(place(f)), any); }
 };
 

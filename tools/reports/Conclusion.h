@@ -30,7 +30,7 @@ class Conclusion {
   bool is_refused(std::size_t n, bool is_allowed) const { return n > 0 && !is_allowed; }
   bool has_refused() const;
 
-  // Whether nothing could be decided at all.
+  // Returns whether nothing could be decided at all.
   bool is_empty() const { return claims_.decided() + claims_.undecided() + claims_.known() == 0; }
 
 public:

@@ -35,7 +35,7 @@ public:
   Report_part() = default;
   explicit Report_part(const Report_mode& mode) : mode_(mode) {}
 
-  // Whether findings are written, and no rows.
+  // Returns whether findings are written, and no rows.
   bool has_findings() const { return mode_.has_findings(); }
 
   // Counts a thing of a file. make() returns its finding, without class and level, if it is to have one: that is called when findings are
@@ -126,7 +126,7 @@ public:
     add(part);
   }
 
-  // Whether rows of things of this class are shown: not in a summary of what is met.
+  // Returns whether rows of things of this class are shown: not in a summary of what is met.
   bool shows(Claim claim) const { return !mode_.summary || claim != Claim::met; }
 
   // Adds rows of things of this class to an array, or names an array which may stay empty.

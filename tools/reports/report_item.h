@@ -61,7 +61,7 @@ struct Report_item {
   double rank() const { return units_off ? *units_off : severity; }
 };
 
-// Whether `a` is shown before `b`, when the worst come first.
+// Returns whether `a` is shown before `b`, when the worst come first.
 inline bool is_worse(const Report_item& a, const Report_item& b) {
   if (a.grade != b.grade) return a.grade < b.grade;
   if (a.rank() != b.rank()) return a.rank() > b.rank();

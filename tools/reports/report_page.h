@@ -52,7 +52,7 @@ public:
 
   const Claims& claims() const { return claims_; }
 
-  // Whether its joins may have this grade.
+  // Returns whether its joins may have this grade.
   bool has(Report_grade grade) const;
 
   // Includes points in the whole, of the extent of which the severities of kinks are given in per mille.

@@ -47,7 +47,7 @@ static std::vector<double> numbers(int n) {
   return result;
 }
 
-// Whether an interval contains a number, with infinite bounds.
+// Returns whether an interval contains a number, with infinite bounds.
 static bool contains(const Interval& x, const Q& y) {
   return (std::isinf(x.inf()) || Q(x.inf()) <= y) && (std::isinf(x.sup()) || y <= Q(x.sup()));
 }

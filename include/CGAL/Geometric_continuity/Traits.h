@@ -315,7 +315,7 @@ template <class FT, int M> Coordinate_vector<FT, (M == 0 ? 0 : M - 1)> affine_po
 
 namespace internal {
 
-// Whether a curve or a surface has weights.
+// Tells whether a curve or a surface has weights.
 template <class Shape, class = void> struct Is_rational : std::false_type {};
 template <class Shape> struct Is_rational<Shape, std::void_t<typename Shape::Homogeneous>> : std::true_type {};
 

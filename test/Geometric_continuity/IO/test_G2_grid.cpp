@@ -91,7 +91,7 @@ bool bring_on_grid(const std::string& file, GC::G2_grid& grid, Double_surfaces& 
 
 Q power_of_ten(int exponent) { return GC::parse_number<Q>("1e" + std::to_string(exponent)); }
 
-// Whether the grid surface times the units is the exact one.
+// Returns whether the grid surface times the units is the exact one.
 bool is_scaled(const GC::Bspline_surface<Double>& surface, const GC::Bspline_surface<Exact>& exact,
                const GC::G2_grid& grid) {
   const Q length = power_of_ten(grid.exponent_of_coordinates()), parameter = power_of_ten(grid.exponent_of_knots());

@@ -39,7 +39,7 @@ template <class Source> Pieces read_pieces(const std::string& text) {
   return pieces;
 }
 
-// Whether the jets at the ends of these pieces are read.
+// Returns whether the jets at the ends of these pieces are read.
 template <class Number> bool reads_ends(const std::string& text, int order, const Pieces& pieces) {
   std::istringstream is(text);
   GC::G2_span_reader<Exact, Number> reader(is, "f.g2", order);

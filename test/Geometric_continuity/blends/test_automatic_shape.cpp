@@ -55,7 +55,7 @@ double beta(const std::vector<T>& a1, const std::vector<T>& a2, const std::vecto
   return CGAL::to_double(s.beta);
 }
 
-// Whether b has 8 binary digits, and no such number is nearer to the root of x/y; of two the larger one.
+// Returns whether b has 8 binary digits, and no such number is nearer to the root of x/y; of two the larger one.
 bool is_nearest(double b, const Q& x, const Q& y) {
   const double unit = std::ldexp(1., std::ilogb(b) - 7);
   if (std::fmod(b, unit) != 0) return false;

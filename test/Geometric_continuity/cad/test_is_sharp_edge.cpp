@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Whether edges are sharp everywhere: with angles that are known along the edge.
+// Tells whether edges are sharp everywhere: with angles that are known along the edge.
 
 #define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE is_sharp_edge

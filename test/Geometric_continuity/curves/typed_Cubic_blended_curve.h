@@ -482,7 +482,7 @@ BOOST_AUTO_TEST_CASE(piecewise_degenerate) {
 
 // ---------------------------------------------------------------- properties of Bezier curves
 
-// Whether p is in a triangle of the points, for points in the plane: Caratheodory's theorem.
+// Returns whether p is in a triangle of the points, for points in the plane: Caratheodory's theorem.
 template <class Traits> bool in_some_triangle(const std::vector<Column<Traits>>& q, const Column<Traits>& p) {
   const auto turn = [](const Column<Traits>& a, const Column<Traits>& b, const Column<Traits>& c) {
     const FT x = (b[0] - a[0]) * (c[1] - a[1]), y = (b[1] - a[1]) * (c[0] - a[0]);

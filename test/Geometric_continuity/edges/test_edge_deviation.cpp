@@ -64,7 +64,7 @@ Rows surface(const Polynomial& y, const Polynomial& z, const Rows::Row& edge = r
 }
 const Rows flat = surface(one, zero);
 
-// Whether the largest angle is that with the squared sine, beyond the right angle if `obtuse`.
+// Returns whether the largest angle is that with the squared sine, beyond the right angle if `obtuse`.
 void check_largest_angle(const Rows& a, const Rows& b, const Exact& sine_squared, bool obtuse = false) {
   const auto e = GC::edge_continuity(a, b);
   BOOST_REQUIRE(e.deviation);

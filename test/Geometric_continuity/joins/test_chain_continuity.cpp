@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(summaries_of_parts) {
   }
 }
 
-// Whether a chain is closed is told by an enumeration: a bool would be taken for the order.
+// Tells whether a chain is closed is told by an enumeration: a bool would be taken for the order.
 template <class... Argument> using Continuity = decltype(GC::chain_continuity(std::declval<Argument>()...));
 template <class... Argument> using Joins = decltype(GC::chain_joins(std::declval<Argument>()...));
 template <template <class...> class Call, class Arguments, class = void> constexpr bool compiles = false;

@@ -36,7 +36,7 @@ template <class FT> std::string text(const GC::Join_continuity<FT>& join) {
   return os.str();
 }
 
-// Whether the enclosures of the derivatives with respect to a parameter of [0, 1] are narrow and contain those over a domain.
+// Returns whether the enclosures of the derivatives with respect to a parameter of [0, 1] are narrow and contain those over a domain.
 template <class Jet, class Exact> bool encloses(const Jet& enclosed, const Exact& exact, const Curve& curve) {
   Q power(1);
   for (int k = 0; k <= 3; ++k, power *= curve.domain().second - curve.domain().first)

@@ -22,7 +22,7 @@ BOOST_AUTO_TEST_SUITE(rational_tessellation)
 
 namespace {
 
-// Whether the middle of each triangle and of each of its sides is within the distance of the point of the patch with the middle of
+// Returns whether the middle of each triangle and of each of its sides is within the distance of the point of the patch with the middle of
 // the parameters.
 void check_distance(const Patch<Exact>& s, double distance) {
   const GC::Tessellation<Exact> mesh = GC::tessellate(s, GC::Chord_tolerance{distance});

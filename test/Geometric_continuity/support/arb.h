@@ -63,7 +63,7 @@ private:
   }
 };
 
-// Whether the enclosure holds what the ball, which is a small one, holds.
+// Returns whether the enclosure holds what the ball, which is a small one, holds.
 inline bool encloses(const CGAL::Geometric_continuity::Enclosure& e, const Ball& x) {
   const Ball lower(e.lower), upper(e.upper);
   mag_t radius;

@@ -46,7 +46,7 @@ inline Circle_point circle_point(double x) {
           std::max(sum[1], previous[1])};
 }
 
-// Whether the angle x is certainly not larger than the one between two vectors with this scalar product and squared
+// Returns whether the angle x is certainly not larger than the one between two vectors with this scalar product and squared
 // lengths (`not_larger`), or certainly not smaller: cos falls on [0, pi], and for cosines of one sign their squares compare.
 inline bool angle_is(bool not_larger, double x, const Exact& product, const Exact& lengths_squared) {
   if (not_larger ? x <= 0 : x >= 3.1415926535897936) return true;

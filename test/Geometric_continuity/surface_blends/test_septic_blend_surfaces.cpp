@@ -68,7 +68,7 @@ template <class Surface> std::vector<Q> parameters(const Surface& s) {
   return u;
 }
 
-// Whether S has at its edge v = `at` the third-order expansion of the surface L in the parameters of the shape, everywhere.
+// Returns whether S has at its edge v = `at` the third-order expansion of the surface L in the parameters of the shape, everywhere.
 template <class L, class S, class Reparametrisation>
 bool has_contact(const L& l, Patch_edge edge, Edge_direction direction, const S& s, int at,
                  const Reparametrisation& r) {

@@ -41,7 +41,7 @@ template <class Traits> Patch<Traits> with_middle_weight(const typename Traits::
 
 int binomial(int n, int k) { return k == 0 ? 1 : binomial(n - 1, k - 1) * n / k; }
 
-// Whether S w = P holds for the derivatives up to the order k, by the product rule.
+// Returns whether S w = P holds for the derivatives up to the order k, by the product rule.
 template <class Surface> bool is_quotient(const Surface& s, const Q& u, const Q& v, int k) {
   const auto x = s.jet(u, v, k);
   const auto p = s.homogeneous().jet(u, v, k);

@@ -51,7 +51,7 @@ class Arc_length {
     return before + length(rows, depth + 1);
   }
 
-  // Whether all control points lie on the chord, in order, and all weights are positive.
+  // Returns whether all control points lie on the chord, in order, and all weights are positive.
   static bool is_line(const Exact_curve& curve) {
     const int m = curve.degree();
     const auto chord = curve.coordinates(m) - curve.coordinates(0);

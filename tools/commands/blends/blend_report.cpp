@@ -20,7 +20,7 @@
 
 namespace {
 
-// Whether what costs more than the limit is left out.
+// Returns whether what costs more than the limit is left out.
 bool is_left_out(const GC::Error& e, bool limited) { return !limited && e.code() == GC::Error_code::work_limit; }
 
 // Empty where there are none, and where they are left out.

@@ -51,7 +51,7 @@ inline const char* name(Cad_shape shape) {
   return "undecided";
 }
 
-// Whether the two sides of an edge are compared.
+// Returns whether the two sides of an edge are compared.
 inline bool has_verdict(const Cad_edge& edge) {
   return edge.kind == Cad_edge_kind::inner || edge.kind == Cad_edge_kind::seam || edge.kind == Cad_edge_kind::knot_line;
 }
@@ -92,7 +92,7 @@ struct Cad_verdict {
     return *exact < 0 ? "gap" : 'G' + std::to_string(*exact);
   }
 
-  // Whether the edge has an order. A corner is meant: its faces need to meet only.
+  // Returns whether the edge has an order. A corner is meant: its faces need to meet only.
   GC::Verdict meets(int asked) const {
     GC::Verdict result = within[0];
     if (shape == Cad_shape::corner) return result;
@@ -110,7 +110,7 @@ constexpr const char* edge_without_face = "without a face: what is compared are 
 // Why boundary edges are not covered that lie beside others.
 constexpr const char* beside_another = "it lies beside another boundary edge and was not compared with it, see --sew";
 
-// Whether an edge is said to be a point, and is not proved to be one.
+// Returns whether an edge is said to be a point, and is not proved to be one.
 inline bool is_no_point(const Cad_edge& edge, const Cad_verdict& verdict) {
   return edge.kind == Cad_edge_kind::degenerate && verdict.within[0] != GC::Verdict::proved;
 }

@@ -45,7 +45,7 @@ class Edge_decision {
 
   bool has_projections() const { return edge_.space && (is_projected_[0] || is_projected_[1]); }
 
-  // Whether a measure of foot points is proved to be larger than a bound at a parameter, or beside it: at knots of surfaces nothing is proved.
+  // Returns whether a measure of foot points is proved to be larger than a bound at a parameter, or beside it: at knots of surfaces nothing is proved.
   template <class Measure>
   bool exceeds_at_feet(double t, const std::array<bool, 2>& is_projected, const GC::Bound& bound,
                        Measure measure) const {
@@ -69,7 +69,7 @@ class Edge_decision {
     result.in_doubt = result.in_doubt || static_cast<int>(order) <= demand_.most; // otherwise nobody asks
   }
 
-  // Whether the distance of the second side is bounded by that of the first one and the gap as well as is needed. Then the bound holds for both.
+  // Returns whether the distance of the second side is bounded by that of the first one and the gap as well as is needed. Then the bound holds for both.
   bool bounds_second_side(Cad_verdict& result) const {
     if (edge_.kind == Cad_edge_kind::degenerate) return true; // twice the same
     if (has_projections()) return false;                      // it is told
@@ -158,7 +158,7 @@ class Edge_decision {
     decide_shape(result);
   }
 
-  // Whether nothing that is asked for depends on what is next to a pole.
+  // Returns whether nothing that is asked for depends on what is next to a pole.
   bool is_settled(const Cad_verdict& result) const {
     const std::size_t asked = demand_.most > 1 ? 2 : 1;
     return result.within[asked] == GC::Verdict::proved || result.within[0] == GC::Verdict::refuted ||

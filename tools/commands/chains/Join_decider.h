@@ -97,7 +97,7 @@ private:
                       GC::Verdict::undecided) > 0;
   }
 
-  // Whether a join is worth a note where nothing is required: a gap or a kink.
+  // Returns whether a join is worth a note where nothing is required: a gap or a kink.
   bool is_noted(const Join& join, const Drawn& drawn, const std::optional<GC::Order_within>& within) const {
     const int smooth = (std::min)(demand_.max_order, 1);
     return !demand_.order && !(drawn && drawn->is_smooth()) && join.g_order < smooth &&

@@ -20,7 +20,7 @@
 
 typedef GC::Join_continuity<Exact> Join;
 
-// Whether the angle of two tangents, in any dimension, exceeds the bound, decided exactly.
+// Returns whether the angle of two tangents, in any dimension, exceeds the bound, decided exactly.
 inline bool exceeds(const GC::Kink_bound& bound, const GC::Coordinate_vector<Exact, 0>& a,
                     const GC::Coordinate_vector<Exact, 0>& b) {
   typedef CGAL::Sqrt_extension<Exact, Exact> Root; // |a x b|, which is a number in the plane only

@@ -92,7 +92,7 @@ template <int N> class Enclosed_numbers {
 public:
   Enclosed_numbers(const Enclosed_jet& left, const Enclosed_jet& right) : x_(left), y_(right) {}
 
-  // Whether all numbers so far are what Exact_numbers says.
+  // Returns whether all numbers so far are what Exact_numbers says.
   bool certain() const { return certain_; }
 
   bool left_is_zero() const { return vanishes(x_[1]); }

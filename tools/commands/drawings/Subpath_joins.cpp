@@ -78,7 +78,7 @@ public:
 private:
   std::array<double, 2> rounded(const Point& p) const { return {CGAL::to_double(p.x()), CGAL::to_double(p.y())}; }
 
-  // Whether the chord may be that of a small segment, from rounded coordinates.
+  // Returns whether the chord may be that of a small segment, from rounded coordinates.
   bool may_be_small(const std::array<double, 2>& p, const std::array<double, 2>& q) const {
     for (std::size_t i = 0; i < 2; ++i) {
       const double chord = std::abs(m_[i] * (q[0] - p[0]) + m_[i + 2] * (q[1] - p[1])),
@@ -124,7 +124,7 @@ private:
                        [&](const Point& p) { return square_of_long() <= (p - node).squared_length(); });
   }
 
-  // Whether the segments turn to and fro between their neighbours, or not at all.
+  // Returns whether the segments turn to and fro between their neighbours, or not at all.
   bool adds_no_turn(std::size_t left, const std::vector<std::size_t>& run, std::size_t right) const {
     GC::Enclosure sum{0, 0};
     std::size_t before = left;

@@ -40,12 +40,12 @@ inline std::string to_string(Glyph_grade grade) {
   return names[static_cast<std::size_t>(grade)];
 }
 
-// Whether a handle or a line is off.
+// Returns whether a handle or a line is off.
 inline bool is_off(Glyph_grade grade) {
   return grade == Glyph_grade::kink || grade == Glyph_grade::bend || grade == Glyph_grade::rounding;
 }
 
-// Whether it is off by more than rounding explains.
+// Returns whether it is off by more than rounding explains.
 inline bool is_defect(Glyph_grade grade) { return is_off(grade) && grade != Glyph_grade::rounding; }
 
 __extension__ typedef __int128 Glyph_integer;
@@ -56,7 +56,7 @@ inline double as_double(Glyph_integer x) {
   return low == x ? static_cast<double>(low) : static_cast<double>(x);
 }
 
-// Whether doubles of these magnitudes tell which one is larger, if both are right up to 2^-48; empty if they do not.
+// Returns whether doubles of these magnitudes tell which one is larger, if both are right up to 2^-48; empty if they do not.
 inline std::optional<bool> is_surely_larger(double x, double y) {
   if (std::abs(x - y) <= 0x1p-46 * (std::abs(x) + std::abs(y))) return std::nullopt;
   return x > y;
@@ -80,7 +80,7 @@ public:
 
   const FT& units() const { return units_; }
 
-  // Whether numerator^2 / denominator, in steps of which a unit has so many, is larger than the square of the bound.
+  // Returns whether numerator^2 / denominator, in steps of which a unit has so many, is larger than the square of the bound.
   bool is_exceeded(Glyph_integer numerator, Glyph_integer denominator, std::int64_t steps) const {
     const double n = as_double(numerator), bound = value_ * static_cast<double>(steps);
     if (const auto answer = is_surely_larger(n * n, bound * bound * as_double(denominator))) return *answer;
@@ -125,10 +125,10 @@ public:
   // From the node to the first other control point.
   Glyph_leg handle() const { return point(leg_) - point(0); }
 
-  // Whether the first control point lies on the node, so that the direction is that of a later one.
+  // Returns whether the first control point lies on the node, so that the direction is that of a later one.
   bool is_retracted() const { return leg_ > 1; }
 
-  // Whether all control points lie on the chord, in order: the segment is drawn as that line.
+  // Returns whether all control points lie on the chord, in order: the segment is drawn as that line.
   bool is_line() const {
     Glyph_leg leg = handle();
     for (int i = leg_; i < segment_.degree; ++i) {
@@ -189,7 +189,7 @@ public:
   Integer sine() const { return cross(a_, b_); } // times the lengths of the handles
   Integer cosine() const { return dot(a_, b_); }
 
-  // Whether the angle of the tangents is larger than a bound.
+  // Returns whether the angle of the tangents is larger than a bound.
   bool exceeds(const GC::Kink_bound& bound) const {
     const Integer c = sine(), d = cosine();
     const double x = as_double(c), y = as_double(d);
@@ -219,7 +219,7 @@ public:
     return left_.is_line() && right_.is_line() ? Glyph_grade::bend : Glyph_grade::kink;
   }
 
-  // Whether a handle is off by more than that, see GC::Kink_size.
+  // Returns whether a handle is off by more than that, see GC::Kink_size.
   bool is_off_by_more_than(const Rounding_bound& rounding) const {
     const Integer aa = dot(a_, a_), bb = dot(b_, b_);
     if (cosine() > 0) return rounding.is_exceeded(sine(), (std::max)(aa, bb), steps_);

@@ -68,7 +68,7 @@ std::vector<std::string> instance_texts(const std::vector<GC::Variation_axis>& a
 // The axes as an array of JSON objects.
 std::string axes_json(const std::vector<GC::Variation_axis>& axes);
 
-// Whether a kink is to be shown before another one: first by what the eye sees.
+// Returns whether a kink is to be shown before another one: first by what the eye sees.
 bool shown_before(const Instance_kink& x, const Instance_kink& y);
 
 // E.g. "12 joins: 4 corners, ...".

@@ -38,10 +38,10 @@ class Font_report {
 public:
   Font_report(const Report_mode& mode, const Font_requirement& required);
 
-  // Whether glyph() wants the worst joins of each glyph; otherwise end_font() wants those of the font.
+  // Returns whether glyph() wants the worst joins of each glyph; otherwise end_font() wants those of the font.
   bool is_by_glyph() const { return is_json_ && !has_findings(); }
 
-  // Whether each join has a finding of its own, also where several are equal.
+  // Returns whether each join has a finding of its own, also where several are equal.
   bool has_findings() const { return report_.mode().has_findings(); }
 
   void begin_font(const Font_result& font);

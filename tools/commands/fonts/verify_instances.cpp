@@ -31,7 +31,7 @@ std::string reason_of(const GC::Error& error) {
   return std::string(error.what()).substr(to_string(error.code()).size() + 2);
 }
 
-// Whether a font is packed (WOFF, WOFF2): then FreeType unpacks it.
+// Returns whether a font is packed (WOFF, WOFF2): then FreeType unpacks it.
 bool is_packed(std::string_view bytes) { return bytes.substr(0, 4) == "wOFF" || bytes.substr(0, 4) == "wOF2"; }
 
 // Why a file, or the tables of a font, cannot be covered; empty if they can.

@@ -154,7 +154,7 @@ private:
                                                : Claim::not_met;
   }
 
-  // Whether it is not smooth, though that is not required.
+  // Returns whether it is not smooth, though that is not required.
   bool is_noted(int exact_order, const std::optional<Within>& within) const {
     return !demand_.order && exact_order < 1 && !(within && (*within)(1) == GC::Verdict::proved);
   }

@@ -14,7 +14,7 @@
 
 namespace {
 
-// Whether products of the coordinates are exact.
+// Returns whether products of the coordinates are exact.
 bool is_short(const GC::Grid_vector& v) {
   return (std::max)((std::abs)(v.x), (std::abs)(v.y)) <= std::int64_t(1) << 28;
 }

@@ -58,7 +58,7 @@ struct Grid_contour {
 typedef GC::Bezier_curve<GC::Traits_2<CGAL::Simple_cartesian<double>>> Grid_bezier;
 Grid_bezier grid_bezier(const std::vector<GC::Grid_vector>& points);
 
-// Whether the control points lie on the chord, in order.
+// Returns whether the control points lie on the chord, in order.
 bool is_line(const std::vector<GC::Grid_vector>& points);
 
 // The direction of an arc at an end, as the shortest whole vector; nothing where that is too long or irrational.

@@ -105,7 +105,7 @@ class Contour_mender {
     return s;
   }
 
-  // Whether a join is harmed by moves from the contour that was; it has changed to this state.
+  // Returns whether a join is harmed by moves from the contour that was; it has changed to this state.
   bool is_harmed(const State& before, const State& after, const Moves& back) const {
     if (!before.grade) { // an arc that is not known: directions next to it stay as they are
       for (const Move& m : back) {
@@ -181,14 +181,14 @@ class Contour_mender {
 
   static std::string bound_text(const CGAL::Exact_rational& bound) { return rounded_up(CGAL::to_double(bound)); }
 
-  // Whether the node between two quadratics may be left out, so that it would move with their handles. A repair may make it so.
+  // Returns whether the node between two quadratics may be left out, so that it would move with their handles. A repair may make it so.
   bool may_be_left_out(std::size_t join) const {
     const Points &left = points(join), &right = points(next(join));
     return contour_.may_leave_nodes_out && left.size() == 3 && right.size() == 3 &&
            left[2] - left[1] == right[1] - right[0];
   }
 
-  // Whether the handle of a curve belongs to one node.
+  // Returns whether the handle of a curve belongs to one node.
   bool is_free(std::size_t curve) const {
     const Grid_curve& c = contour_.curves[curve];
     return !c.fixed && c.points.size() >= 4 && !is_line(c.points);
@@ -431,7 +431,7 @@ class Contour_mender {
     return CGAL::Exact_rational((std::max)(1., std::floor(shortest / 10)));
   }
 
-  // Whether a proposal waits for that of a join next to it, with which it shares the handle of a quadratic: what harms less comes first,
+  // Returns whether a proposal waits for that of a join next to it, with which it shares the handle of a quadratic: what harms less comes first,
   // and of what is equal nothing unless both agree on the handle.
   bool waits(const Proposal& x, const Proposal& y) const {
     const std::size_t shared = next(x.join) == y.join ? y.join : x.join;

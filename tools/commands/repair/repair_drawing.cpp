@@ -66,7 +66,7 @@ std::optional<Drawing_transform> skewing_map(const Drawing_element& element, Pat
   return is_drawn(role) && !is_similarity ? std::optional<Drawing_transform>(element.transform) : std::nullopt;
 }
 
-// Whether a curve is read as it was computed. One that has become straight by a handle at its node is read as a line.
+// Returns whether a curve is read as it was computed. One that has become straight by a handle at its node is read as a line.
 bool is_read_as(const Grid_curve& read, const Grid_curve& computed) {
   return read.points == computed.points ||
          (read.points.size() == 2 && is_line(computed.points) && read.points.front() == computed.points.front() &&
@@ -247,7 +247,7 @@ private:
     return all;
   }
 
-  // Whether what is written draws what was computed.
+  // Returns whether what is written draws what was computed.
   static void check(const std::string& written, const std::string& place, const Path_decimals& decimals, bool is_filled,
                     const std::vector<std::pair<std::size_t, Grid_contour>>& changed) {
     Path_text text(written, place, decimals, std::nullopt, is_filled);

@@ -76,7 +76,7 @@ template <class T> auto members(T& x) {
   }
 }
 
-// Whether an object is nothing but numbers, any bytes of which are a value.
+// Returns whether an object is nothing but numbers, any bytes of which are a value.
 template <class T>
 struct Is_plain
     : std::bool_constant<(std::is_arithmetic<T>::value && !std::is_same<T, bool>::value) || std::is_enum<T>::value> {};

@@ -11,7 +11,7 @@
 
 #include <string>
 
-// Whether these are CAD models, by their extensions. Throws std::invalid_argument when only some are.
+// Returns whether these are CAD models, by their extensions. Throws std::invalid_argument when only some are.
 bool are_cad_files(const Arguments& files);
 
 // Reads a STEP, IGES or BREP file. Throws with its name and the reason: also when the program has been built without OpenCASCADE.

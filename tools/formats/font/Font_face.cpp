@@ -83,7 +83,7 @@ class Font_memory {
 public:
   FT_Memory functions() { return &functions_; }
 
-  // Whether the limit was reached since the last call.
+  // Returns whether the limit was reached since the last call.
   bool take_refused() { return std::exchange(refused_, false); }
 };
 
@@ -146,7 +146,7 @@ public:
     if (inside_) outline_.end_contour();
   }
 
-  // Whether all coordinates are within the bounds.
+  // Returns whether all coordinates are within the bounds.
   bool good() const { return good_; }
 
   // The functions that FreeType calls, for coordinates in halves of units.

@@ -49,7 +49,7 @@ public:
   // The number of fonts in the file.
   int fonts_of_file() const;
 
-  // Whether it has outlines at all, and not only pictures of letters.
+  // Returns whether it has outlines at all, and not only pictures of letters.
   bool has_outlines() const;
 
   // The names of family and style, e.g. "DejaVu Sans Bold".

@@ -98,7 +98,7 @@ public:
     add({std::move(second), std::make_pair(std::move(cross.second), std::move(dot.second)), 0});
   }
 
-  // Whether there is nothing to halve.
+  // Returns whether there is nothing to halve.
   bool empty() const { return heap_.empty(); }
 
   // How much work there has been, in the steps of Work_limit.
@@ -112,7 +112,7 @@ public:
   std::size_t cell() const { return cell_; }
   const std::vector<double>& point() const { return point_; }
 
-  // Whether both products are certainly zero at the corner of a box.
+  // Returns whether both products are certainly zero at the corner of a box.
   bool vanishes() const { return vanishes_; }
 
 private:

@@ -79,7 +79,7 @@ public:
   // How many cells there are; there can be very many.
   double size() const { return size_; }
 
-  // Whether the legs are parallel at every instance because what moves them is, whatever the scalars are.
+  // Returns whether the legs are parallel at every instance because what moves them is, whatever the scalars are.
   bool is_parallel() const {
     const std::size_t n = moving_.size();
     for (std::size_t i = 0; i <= n; ++i)
@@ -169,7 +169,7 @@ public:
     return (*regions_)[region].factor(active_[v], value, i.lower, i.upper);
   }
 
-  // Whether the scalar of a region depends on axis v.
+  // Returns whether the scalar of a region depends on axis v.
   bool counts(std::size_t region, std::size_t v) const { return (*regions_)[region].axes()[active_[v]].counts(); }
 
 private:
@@ -198,14 +198,14 @@ private:
     return i == 0 ? leg.constant : leg.shifts[moving_[i - 1]];
   }
 
-  // Whether the scalar of a region is not zero everywhere because it depends on an axis that stays at 0.
+  // Returns whether the scalar of a region is not zero everywhere because it depends on an axis that stays at 0.
   static bool is_met(const Variation_region& region, const std::vector<Variation_range>& axes) {
     for (std::size_t k = 0; k < axes.size(); ++k)
       if (region.axes()[k].counts() && axes[k].lowest == axes[k].highest) return false;
     return true;
   }
 
-  // Whether the scalar of a region is zero all over a cell.
+  // Returns whether the scalar of a region is zero all over a cell.
   bool vanishes(const Cell& cell, std::size_t region) const {
     for (std::size_t v = 0; v < active_.size(); ++v) {
       const Region_axis& axis = (*regions_)[region].axes()[active_[v]];

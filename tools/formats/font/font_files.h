@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-// Whether the name of a file ends as those of fonts do, or its first bytes are those of a font.
+// Returns whether the name of a file ends as those of fonts do, or its first bytes are those of a font.
 bool is_font_file(const std::string& file);
 
-// Whether the arguments are fonts and folders. Throws std::invalid_argument when there are fonts and other files.
+// Returns whether the arguments are fonts and folders. Throws std::invalid_argument when there are fonts and other files.
 bool are_fonts(const std::vector<std::string>& arguments);
 
 // A file that is to be read as a font.

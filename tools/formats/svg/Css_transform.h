@@ -32,7 +32,7 @@ inline std::string in_small_letters(std::string_view text) {
   return s;
 }
 
-// Whether lengths may be without a unit, as they may in attributes of SVG.
+// Tells whether lengths may be without a unit, as they may in attributes of SVG.
 enum class Css_units { needed, optional };
 
 // Reads a length of CSS, which has a unit or is zero.

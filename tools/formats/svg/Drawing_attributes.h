@@ -59,7 +59,7 @@ public:
     return n;
   }
 
-  // Whether a value ends as percentages do.
+  // Returns whether a value ends as percentages do.
   bool has_percentages() const {
     return std::any_of(values_.begin(), values_.end(), [](const auto& attribute) {
       return !attribute.second.empty() && attribute.second.back() == '%';
@@ -103,7 +103,7 @@ public:
   Drawing_lengths(const Drawing_attributes& attributes, const Drawing_viewport& viewport)
       : attributes_(attributes), viewport_(viewport) {}
 
-  // Whether a size is given, and is not `auto`.
+  // Returns whether a size is given, and is not `auto`.
   bool is_given(const char* name) const { return attributes_.has(name) && attributes_.text(name) != "auto"; }
 
   // Horizontal and vertical coordinates; 0 when they are not given.

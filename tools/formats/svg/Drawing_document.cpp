@@ -200,7 +200,7 @@ class Drawing_reader {
     }
   }
 
-  // Whether one of the declarations may; most of those that editors write do not, and are not kept.
+  // Returns whether one of the declarations may; most of those that editors write do not, and are not kept.
   static bool may_change_outlines(const std::string& style) {
     for (const Style_declaration& d : style_declarations(style))
       for (const char* element : {"path", "circle", "rect"})

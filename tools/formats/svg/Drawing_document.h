@@ -70,7 +70,7 @@ private:
   void mark_animated(std::size_t i);
 };
 
-// Whether an element is drawn by reference, or not at all, with everything in it.
+// Returns whether an element is drawn by reference, or not at all, with everything in it.
 bool is_skipped_in_drawings(std::string_view name);
 
 // Reads all elements of a drawing, as read_svg_drawing() says.

@@ -34,7 +34,7 @@ struct Repeated_size {
   std::optional<Drawing_number> width, height;
 };
 
-// Whether an element has a transform of its own, by its attribute or its style.
+// Returns whether an element has a transform of its own, by its attribute or its style.
 inline bool has_transform(const Drawing_attributes& a) {
   const std::string& text = a.has("style transform") ? a.text("style transform") : a.text("transform");
   return !text.empty() && text != "none";

@@ -152,7 +152,7 @@ class Style_sheets {
                               [&](const std::string& name) { return has_class(x.classes, name); });
   }
 
-  // Whether a selector may be for the last element of a path from the root on.
+  // Returns whether a selector may be for the last element of a path from the root on.
   static bool may_match(const Selector& steps, const std::vector<Styled_element>& path) {
     if (!may_match(steps.back(), path.back())) return false;
     std::vector<bool> before; // whether the steps so far may be for each element of the path
@@ -231,7 +231,7 @@ public:
     add_blocks(sheet, line);
   }
 
-  // Whether a declaration changes the outline of an element: of its own style, or of one of the sheets. The outermost element, of which the
+  // Returns whether a declaration changes the outline of an element: of its own style, or of one of the sheets. The outermost element, of which the
   // size changes nothing, has no name.
   bool changes(const Style_declaration& d, std::string_view element, bool has_transform) const {
     const bool is_neutral = d.value == "none" || d.value == "initial" || d.value == "unset";

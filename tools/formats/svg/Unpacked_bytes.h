@@ -91,7 +91,7 @@ public:
     return static_cast<std::size_t>(stream_.gcount());
   }
 
-  // Whether a text that begins like this may be packed.
+  // Returns whether a text that begins like this may be packed.
   static bool may_begin(char c) { return c == first_byte; }
 };
 

@@ -75,7 +75,7 @@ public:
   // before it. Other elements in it are not received.
   virtual void not_read(const Drawing_element& element, const std::string& reason) = 0;
 
-  // Whether path() is to receive all paths, also those that are defined and not drawn, in place of the subpaths of those that are.
+  // Returns whether path() is to receive all paths, also those that are defined and not drawn, in place of the subpaths of those that are.
   virtual bool takes_paths() const { return false; }
   virtual void path(const Drawing_element&, const Path_data&) {}
 

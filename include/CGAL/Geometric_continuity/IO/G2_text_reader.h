@@ -135,7 +135,7 @@ class G2_grid {
     void include(const Text_number& x) {
       if (x.is_decimal()) exponent = (std::min)(exponent, x.exponent());
     }
-    // Whether this is an integer that is a double.
+    // Returns whether this is an integer that is a double.
     bool has(const Text_number& x) const {
       std::int64_t n = 0;
       return x.on_grid(exponent, n) && -limit <= n && n <= limit;

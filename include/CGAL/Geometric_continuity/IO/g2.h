@@ -246,7 +246,7 @@ template <class Object, class Reader> std::vector<Object> read_all(Reader reader
   return objects;
 }
 
-// Whether nothing is lost without the weights.
+// Returns whether nothing is lost without the weights.
 template <class Object> bool has_unit_weights(const Object& object) {
   typedef typename Object::FT FT;
   return std::all_of(object.weights().begin(), object.weights().end(), [](const FT& w) { return bool(w == FT(1)); });

@@ -35,7 +35,7 @@ constexpr int max_g2_dimension = 16;
 
 namespace internal {
 
-// Whether a character controls a terminal, ends a line or changes the direction of the text.
+// Returns whether a character controls a terminal, ends a line or changes the direction of the text.
 inline bool is_control_character(char32_t c) {
   const auto between = [c](char32_t first, char32_t last) { return first <= c && c <= last; };
   return c < 0x20 || between(0x7F, 0x9F) || c == 0x061C || between(0x200E, 0x200F) || between(0x2028, 0x202E) ||

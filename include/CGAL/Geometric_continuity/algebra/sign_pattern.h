@@ -319,7 +319,7 @@ public:
     return std::move(roots_);
   }
 
-  // Whether s, which is square-free and has no other roots than the polynomial of `root`, has this one.
+  // Returns whether s, which is square-free and has no other roots than the polynomial of `root`, has this one.
   static bool has_root(const Polynomial& s, const Root& root) {
     return sign_of(s(root.begin)) * sign_of(s(root.end)) <= 0;
   }

@@ -81,7 +81,7 @@ namespace internal {
   throw Error(code, std::string("blend: ") + place);
 }
 
-// Whether the square of a tangent, by which the formulas divide, is zero. Exact numbers need not be multiplied for this.
+// Returns whether the square of a tangent, by which the formulas divide, is zero. Exact numbers need not be multiplied for this.
 template <class FT, int N> CGAL_GC_FORCEINLINE bool is_zero_tangent(const Coordinate_vector<FT, N>& v) {
   if constexpr (Rational_parts<FT>::value)
     return is_zero(v);

@@ -336,7 +336,7 @@ private:
     return x.sign != y.sign ? sign_of(y.sign - x.sign) : x.sign * sign_of(NT(y.square - x.square));
   }
 
-  // Whether one is a negative multiple of the other.
+  // Returns whether one is a negative multiple of the other.
   static bool are_opposite(const std::vector<NT>& x, const std::vector<NT>& y) {
     if (x.empty()) return false;
     NT xx(0), xy(0), yy(0);

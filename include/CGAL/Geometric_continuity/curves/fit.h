@@ -99,7 +99,7 @@ template <int N> struct Fit_polyline {
   bool periodic;
 };
 
-// Whether a polyline turns by more than an angle at vertices, from the cosine of that.
+// Tells whether a polyline turns by more than an angle at vertices, from the cosine of that.
 template <int N> class Corner_finder {
   typedef Coordinate_vector<double, N> Vector;
   const std::vector<Vector>& p_;

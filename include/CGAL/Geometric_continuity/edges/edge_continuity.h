@@ -329,7 +329,7 @@ struct Common_edge {
 
 namespace internal {
 
-// Whether two edges that are not single points are the same curve, and whether the second runs backwards.
+// Returns whether two edges that are not single points are the same curve, and whether the second runs backwards.
 template <class Traits>
 std::optional<bool> common_edge_reversed(const Bezier_patch<Traits>& a, Patch_edge edge_a,
                                          const Bezier_patch<Traits>& b, Patch_edge edge_b) {

@@ -26,7 +26,7 @@ namespace Geometric_continuity {
 namespace internal {
 
 #ifdef CGAL_LINKED_WITH_TBB
-// Whether TBB may use more than one core. Otherwise it need not be started, which takes memory.
+// Returns whether TBB may use more than one core. Otherwise it need not be started, which takes memory.
 inline bool several_cores() {
   return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1;
 }

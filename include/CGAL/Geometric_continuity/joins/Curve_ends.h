@@ -207,7 +207,7 @@ template <class Curve> Curve_end_view<Curve, Curve_end::start> right_end(const C
   return Curve_end_view<Curve, Curve_end::start>(curve);
 }
 
-// Whether there are control points at the ends of all curves of this type: has_polygon() says so by its type.
+// Tells whether there are control points at the ends of all curves of this type: has_polygon() says so by its type.
 template <class Curve, class = void> struct Always_has_polygons : std::false_type {};
 template <class Curve>
 struct Always_has_polygons<Curve, std::enable_if_t<decltype(Curve_ends<Curve>::has_polygon(
@@ -220,7 +220,7 @@ template <class Curve> bool has_polygon(const Curve& curve, Curve_end end) {
     return false;
 }
 
-// Whether there are control points with positive weights, all of them 1 where the curve is polynomial.
+// Returns whether there are control points with positive weights, all of them 1 where the curve is polynomial.
 template <class Curve> bool has_weighted_polygon(const Curve& curve, Curve_end end) {
   if constexpr (Has_weights<Curve>::value)
     return Curve_ends<Curve>::has_weighted_polygon(curve, end);

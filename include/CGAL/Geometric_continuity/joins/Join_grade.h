@@ -62,10 +62,10 @@ public:
 
   bool has_length() const { return leg_ <= curve_.degree(); }
 
-  // Whether the handle is at the node. \pre has_length()
+  // Returns whether the handle is at the node. \pre has_length()
   bool is_retracted() const { return leg_ > 1; }
 
-  // Whether all control points lie on the chord in order: the legs that are not zero have one direction. \pre has_length()
+  // Returns whether all control points lie on the chord in order: the legs that are not zero have one direction. \pre has_length()
   bool is_line() const {
     Line leg = line(leg_ - 1, leg_);
     for (int j = leg_; j < curve_.degree(); ++j)
@@ -148,7 +148,7 @@ inline const Kink_bound& usual_kink_bound() {
   return bound;
 }
 
-// Whether the angle between two ends is larger than the bound; empty when it is zero. \pre both have a length
+// Returns whether the angle between two ends is larger than the bound; empty when it is zero. \pre both have a length
 template <class Left_end, class Right_end>
 std::optional<bool> exceeds(const Left_end& a, const Right_end& b, const Kink_bound& bound) {
   typedef typename Left_end::Traits Traits;

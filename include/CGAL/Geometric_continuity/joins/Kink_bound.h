@@ -198,7 +198,7 @@ private:
     }
   }
 
-  // Whether the angle is a multiple of the same 180/n degrees, n <= 24, as the bound.
+  // Returns whether the angle is a multiple of the same 180/n degrees, n <= 24, as the bound.
   template <class NT> bool is_part_of_half_turn(const NT& cross, const NT& dot) const {
     const int n = part_of_half_turn();
     NT x = dot, y = cross; // (dot + i cross)^k

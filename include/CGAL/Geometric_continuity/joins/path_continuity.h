@@ -120,7 +120,7 @@ public:
   }
 
 private:
-  // Whether the first derivative at an end is zero.
+  // Returns whether the first derivative at an end is zero.
   static bool starts_with_zero(const Path_segment<Traits>& segment, bool at_end) {
     if (segment.arc()) return false;
     const Bezier_curve<Traits>& b = *segment.bezier();

@@ -74,7 +74,7 @@ template <class Field, int N> struct Boundary_edge {
   double low(int i) const { return (std::min)(boxes[0][i].first, boxes[1][i].first); }
   double high(int i) const { return (std::min)(boxes[0][i].second, boxes[1][i].second); }
 
-  // Whether the ends are not farther apart than the gap, in one of both directions. Boxes tell nearly all that are.
+  // Returns whether the ends are not farther apart than the gap, in one of both directions. Boxes tell nearly all that are.
   bool has_ends_near(const Boundary_edge& other, double gap, const Field& squared_gap) const {
     const auto within_gap = [&](int end, int other_end) {
       for (int i = 0; i < 3; ++i)
@@ -87,7 +87,7 @@ template <class Field, int N> struct Boundary_edge {
     return (within_gap(0, 0) && within_gap(1, 1)) || (within_gap(0, 1) && within_gap(1, 0));
   }
 
-  // Whether the numbers of the second interval exceed those of the first by more than the gap.
+  // Returns whether the numbers of the second interval exceed those of the first by more than the gap.
   static bool is_beyond(const std::pair<double, double>& x, const std::pair<double, double>& y, double gap) {
     return gap < next_below(y.first - x.second);
   }

@@ -113,7 +113,7 @@ template <class FT> std::optional<FT> fraction_square_root(const FT& x) {
   return r < FT(0) ? FT(-r) : r;
 }
 
-// Whether rational_square_root() takes numbers of this type and does not round.
+// Returns whether rational_square_root() takes numbers of this type and does not round.
 template <class FT> constexpr bool has_rational_roots() {
   typedef typename Exact_number<FT>::type Exact;
   return std::is_same_v<typename CGAL::Fraction_traits<Exact>::Is_fraction, CGAL::Tag_true> && !is_quotient<Exact>;

@@ -102,7 +102,7 @@ public:
                    static_cast<double>((std::min)({words, other_words, fast}));
   }
 
-  // Whether a search that may be stopped at any time, and has taken `done` steps, may take so many more; then takes note of them.
+  // Returns whether a search that may be stopped at any time, and has taken `done` steps, may take so many more; then takes note of them.
   // Each may take a quarter of the limit, and all together half of it more than the limit.
   bool allows_search(double done, double steps) {
     if (!(done + steps <= allowed_ / 4 && search_steps_ + steps <= allowed_ / 2)) return false;

@@ -71,7 +71,7 @@ template <class FT> void check_distance(const FT& distance, const std::string& p
     throw Error(Error_code::parameter_outside_domain, place + ": the distance is not positive");
 }
 
-// Whether two curves with opposite tangents end and start on one line, as far as a blend reads them.
+// Returns whether two curves with opposite tangents end and start on one line, as far as a blend reads them.
 template <class Field, class Left, class Right> bool turn_back(const Left& left, const Right& right, int order) {
   typedef Coordinate_vector<Field, Left::N> Vector;
   const Coordinate_jet<Field, Left::N> phi = end_jet<Field>(left, order), psi = start_jet<Field>(right, order);

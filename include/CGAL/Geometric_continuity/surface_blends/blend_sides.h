@@ -239,7 +239,7 @@ public:
     has_slopes = true;
   }
 
-  // Whether two vectors are equal; floating-point numbers up to rounding.
+  // Returns whether two vectors are equal; floating-point numbers up to rounding.
   bool agree(const Vector& x, const Vector& y) const { return is_small(x - y, {&x, &y}); }
 
 private:

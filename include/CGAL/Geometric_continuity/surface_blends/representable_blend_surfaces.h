@@ -144,7 +144,7 @@ public:
       return Surface(net, along_, Knot_vector<FT>(5, FT(0), FT(1)));
   }
 
-  // Whether the knots are those of the other edge, after an affine map.
+  // Returns whether the knots are those of the other edge, after an affine map.
   bool has_knots_of(const Columns_at_edge& other) const {
     const Knot_vector<FT>&x = along_, &y = other.along_;
     if (x.degree() != y.degree() || x.size() != y.size()) return false;

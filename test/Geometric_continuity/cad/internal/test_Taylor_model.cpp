@@ -31,7 +31,7 @@ Q exactly(const Model& f, const Q& s) {
   for (int k = Model::size - 1; k >= 0; --k) y = y * s + Q(f.c[k]);
   return y;
 }
-// Whether y is a value that the model allows at s.
+// Returns whether y is a value that the model allows at s.
 bool allows(const Model& f, const Q& s, const Q& y) { return CGAL::abs(Q(y - exactly(f, s))) <= Q(f.r); }
 
 template <class Random> Model random_model(Random& random, double decay, double r) {

@@ -39,7 +39,7 @@ Q power(const Q& x, int n) {
 // Its largest value, at i/(i+j).
 Q largest_value(const Ring& a, int i, int j) { return Q(Q(a) * power(i, i) * power(j, j) / power(i + j, i + j)); }
 
-// Whether the angle is at most four units in the last place wide.
+// Returns whether the angle is at most four units in the last place wide.
 bool is_accurate(const GC::Normal_deviation<Q>& d) {
   const GC::Enclosure angle = d.angle();
   double x = angle.lower;

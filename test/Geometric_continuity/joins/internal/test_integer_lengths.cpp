@@ -54,7 +54,7 @@ struct Lengths {
 // A factor below a limit.
 constexpr Factor_bound below(std::int64_t limit) { return Factor_bound(static_cast<double>(limit - 1)); }
 
-// Whether all parts of the forms of a question fit, for points of so many bits and factors up to their limits.
+// Returns whether all parts of the forms of a question fit, for points of so many bits and factors up to their limits.
 template <Join_question question, int N> constexpr bool forms_fit(const Lengths& lengths = {}) {
   typedef Bounded_integer<1> Integer;
   typedef Degree_factors<Factor_bound> Factors;

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Whether a polynomial in two variables has a zero inside of the unit square, and what constructors say of such denominators.
+// Tells whether a polynomial in two variables has a zero inside of the unit square, and what constructors say of such denominators.
 
 #include <boost/test/unit_test.hpp>
 

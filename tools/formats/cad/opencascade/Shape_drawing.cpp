@@ -99,7 +99,7 @@ std::vector<GC::Cad_point<3>> curve_points(const TopoDS_Edge& edge) {
   return result;
 }
 
-// Whether those curves of an edge that there are begin and end at finite points, in space and in the parameter plane.
+// Returns whether those curves of an edge that there are begin and end at finite points, in space and in the parameter plane.
 bool has_finite_ends(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   double begin, end;
   if (const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, begin, end); !curve.IsNull())
@@ -115,7 +115,7 @@ bool has_finite_ends(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   return true;
 }
 
-// Whether the edges of a face have finite parameters and ends, and the face a finite extent; includes it in a box then.
+// Returns whether the edges of a face have finite parameters and ends, and the face a finite extent; includes it in a box then.
 bool include(const TopoDS_Shape& face, Bnd_Box& all) {
   for (TopExp_Explorer i(face, TopAbs_EDGE); i.More(); i.Next()) {
     double begin, end;
@@ -175,7 +175,7 @@ double distance(const TopoDS_Face& face, const Cad_mesh& mesh) {
   return mesh.triangles.empty() ? 0 : std::sqrt(most);
 }
 
-// Whether the edges of a face lie in the box of its triangles, up to this distance. OpenCASCADE may divide a part of a face only.
+// Returns whether the edges of a face lie in the box of its triangles, up to this distance. OpenCASCADE may divide a part of a face only.
 bool has_edges(const TopoDS_Face& face, const Cad_mesh& mesh, double distance) {
   Bnd_Box box;
   for (const auto& triangle : mesh.triangles)

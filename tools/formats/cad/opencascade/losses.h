@@ -41,7 +41,7 @@ class Parts_of_shape {
 public:
   explicit Parts_of_shape(const TopoDS_Shape& shape);
 
-  // Whether a shape, or a face or an edge in it, is among them.
+  // Returns whether a shape, or a face or an edge in it, is among them.
   bool has(const TopoDS_Shape& shape) const;
 };
 

@@ -52,7 +52,7 @@ class Iges_losses {
     losses_.add(label.IsNull() ? "" : label->ToCString(), model_->TypeName(entity, false), reason);
   }
 
-  // Whether a curve, a surface or the like refers to an entity.
+  // Returns whether a curve, a surface or the like refers to an entity.
   bool is_part_of_geometry(const Handle(Standard_Transient) & entity) const {
     Interface_EntityIterator users = sharing_.Sharings(entity);
     for (users.Start(); users.More(); users.Next())
@@ -61,7 +61,7 @@ class Iges_losses {
         return true;
     return false;
   }
-  // Whether only groups refer to an entity.
+  // Returns whether only groups refer to an entity.
   bool is_root(const Handle(Standard_Transient) & entity) const {
     Interface_EntityIterator users = sharing_.Sharings(entity);
     for (users.Start(); users.More(); users.Next())

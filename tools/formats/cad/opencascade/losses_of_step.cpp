@@ -93,7 +93,7 @@ class Step_losses {
     }
   }
 
-  // Whether an entity and all to which it refers are there.
+  // Returns whether an entity and all to which it refers are there.
   bool is_whole(std::size_t first) {
     std::vector<std::size_t> path{first};
     while (!path.empty()) {

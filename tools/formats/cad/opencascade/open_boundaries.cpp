@@ -143,7 +143,7 @@ public:
     return result;
   }
 
-  // Whether the points of two edges of one face are the two sides of a narrow part of it, and not those of a cut that closes it.
+  // Returns whether the points of two edges of one face are the two sides of a narrow part of it, and not those of a cut that closes it.
   bool is_across(double t, const Edge_samples& other, double s, double distance) const {
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(edge_.face);
     if (surface.IsNull()) return true;
@@ -153,7 +153,7 @@ public:
   }
 };
 
-// Whether a part of the first edge, or all of it, lies beside the second one.
+// Returns whether a part of the first edge, or all of it, lies beside the second one.
 bool is_beside(const Edge_samples& a, const Edge_samples& b, double gap) {
   if (!(a.length() > Precision::Confusion())) return false; // a point
   // Around an edge that is hardly longer than this distance all would be beside it.

@@ -23,7 +23,7 @@ struct Boundary_edge {
 // are compared.
 std::vector<std::optional<std::size_t>> edges_beside(const std::vector<Boundary_edge>& edges, double gap);
 
-// Whether the boundary of a face does not close.
+// Returns whether the boundary of a face does not close.
 bool is_boundary_open(const TopoDS_Face& face);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_OPENCASCADE_OPEN_BOUNDARIES_H

@@ -207,7 +207,7 @@ private:
            svg_stroke(shadow_stroke, shadow) + svg_stroke(plumb_stroke, plumb) + svg_stroke(axes_stroke, axes) + names;
   }
 
-  // Whether the curve begins with the first tooth and ends with the last one.
+  // Returns whether the curve begins with the first tooth and ends with the last one.
   static std::string comb(const std::vector<internal::Svg_tooth>& teeth, bool begins, bool ends,
                           const internal::Svg_view& view) {
     using namespace internal;

@@ -60,7 +60,7 @@ struct Svg_join {
   bool is_marked; // by a ring
 };
 
-// Whether the elements of a range are curves.
+// Tells whether the elements of a range are curves.
 template <class Range, class = void> struct Is_range_of_curves : std::false_type {};
 template <class Range>
 struct Is_range_of_curves<

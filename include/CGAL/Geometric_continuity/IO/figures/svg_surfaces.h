@@ -135,7 +135,7 @@ private:
     return y;
   }
 
-  // Whether the control point number k has the weight 0, so that it is a direction.
+  // Returns whether the control point number k has the weight 0, so that it is a direction.
   template <class Given> static bool is_infinite(const Given& s, std::size_t k) {
     if constexpr (rational)
       return s.weights()[k] == typename Given::FT(0);

@@ -63,7 +63,7 @@ enum class G2_shape {
   spline  // all that Knot_vector takes
 };
 
-// Whether rational objects are read.
+// Tells whether rational objects are read.
 enum class G2_weights { refused, allowed };
 
 // The numbers of control points and the order in one parameter of a spline.
@@ -105,10 +105,10 @@ public:
     return {tokens_.place(), tokens_.place() + tokens_.token().size()};
   }
 
-  // Whether the current object is a line, whose control points are not in the text.
+  // Returns whether the current object is a line, whose control points are not in the text.
   bool is_line() const { return is_line_; }
 
-  // Whether the current object has weights.
+  // Returns whether the current object has weights.
   bool rational() const { return rational_; }
 
   // Reads the header and the dimension of the next object. Returns false at the end of the text.

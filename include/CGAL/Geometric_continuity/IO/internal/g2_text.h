@@ -47,7 +47,7 @@ public:
     infinite_ = infinite_ || weights.back() == FT(0);
   }
 
-  // Whether a point is infinite; then the rows are to be used instead of points and weights.
+  // Returns whether a point is infinite; then the rows are to be used instead of points and weights.
   bool infinite() const { return infinite_; }
 
   // (w x, w)

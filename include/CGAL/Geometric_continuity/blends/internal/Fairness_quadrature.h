@@ -110,7 +110,7 @@ public:
   // The integral of |(dK/ds)_perp|^2 ds, for the x of the last call of value().
   double integral() const { return sum_; }
 
-  // Whether the tangent turns by more than a right angle from one node to the next: the last blend has a cusp, or almost.
+  // Returns whether the tangent turns by more than a right angle from one node to the next: the last blend has a cusp, or almost.
   bool turns_back() const {
     for (int i = 0; i + 1 < nodes; ++i) {
       double product = 0;

@@ -35,7 +35,7 @@ inline Exact_rational exact_power_of_two(int n) {
   return CGAL::ipower(n < 0 ? Exact_rational(Exact_rational(1) / two) : two, std::abs(n));
 }
 
-// Whether x is a number of the floating-point type Float.
+// Returns whether x is a number of the floating-point type Float.
 template <class Float> bool is_representable(const Exact_rational& x) {
   const double rounded = CGAL::to_double(x);
   if (!(std::abs(rounded) <= static_cast<double>((std::numeric_limits<Float>::max)()))) return false;
@@ -49,7 +49,7 @@ template <class Float> Float nearest_integer(Float x) {
   return n + std::copysign(Float(1), x);
 }
 
-// Whether the multiple m of 2^n is too large for Float.
+// Returns whether the multiple m of 2^n is too large for Float.
 template <class Float> bool overflows(Float m, int n) {
   return m != Float(0) && std::ilogb(m) >= std::numeric_limits<Float>::max_exponent - n;
 }

@@ -52,7 +52,7 @@ public:
     add(1, s->v_knots, s->v_degree, columns, rows, [&](int j, int i) { return s->points[i * columns + j]; });
   }
 
-  // Whether the normal, or if asked for the derivative of the edge in the parameter plane, is proved to vanish at a point of the range, or
+  // Returns whether the normal, or if asked for the derivative of the edge in the parameter plane, is proved to vanish at a point of the range, or
   // beside it by no more than the rounding of curves: at the apex of a cone, the pole of a sphere, a cusp of a torus, a line of a spline
   // that is a point; and at an end of the range where the derivatives of the surface are computed without an error.
   bool is_on(const Edge_range& range, bool or_derivative) const {
@@ -83,7 +83,7 @@ private:
     return true;
   }
 
-  // Whether the distance from the axis does, with its sign: then it has a zero.
+  // Returns whether the distance from the axis does, with its sign: then it has a zero.
   static bool changes_sign(const Cad_elementary_surface& s, const Interval& v) {
     typedef Cad_elementary_surface::Kind Kind;
     const auto sign = [&](double at) {
@@ -258,7 +258,7 @@ public:
   // Of the parts of the range.
   const std::vector<double>& ends() const { return ends_; }
 
-  // Whether it is proved that a normal vanishes at a point of the range, or for curvatures the direction of the edge.
+  // Returns whether it is proved that a normal vanishes at a point of the range, or for curvatures the direction of the edge.
   bool is_undefined(double lower, double upper, Edge_quantity quantity) const {
     const Edge_range range(lower, upper);
     return quantity != Edge_quantity::gap &&

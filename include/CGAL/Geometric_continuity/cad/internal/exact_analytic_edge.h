@@ -34,7 +34,7 @@ inline Exponential_vector constant_vector(const Cad_point<3>& p) {
 struct Exponential_curve {
   Exponential_vector c, d, e;
 
-  // Whether the curve is of a kind for which it can be computed.
+  // Returns whether the curve is of a kind for which it can be computed.
   bool take(const Cad_curve<3>& curve, const Linear_function& s) {
     if (const auto* line = std::get_if<Cad_line<3>>(&curve)) {
       d = constant_vector(line->direction);

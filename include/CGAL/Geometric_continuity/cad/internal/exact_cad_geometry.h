@@ -57,7 +57,7 @@ public:
   bool is_mirror() const { return mirror_; }
 };
 
-// Whether the normal of a face is that of the placed surface times -1: of a mirrored surface the image of the normal is opposite to that
+// Returns whether the normal of a face is that of the placed surface times -1: of a mirrored surface the image of the normal is opposite to that
 // of the images of the derivatives.
 inline bool is_flipped(const Edge_side& side) { return side.reversed != Cad_map(side.placement).is_mirror(); }
 

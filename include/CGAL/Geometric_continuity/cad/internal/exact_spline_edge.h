@@ -115,7 +115,7 @@ Spline_edge_rows<Model_number, N> rows_on_part(const Edge_on_parameter_line& edg
   return {Knot_vector<Model_number>(knots.degree(), std::move(t)), {std::move(c[0]), std::move(c[1]), std::move(c[2])}};
 }
 
-// Whether the points at one parameter differ.
+// Returns whether the points at one parameter differ.
 template <int N>
 bool differ_at(const Spline_edge_rows<Model_number, N>& a, const Spline_edge_rows<Model_number, N>& b,
                const Model_number& t) {

@@ -77,10 +77,10 @@ public:
     }
   }
 
-  // Whether the curve has a tangent everywhere.
+  // Returns whether the curve has a tangent everywhere.
   bool is_regular() const { return sign_pattern(g_) == Sign_pattern::positive; }
 
-  // Whether the curvature is zero everywhere.
+  // Returns whether the curvature is zero everywhere.
   bool is_straight() const { return Power_polynomial<NT>(s_).is_zero(); }
 
   bool is_planar() const { return w_.size() == 1; }

@@ -51,7 +51,7 @@ public:
     return square > 0 ? t - dot(x[0], x[1]) / square : t;
   }
 
-  // Whether the piece is near the polyline with the vertices p from the first one on; if so, `worst` is at least the square of its distance.
+  // Returns whether the piece is near the polyline with the vertices p from the first one on; if so, `worst` is at least the square of its distance.
   template <class NT>
   bool is_near(typename std::vector<Vector>::const_iterator p, double squared_tolerance, double& worst) const {
     Points_of<NT> b; // from the first one, which is the origin: small numbers have small errors

@@ -140,7 +140,7 @@ private:
       piece.points[3] = end.point - x[3] * end.leg + (a * a) * end.second_difference;
     }
   }
-  // Whether nothing in that was rounded, for integers.
+  // Returns whether nothing in that was rounded, for integers.
   bool is_exact(const Piece& piece, const Joint& start, const Joint& end, const std::array<double, unknowns>& x) const {
     const auto is_small = [&](double factor, const Vector& v) {
       return std::all_of(v.begin(), v.end(), [&](double c) { return std::abs(factor * c) < largest_; });

@@ -54,7 +54,7 @@ template <class FT> struct Rotated_ellipse {
     }
   }
 
-  // Whether the angle is zero.
+  // Returns whether the angle is zero.
   bool is_rational() const { return degrees == FT(0); }
 
 private:

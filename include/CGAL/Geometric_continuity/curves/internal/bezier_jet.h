@@ -111,7 +111,7 @@ template <int k, class FT> CGAL_GC_FORCEINLINE std::array<FT, k + 1> derivative_
   return f;
 }
 
-// Whether jets of low order are unrolled: for a degree known at compile time, and else for numbers with which that pays; for
+// Tells whether jets of low order are unrolled: for a degree known at compile time, and else for numbers with which that pays; for
 // intervals as for the floating-point numbers whose rounding errors they enclose.
 template <class FT> struct Is_floating_point_or_interval : std::is_floating_point<FT> {};
 template <bool is_protected> struct Is_floating_point_or_interval<Interval_nt<is_protected>> : std::true_type {};

@@ -188,7 +188,7 @@ public:
 
   int degree() const { return static_cast<int>(a_.size()) - 1; }
 
-  // Whether b(map(t)) = a(t) for all t.
+  // Returns whether b(map(t)) = a(t) for all t.
   friend bool agree(const Centred_curve& a, const Centred_curve& b, const Affine_parameter_map<Field>& map) {
     if (a.degree() != b.degree()) return false;
     if (a.degree() > 0 && map(a.centre_) != b.centre_) return false;
@@ -235,7 +235,7 @@ private:
   // Of two parallel vectors.
   static Field ratio(const Vector& x, const Vector& y) { return Field(dot(x, y) / dot(y, y)); }
 
-  // Whether all homogeneous points are multiples of the first, which is not infinite.
+  // Returns whether all homogeneous points are multiples of the first, which is not infinite.
   static bool is_point(const std::vector<Vector>& p) {
     return N == 4 && std::all_of(p.begin(), p.end(), [&](const Vector& x) {
              for (int i = 0; i < 3; ++i)

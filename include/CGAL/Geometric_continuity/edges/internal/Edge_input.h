@@ -44,7 +44,7 @@ template <class T, int N = 3> struct Edge_points {
   int along, across, layers;
   std::array<T, N> p[3][most_along + 1];
 
-  // Whether numbers of fixed length decide edges of these degrees.
+  // Returns whether numbers of fixed length decide edges of these degrees.
   static bool fits(int degree_along, int degree_across) {
     return degree_along <= most_along && 1 <= degree_across && degree_across <= most_across;
   }
@@ -68,7 +68,7 @@ typedef Edge_points<Signed_128, 4> Homogeneous_layers; // whole numbers of at mo
 #endif
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-// Whether a b = c d, for numbers of any length.
+// Returns whether a b = c d, for numbers of any length.
 inline bool equal_products(Signed_128 a, Signed_128 b, Signed_128 c, Signed_128 d) {
   return is_zero(from_128_bits<2>(a) * from_128_bits<2>(b) - from_128_bits<2>(c) * from_128_bits<2>(d));
 }
@@ -148,7 +148,7 @@ inline void convert(const Edge_layers& a, Grid& grid, Grid_layers& g) {
     for (int i = 0; i <= a.along; ++i) g.p[j][i] = grid(a.p[j][i]);
 }
 
-// Whether the control points of a surface are those of one Bezier patch.
+// Returns whether the control points of a surface are those of one Bezier patch.
 template <class Traits> bool is_one_patch(const Bezier_patch<Traits>&) { return true; }
 template <class Traits> bool is_one_patch(const Bspline_surface<Traits>& s) {
   const auto one_span = [](const auto& knots) {
@@ -371,7 +371,7 @@ template <class Field> struct Spline_side {
   std::vector<std::array<double, 3>> given[3];
   std::vector<Point> p[3];
 
-  // Whether the surface has such an edge, of a degree of at least 2 across it.
+  // Returns whether the surface has such an edge, of a degree of at least 2 across it.
   template <class Traits> bool take(const Bspline_surface<Traits>& s, Patch_edge edge) {
     const Knot_vector<double>&along = s.knots_along(edge), &across = s.knots_across(edge);
     q = across.degree();

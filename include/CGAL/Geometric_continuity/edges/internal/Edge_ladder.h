@@ -45,7 +45,7 @@ struct All_edge_stages {
   void decided(Edge_stage, bool) const {}
 };
 
-// Whether the lower orders are told apart when an edge has not the highest one that is asked for.
+// Tells whether the lower orders are told apart when an edge has not the highest one that is asked for.
 enum class Lower_orders { as_one, told_apart };
 
 // The ladder for two patches along whole edges that are the same curve in one direction.
@@ -156,7 +156,7 @@ public:
   }
 
 private:
-  // Whether all numbers are at most 2^53.
+  // Returns whether all numbers are at most 2^53.
   static bool shorten(const Homogeneous_layers& a, Edge_points<std::int64_t, 4>& x) {
     constexpr Signed_128 most = Signed_128(1) << 53;
     x.along = a.along;
@@ -195,7 +195,7 @@ template <> struct Edge_rungs<4> {
 };
 #endif
 
-// Whether two patches have the order G^k along whole edges that are the same curve in one direction; or empty
+// Returns whether two patches have the order G^k along whole edges that are the same curve in one direction; or empty
 // if numbers of fixed length do not decide it.
 template <int order, class T, int N, class Stages>
 std::optional<bool> decide_on_same_edge(const Edge_points<T, N>& a, const Edge_points<T, N>& b, Stages& stages) {

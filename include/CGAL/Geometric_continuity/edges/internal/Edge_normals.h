@@ -145,14 +145,14 @@ template <class Field, int N = 3> struct Edge_normals {
   Sign_pattern side_signs() const { return sign_pattern<Exact>(side); }
   bool first_order() const { return coplanar() && side_signs() == Sign_pattern::negative; }
 
-  // Whether n1 or n2 vanishes somewhere on the closed interval. It needs the signs of n1 . n2.
+  // Returns whether n1 or n2 vanishes somewhere on the closed interval. It needs the signs of n1 . n2.
   bool normal_vanishes(Sign_pattern side_signs) const {
     if (side_signs == Sign_pattern::positive || side_signs == Sign_pattern::negative) return false;
     if (coplanar()) return true; // the normals are parallel, so that n1 . n2 is zero only where one of them is
     return vanishes(n1) || vanishes(n2);
   }
 
-  // Whether the curvatures agree, see Edge_equations.h. \pre coplanar()
+  // Returns whether the curvatures agree, see Edge_equations.h. \pre coplanar()
   template <class AnySides> bool second_order(const AnySides& s) const {
     const int i = nonzero_coordinate();
     if (i == 3) return true;
@@ -160,7 +160,7 @@ template <class Field, int N = 3> struct Edge_normals {
     return second_order_form(n1[i], n2[i], n3, Edge_factors<int>{1, 2, {1, 1}}, Products<AnySides>{n1, s}).is_zero();
   }
 
-  // Whether the third derivatives agree, see Edge_equations.h. \pre first_order() and second_order()
+  // Returns whether the third derivatives agree, see Edge_equations.h. \pre first_order() and second_order()
   bool third_order(const Sides& s) const {
     const int i = nonzero_coordinate();
     const Vector c1 = s.first_derivative(), c2 = s.second_derivative(), t1 = s.mixed_derivative();
@@ -190,7 +190,7 @@ template <class Field, int N = 3> struct Edge_normals {
   }
 
   static Polynomial square(const Vector& v) { return sum_of_products<3>(v, v); }
-  // Whether the vector is zero somewhere on the closed interval.
+  // Returns whether the vector is zero somewhere on the closed interval.
   static bool vanishes(const Vector& v) { return sign_pattern<Exact>(square(v)) != Sign_pattern::positive; }
 
 private:

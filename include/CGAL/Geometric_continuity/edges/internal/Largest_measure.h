@@ -96,7 +96,7 @@ private:
   }
 };
 
-// Whether coefficients prove that an angle is nowhere obtuse, whose cosine has the sign of -side.
+// Returns whether coefficients prove that an angle is nowhere obtuse, whose cosine has the sign of -side.
 template <class Polynomial> bool is_acute(const Polynomial& side) {
   const Sign_pattern signs = coefficient_signs(side);
   return signs == Sign_pattern::negative || signs == Sign_pattern::nonpositive || signs == Sign_pattern::zero;
@@ -159,7 +159,7 @@ public:
   }
 
 private:
-  // Whether the meter allows to divide the next piece. The bounds take a product for each coefficient and comparison.
+  // Returns whether the meter allows to divide the next piece. The bounds take a product for each coefficient and comparison.
   bool may_go_on(const Piece& worst) {
     const double n = worst.p.degree() + 1;
     const std::size_t words = number_words(worst.p[worst.p.degree() / 2]);
@@ -170,7 +170,7 @@ private:
     return true;
   }
 
-  // Whether the bounds x <= y of the measure determine the angle up to its 2^-54-th part. With s = sin^2 and c = cos^2 the
+  // Returns whether the bounds x <= y of the measure determine the angle up to its 2^-54-th part. With s = sin^2 and c = cos^2 the
   // measure changes by 2 sqrt(s c) times the change of the angle. Where y - x <= 2^-53 s c for the least s c in between,
   // which is at one of the bounds, the angle therefore changes by at most 2^-54 sqrt(s c), and sqrt(s c) <= sin is at most the
   // angle. If |1 - x| and |1 - y|, both c, are at most 2^-110, or the s near the straight angle, then cos or sin is at most

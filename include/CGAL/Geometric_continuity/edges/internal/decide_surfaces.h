@@ -63,7 +63,7 @@ Spline_edge_continuity<Field> verdict_on_whole_edge(Edge_continuity<Field> verdi
   return result;
 }
 
-// Whether a surface is a polynomial one over floating-point knots.
+// Tells whether a surface is a polynomial one over floating-point knots.
 template <class Surface>
 constexpr bool has_double_knots =
     std::is_same_v<Surface, Bspline_surface<typename Surface::Traits>>&& std::is_same_v<typename Surface::FT, double>;

@@ -90,7 +90,7 @@ template <Join_question question> constexpr Degree_factors<std::int64_t> factor_
   return {second, second, third, third, mixed};
 }
 
-// Whether the factors that a question needs are below their limits.
+// Returns whether the factors that a question needs are below their limits.
 template <Join_question question> CGAL_GC_FORCEINLINE bool factors_fit(const Degree_factors<std::int64_t>& w) {
   constexpr Degree_factors<std::int64_t> limits = factor_limits<question>();
   return highest_difference(question) < 2 ||

@@ -65,7 +65,7 @@ template <class FT> Exact_range<FT> root_range(const FT& x, int bits) {
 template <class FT> struct Enclosed_products {
   Exact_range<FT> cross, dot;
 
-  // Whether the directions differ for certain.
+  // Returns whether the directions differ for certain.
   bool differ() const { return !cross.contains_zero() || dot.upper < FT(0); }
 
   // The size of the cross product and the dot product at the least angle, and at the largest one.
@@ -81,7 +81,7 @@ template <class FT> struct Enclosed_products {
     return {at(least(), 0).lower, at(largest(), at({FT(0), FT(-1)}, 0).upper).upper};
   }
 
-  // Whether the angle is larger than the bound, if all of these are, or none.
+  // Returns whether the angle is larger than the bound, if all of these are, or none.
   std::optional<bool> exceed(const Kink_bound& bound) const {
     const auto exceeds = [&](const std::pair<FT, FT>& x) { return bound.is_exceeded(x.first, x.second); };
     const std::pair<FT, FT> a = least(), b = largest();
@@ -168,7 +168,7 @@ private:
     return {range(r.cosine), range(r.sine)};
   }
 
-  // Whether the radii are too small, or just large enough, for certain.
+  // Returns whether the radii are too small, or just large enough, for certain.
   bool is_half() const {
     const auto [cosine, sine] = cosine_and_sine(256);
     return !(turned(ellipse().lambda, cosine, sine).lower < FT(1));

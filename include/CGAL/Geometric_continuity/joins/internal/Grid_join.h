@@ -104,7 +104,7 @@ bool short_bezier_point(const std::vector<std::int64_t>&, std::vector<Short_poin
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// Whether the control points next to an end of a part that has one span are Bezier points; see Bspline_ends.
+// Returns whether the control points next to an end of a part that has one span are Bezier points; see Bspline_ends.
 template <class Part> bool has_bezier_points(const Part& part, bool at_end) {
   const int p = part.degree, few = (std::min)(p, 3), before = at_end ? few : p, after = at_end ? p : few;
   for (int i = 1; i < before; ++i)

@@ -32,7 +32,7 @@ template <class FT, int N> class Vector_span {
   std::vector<int> pivots_;
 
 public:
-  // Whether the vector lies in the span.
+  // Returns whether the vector lies in the span.
   bool contains(const Vector& v) const { return is_zero(reduced(v)); }
 
   // Enlarges the span by a vector, unless it contains it.

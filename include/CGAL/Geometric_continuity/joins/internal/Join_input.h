@@ -53,7 +53,7 @@ struct Short_lengths {
   }
 };
 
-// Whether m l a1 and n h b1, to which the first derivatives are proportional, differ by more than their rounding errors, for
+// Returns whether m l a1 and n h b1, to which the first derivatives are proportional, differ by more than their rounding errors, for
 // domains of any lengths h and l. Each number is rounded four times.
 template <std::size_t N>
 bool first_derivatives_differ(const std::array<double, N>& a1, int m, const std::pair<double, double>& left,

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Whether all coordinates but one are zero.
+// Returns whether all coordinates but one are zero.
 template <class T, std::size_t N> CGAL_GC_FORCEINLINE bool is_on_axis(const std::array<T, N>& x, int axis) {
   for (int i = 0; i < static_cast<int>(N); ++i)
     if (i != axis && x[static_cast<std::size_t>(i)] != 0) return false;
@@ -71,7 +71,7 @@ public:
   CGAL_GC_FORCEINLINE const typename Input::Units& units_of_factors() const { return units_; }
   CGAL_GC_FORCEINLINE const typename Input::Rounded_factors& rounded_factors() const { return filter_.w; }
 
-  // Whether so many limbs suffice.
+  // Returns whether so many limbs suffice.
   CGAL_GC_FORCEINLINE bool fits(int limbs) const {
     constexpr Join_question question = Input::question;
     return (form_degree(question) <= 2 || fits(question, limbs)) &&

@@ -46,7 +46,7 @@ std::array<T, 2> curvature_forms(const std::array<std::array<T, N>, 3>& left,
   return {T(a * T(h * T(h * h))), T(b * T(g * T(g * g)))};
 }
 
-// Whether the curvatures have different magnitudes, modulo 2^64 for legs on the left in units of 2^units to those on the right. Only
+// Returns whether the curvatures have different magnitudes, modulo 2^64 for legs on the left in units of 2^units to those on the right. Only
 // `true` is a proof, as below.
 template <int N>
 bool curvatures_differ(const Legs<std::int64_t, N>& left, const Legs<std::int64_t, N>& right,
@@ -96,7 +96,7 @@ template <int N> BOOST_NOINLINE bool curvatures_are_equal(const Double_end<N>& l
   return true;
 }
 
-// Whether a1 x a2 is not zero, from two legs in space that have been rounded once. Only `true` is a proof.
+// Returns whether a1 x a2 is not zero, from two legs in space that have been rounded once. Only `true` is a proof.
 inline bool is_curved(const Legs<double, 3>& legs) {
   const double size = largest(legs[0]) * largest(legs[1]);
   return 0x1p-900 <= size && size <= 0x1p900 && largest(cross_form(legs[0], legs[1])) > 0x1p-49 * size;

@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Whether the question is about the points as well.
+// Returns whether the question is about the points as well.
 constexpr bool requires_coincident_ends(Join_question question) {
   return is_parametric(question) || is_geometric(question);
 }
@@ -140,7 +140,7 @@ constexpr bool weights_matter(Join_question question) {
   return question != Join_question::c0 && question != Join_question::g1;
 }
 
-// Whether x_j/y_j = a c^j for j = 0 ... k with powers of two a and c, which change no mantissa. \pre x and y are the bits of positive normal
+// Returns whether x_j/y_j = a c^j for j = 0 ... k with powers of two a and c, which change no mantissa. \pre x and y are the bits of positive normal
 // numbers
 template <int k>
 CGAL_GC_FORCEINLINE bool ratios_are_powers(const std::array<std::int64_t, 4>& x, const std::array<std::int64_t, 4>& y) {
@@ -151,7 +151,7 @@ CGAL_GC_FORCEINLINE bool ratios_are_powers(const std::array<std::int64_t, 4>& x,
   return powers;
 }
 
-// Whether two ends with positive weights may be decided as polynomial ones. Weights a c^j w_j are those of the same shape as w_j. Where both
+// Returns whether two ends with positive weights may be decided as polynomial ones. Weights a c^j w_j are those of the same shape as w_j. Where both
 // ends have the same, as the arcs of a circle have, these are common factors in all questions about shapes but G3. And where all weights of
 // an end are the same, it is polynomial in another parameter.
 template <Join_question question, class Left, class Right>

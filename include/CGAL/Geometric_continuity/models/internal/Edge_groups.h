@@ -72,7 +72,7 @@ inline std::string edge_name(std::size_t patch, Patch_edge edge) {
   return "patch " + std::to_string(patch) + ' ' + to_string(edge);
 }
 
-// Whether the control points at the corners are points of the surface, and those of the edges belong to these alone.
+// Returns whether the control points at the corners are points of the surface, and those of the edges belong to these alone.
 template <class Surface> bool has_corner_points(const Surface& s) {
   if constexpr (Is_patch<Surface>::value)
     return true;

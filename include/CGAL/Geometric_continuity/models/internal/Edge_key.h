@@ -55,7 +55,7 @@ public:
 
   bool single_point() const { return numbers_.size() == 1 && numbers_[0].size() == N + 1; }
 
-  // Whether the numbers are those of the reversed edge. Of two edges with equal keys that differ in this, one is
+  // Returns whether the numbers are those of the reversed edge. Of two edges with equal keys that differ in this, one is
   // the other backwards. (An edge that is the same backwards is not turned.)
   bool turned() const { return turned_; }
 
@@ -184,7 +184,7 @@ public:
            std::all_of(points_.begin(), points_.end(), [&](const auto& p) { return p == points_[0]; });
   }
 
-  // Whether points and weights decide about equality. Over inner knots the direction of a closed edge may be that of its points,
+  // Returns whether points and weights decide about equality. Over inner knots the direction of a closed edge may be that of its points,
   // but not that of the curve. \pre the other one has its own form
   bool has_form_of(const Edge_polygon& other) const {
     return degree_ == other.degree_ && knots_ == other.knots_ && !has_infinite_points_ &&

@@ -71,7 +71,7 @@ public:
     return parent_[4 * patch + 2 * end_of_u + end_of_v];
   }
 
-  // Whether the four corners of the patch are different and no two of them are also two corners of another patch, unless
+  // Returns whether the four corners of the patch are different and no two of them are also two corners of another patch, unless
   // by the edge between them. Then lines from edge to edge through the patch have no double elsewhere.
   bool simple(std::size_t patch) const { return simple_[patch]; }
 
@@ -102,7 +102,7 @@ public:
   }
 
 private:
-  // Whether the triangles of the patch, which turn from u to v, pass the edge in the direction of the edge of the model.
+  // Returns whether the triangles of the patch, which turn from u to v, pass the edge in the direction of the edge of the model.
   static bool is_passed_upwards(const Edge_use& use) {
     return (runs_along_u(use.edge) != at_upper_end(use.edge)) != use.backwards;
   }

@@ -215,7 +215,7 @@ public:
     return x.is_zero() ? 0 : mpn_cmp(x.limbs_.data(), y.limbs_.data(), x.size());
   }
 
-  // Whether d > 0 divides x; if so, q = x / d.
+  // Returns whether d > 0 divides x; if so, q = x / d.
   BOOST_NOINLINE friend bool divides(const Inline_integer& d, const Inline_integer& x, Inline_integer& q) {
     if (x.is_zero() || d.is_one()) {
       q = x;

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Whether a kernel keeps the coordinates of a point or a vector in an array.
+// Tells whether a kernel keeps the coordinates of a point or a vector in an array.
 template <class Point_or_vector, class = void> constexpr bool has_array_of_coordinates = false;
 template <class Point_or_vector>
 constexpr bool has_array_of_coordinates<

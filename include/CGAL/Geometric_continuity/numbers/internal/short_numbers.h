@@ -35,7 +35,7 @@ template <int digits> double short_double(double x) {
   return x;
 }
 
-// Whether CGAL rounds numbers of this type and makes them of numbers of type double. It knows nothing of the rounded numbers of others,
+// Tells whether CGAL rounds numbers of this type and makes them of numbers of type double. It knows nothing of the rounded numbers of others,
 // such as cpp_bin_float, and what it says of these does not compile.
 template <class FT, bool = std::is_floating_point_v<FT> || !std::numeric_limits<FT>::is_specialized ||
                            std::numeric_limits<FT>::is_exact>

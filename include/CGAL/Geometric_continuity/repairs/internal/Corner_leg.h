@@ -56,7 +56,7 @@ template <class Curve> class Corner_leg {
       return FT(1);
   }
 
-  // Whether it is a line whose arc length is known at each parameter: one of degree 1 with positive weights, or one that is run through at one
+  // Returns whether it is a line whose arc length is known at each parameter: one of degree 1 with positive weights, or one that is run through at one
   // speed.
   bool is_line() const {
     const int m = curve_.degree();

@@ -37,7 +37,7 @@ template <class FT> bool is_constant(const Edge_function<FT>& f, int value) {
   return f.is_number() && f[0] == FT(value);
 }
 
-// Whether a function is 0 everywhere, also one over knots.
+// Returns whether a function is 0 everywhere, also one over knots.
 template <class FT> bool is_zero(const Edge_function<FT>& f) {
   for (int i = 0; i < f.number_of_coefficients(); ++i)
     if (f[i] != FT(0)) return false;

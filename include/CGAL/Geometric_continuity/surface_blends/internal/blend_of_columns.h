@@ -234,7 +234,7 @@ private:
   }
 };
 
-// Whether the blend is one of columns.
+// Returns whether the blend is one of columns.
 template <class Traits>
 bool is_blend_of_columns(const Bezier_patch<Traits>& a, Patch_edge edge_a, const Bezier_patch<Traits>& b,
                          Patch_edge edge_b, const Surface_blend_shape<typename Traits::FT>& shape) {

@@ -168,7 +168,7 @@ template <class FT> std::vector<Power_polynomial<FT>> ends_of_zeros(Polynomial_i
   return ends;
 }
 
-// Whether f, given by the coefficients of u^i v^j in row i, has a zero on the unit square. \pre it has none on the boundary
+// Returns whether f, given by the coefficients of u^i v^j in row i, has a zero on the unit square. \pre it has none on the boundary
 // \throws Error `work_limit`
 template <class FT> bool has_zero_on_square(const std::vector<std::vector<FT>>& coefficients) {
   const Work_guard work("zeros of a denominator");

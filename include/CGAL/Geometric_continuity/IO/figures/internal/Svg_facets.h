@@ -91,7 +91,7 @@ public:
   // Where the surface turns away from the viewer.
   const std::vector<std::vector<Svg_point>>& silhouettes() const { return silhouettes_; }
 
-  // Whether a point of the surface is seen.
+  // Returns whether a point of the surface is seen.
   bool sees(const Svg_point& p) const {
     constexpr double slack = 3; // pixels
     return camera_.depth(p) >= faces_.depth_around(camera_(p)) - slack;
