@@ -44,7 +44,7 @@ test('chains and models', async () => {
 });
 
 test('bad files are refused with code, line and reason', async () => {
-  await rejects('malformed_input', gc.verifySvg('<svg xmlns="http://www.w3.org/2000/svg">\n<path d="M0 0 L1"/></svg>'), 'drawing.svg:2:');
+  await rejects('malformed_input', gc.verifySvg('<svg xmlns="http://www.w3.org/2000/svg">\n<path></svg>'), 'drawing.svg:2:');
   await rejects('malformed_input', gc.verifySvg('no drawing'));
   await rejects('malformed_input', gc.verifySvg('<html/>'));
   await rejects('malformed_input', gc.verifySvg(svg('M0 0 L1 1'), { require: 'G99' }), 'G99');
@@ -52,6 +52,12 @@ test('bad files are refused with code, line and reason', async () => {
   await rejects('malformed_input', gc.verifyG2('100 1 0 0\n2 0\n'), 'curves.g2');
   await rejects('malformed_input', gc.repairSvg('<svg'));
   assert.equal((await gc.verifySvg(svg('M0 0 L1 1 L2 2'))).joins.length, 1, 'and the module works on');
+});
+
+test('an element that cannot be read is not covered', async () => {
+  const report = await gc.verifySvg('<svg xmlns="http://www.w3.org/2000/svg">\n<path d="M0 0 L1"/><path d="M0 0 L1 1 L2 2"/></svg>', { require: 'G1' });
+  assert.deepEqual([report.joins.length, report.not_verified.length, report.not_verified[0].line, report.met], [1, 1, 2, false]);
+  assert.match(report.not_verified[0].reason, /character/);
 });
 
 test('entities that expand without end are refused', async () => {
