@@ -26,10 +26,14 @@ class Baseline {
 public:
   // What is known of a defect.
   struct Known {
+    // A measure: what it is of, empty if there is none, and its upper bound.
+    struct Size {
+      std::string quantity = {};
+      double upper = std::numeric_limits<double>::infinity();
+    };
     std::string place, defect; // hashes
     Finding_rule rule;
-    std::string quantity; // of the measure; empty if there is none
-    double upper;         // bound of it
+    Size measure, behind;
   };
 
 private:
@@ -41,23 +45,27 @@ private:
     return value ? std::string(value->string().value_or("")) : std::string();
   }
 
+  static Known::Size size_of(const std::optional<Json_view>& measure) {
+    Known::Size size;
+    if (!measure) return size;
+    size.quantity = text(measure->member("quantity"));
+    if (const auto bounds = measure->member("bounds"))
+      bounds->for_elements([&](const Json_view& bound) { // the last one counts; null is infinite
+        size.upper = bound.number().value_or(std::numeric_limits<double>::infinity());
+      });
+    return size;
+  }
+
   void add(const Json_view& result, const Json_view& prints) {
     const std::optional<Finding_rule> rule = rule_of(text(result.member("ruleId")));
-    Known known{hash(text(prints.member(place_fingerprint))),
-                hash(text(prints.member(defect_fingerprint))),
-                {},
-                {},
-                std::numeric_limits<double>::infinity()};
+    Known known{
+        hash(text(prints.member(place_fingerprint))), hash(text(prints.member(defect_fingerprint))), {}, {}, {}};
     if (!rule || known.place.empty() || known.defect.empty()) return;
     known.rule = *rule;
-    if (const auto properties = result.member("properties"))
-      if (const auto measure = properties->member("measure")) {
-        known.quantity = text(measure->member("quantity"));
-        if (const auto bounds = measure->member("bounds"))
-          bounds->for_elements([&](const Json_view& bound) { // the last one counts; null is infinite
-            known.upper = bound.number().value_or(std::numeric_limits<double>::infinity());
-          });
-      }
+    if (const auto properties = result.member("properties")) {
+      known.measure = size_of(properties->member("measure"));
+      known.behind = size_of(properties->member("behind"));
+    }
     known_.push_back(std::move(known));
   }
 
@@ -93,7 +101,8 @@ public:
     if (is_old)
       refuse(
           "a report of an older version, whose fingerprints hold lines of files; write it again with --format sarif");
-    std::stable_sort(known_.begin(), known_.end(), [](const Known& x, const Known& y) { return x.upper < y.upper; });
+    std::stable_sort(known_.begin(), known_.end(),
+                     [](const Known& x, const Known& y) { return x.measure.upper < y.measure.upper; });
     for (std::size_t i = 0; i < known_.size(); ++i) {
       by_place_[known_[i].place].push_back(i);
       by_defect_[known_[i].defect].push_back(i);
@@ -144,10 +153,16 @@ class Known_findings {
   // What is moved is rounded again: that much is no difference.
   static constexpr double rounding = 1 + 1e-9;
 
+  static bool is_no_larger(const std::optional<Measure>& measure, const Baseline::Known::Size& known) {
+    return !measure || known.quantity != measure->quantity || measure->bounds.lower <= known.upper * rounding;
+  }
+
+  // What cannot be read is known if it is the same: other things may hide behind another reason.
   static bool is_no_worse(const Finding& f, const Baseline::Known& known) {
-    if (f.rule == Finding_rule::not_verified || known.rule == Finding_rule::not_verified) return f.rule == known.rule;
-    if (rank(f.rule) > rank(known.rule)) return false;
-    return !f.measure || known.quantity != f.measure->quantity || f.measure->bounds.lower <= known.upper * rounding;
+    if (f.rule == Finding_rule::not_verified || known.rule == Finding_rule::not_verified)
+      return f.rule == known.rule && known.defect == defect(f);
+    return rank(f.rule) <= rank(known.rule) && is_no_larger(f.measure, known.measure) &&
+           is_no_larger(f.behind, known.behind);
   }
 
   // Takes the first one that fits, which has the smallest measure of those, so that others are left for what is larger.

@@ -64,15 +64,20 @@ public:
 };
 
 // A measure in JSON, as a member of an object.
-inline std::string json_member(const Measure& measure) {
-  return "\"measure\":{\"quantity\":\"" + std::string(measure.quantity) +
+inline std::string json_member(const char* name, const Measure& measure) {
+  return std::string("\"") + name + "\":{\"quantity\":\"" + measure.quantity +
          "\",\"bounds\":" + json_text(std::optional<CGAL::Geometric_continuity::Enclosure>(measure.bounds)) + '}';
 }
 
-// The properties of a finding as members of an object, with its measure; may be empty.
+// The properties of a finding as members of an object, with its measures; may be empty.
 inline std::string json_properties(const Finding& f) {
-  if (!f.measure) return f.properties;
-  return f.properties + (f.properties.empty() ? "" : ",") + json_member(*f.measure);
+  std::string text = f.properties;
+  const auto add = [&text](const char* name, const std::optional<Measure>& measure) {
+    if (measure) text += (text.empty() ? "" : ",") + json_member(name, *measure);
+  };
+  add("measure", f.measure);
+  add("behind", f.behind);
+  return text;
 }
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_REPORTS_FINGERPRINTS_H

@@ -91,7 +91,8 @@ struct Finding {
   // What is there, the same when it is moved or gets another number; the object and the spot where it is empty.
   std::string shape = {};
   std::optional<Measure> measure = {};
-  Fingerprints fingerprints = {}; // set by the report
+  std::optional<Measure> behind = {}; // of a gap: the angle of what does not meet there
+  Fingerprints fingerprints = {};     // set by the report
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_REPORTS_FINDING_H

@@ -131,6 +131,8 @@ class Cad_report {
       f.spot = name(edge.kind);
       f.shape = shape(edge, file.model);
       f.measure = measure(f.rule, verdict);
+      if (f.rule == Finding_rule::gap && verdict.enclosure && verdict.enclosure->angle)
+        f.behind = Measure{"angle_degrees", GC::in_degrees(verdict.enclosure->angle->value)};
       return f;
     });
   }

@@ -44,11 +44,13 @@ public:
     const Drawn drawn = this->drawn(join, left, right);
     if (drawn) joins.drawn.add(*drawn);
     if (mode_.certificate != nullptr) joins.certificates.push_back(certificate(place, join, left, right));
-    const Claim claim = this->claim(join, drawn, within);
+    const bool is_open = demand_.max_order > 0 && lacks_direction(join, drawn, left, right);
+    Claim claim = this->claim(join, drawn, within);
+    if (claim == Claim::not_met && is_open && is_about_tangents()) claim = Claim::undecided;
     const bool fails = claim != Claim::met, is_noted = this->is_noted(join, drawn, within);
     if (only_orders && (fails || (mode_.has_findings() && is_noted))) join = continuity(left, right, demand_.max_order);
-    joins.part.add(place.file, {claim, "join", "the tolerance lies between the bounds"}, is_noted,
-                   [&] { return finding(place, join, drawn, left, right, within, claim); });
+    joins.part.add(place.file, {claim, "join", is_open ? too_few_derivatives : "the tolerance lies between the bounds"},
+                   is_noted, [&] { return finding(place, join, drawn, left, right, within, claim); });
     if (mode_.has_findings() || (mode_.summary && !fails)) return;
     std::string& rows = mode_.summary ? joins.part.failing_rows : joins.part.rows;
     const std::size_t begin = rows.size();
@@ -61,6 +63,11 @@ public:
 
 private:
   typedef std::optional<Drawn_join> Drawn;
+  static constexpr const char* too_few_derivatives = "all derivatives that are read are zero, see --max-order";
+
+  bool is_about_tangents() const {
+    return demand_.order && demand_.order->kind() != GC::Continuity_kind::C && demand_.order->order() == 1;
+  }
 
   // Of most joins no jets are needed.
   Drawn drawn(const Join& join, const Span& left, const Span& right) const {
@@ -76,15 +83,22 @@ private:
                                                     right.jets().template start_jet_over<Exact>(k), join, k));
   }
 
+  // Returns whether a curve of a higher degree than the jets have orders has no direction in these.
+  static bool lacks_direction(const Join& join, const Drawn& drawn, const Span& left, const Span& right) {
+    if (join.g_order != 0 || join.regular || drawn) return false;
+    const int order = left.jets().order();
+    return (left.degree() > order && !direction(left.jets().end_jet(order), GC::Curve_end::end)) ||
+           (right.degree() > order && !direction(right.jets().start_jet(order), GC::Curve_end::start));
+  }
+
   // What is required, exactly or within the tolerance; where nothing is required, all orders within the tolerance. Where a tangent is zero,
   // that of the drawn curves is asked for.
   Claim claim(const Join& join, const Drawn& drawn, const std::optional<GC::Order_within>& within) const {
     if (!demand_.order) return within && has_undecided_order(*within) ? Claim::undecided : Claim::met;
     if (demand_.order->met(join)) return Claim::met;
-    const bool is_about_tangents = demand_.order->kind() != GC::Continuity_kind::C && demand_.order->order() == 1;
-    if (drawn && is_about_tangents && drawn->is_smooth()) return Claim::met;
+    if (drawn && is_about_tangents() && drawn->is_smooth()) return Claim::met;
     if (!within) return Claim::not_met;
-    const GC::Verdict verdict = drawn && is_about_tangents
+    const GC::Verdict verdict = drawn && is_about_tangents()
                                     ? GC::at_most(drawn->angle, demand_.tolerance->joins.tangent_angle)
                                     : (*within)(demand_.order->order());
     return verdict == GC::Verdict::proved      ? Claim::met
@@ -161,7 +175,7 @@ private:
     if (claim == Claim::not_met)
       message << "not " << demand_.order->text() << (within ? " within the tolerance" : "") << ", ";
     else if (claim == Claim::undecided)
-      message << "an order is undecided within the tolerance, ";
+      message << (within ? "an order is undecided within the tolerance, " : "undecided, ");
     message << words.remark << " at " << words.point << "; " << deviation;
     f.message = message.str();
     GC::write_json_members(properties, join, static_cast<int>(place.left), static_cast<int>(place.right));
@@ -175,6 +189,8 @@ private:
                                                                                                                     : 3,
         left, right);
     f.measure = measure(f.rule, drawn, deviation);
+    if (f.rule == Finding_rule::gap && deviation.tangent_angle)
+      f.behind = Measure{"angle_degrees", GC::in_degrees(*deviation.tangent_angle)};
     return f;
   }
 

@@ -24,6 +24,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <mutex>
 #include <set>
 #include <sstream>
@@ -232,14 +233,19 @@ std::string record_of(const std::string& file, const File_state& state, const Li
   return asked.answer(code, "\"claims\":" + claims.json() + asked.question() + ",\"report\":" + report + '}');
 }
 
-// The names of a list, each once: a line each.
+// The names of a list, each once: a line each, or each ended by a null character, as find -print0 writes them.
 std::vector<std::string> read_list(const std::string& name) {
   Input input(name);
+  const std::string text{std::istreambuf_iterator<char>(input), std::istreambuf_iterator<char>()};
+  const char end = text.find('\0') == std::string::npos ? '\n' : '\0';
   std::vector<std::string> files;
   std::unordered_set<std::string> known;
-  for (std::string line; std::getline(input, line);) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (!line.empty() && known.insert(line).second) files.push_back(line);
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t size = (std::min)(text.find(end, begin), text.size()) - begin;
+    std::string file = text.substr(begin, size);
+    begin += size + 1;
+    if (end == '\n' && !file.empty() && file.back() == '\r') file.pop_back();
+    if (!file.empty() && known.insert(file).second) files.push_back(std::move(file));
   }
   return files;
 }

@@ -179,6 +179,8 @@ private:
       f.properties = object.substr(1, object.size() - 2); // without braces
       set_place(f, row);
       f.measure = measure_of(f.rule, row, within);
+      if (f.rule == Finding_rule::gap && within && within->deviation.normal_angle)
+        f.behind = Measure{"angle_degrees", GC::in_degrees(*within->deviation.normal_angle)};
       return f;
     });
     if (!report_.shows(claim)) return;

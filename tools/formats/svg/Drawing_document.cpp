@@ -193,8 +193,7 @@ class Drawing_reader {
         const std::string text = Style_text::without_comments(value);
         if (may_change_outlines(text)) attributes.set("style", text);
         for (const Style_declaration& d : style_declarations(text))
-          if (d.name == "fill") attributes.set("fill", d.value);
-      } else if (name == "fill" && attributes.has("fill")) { // a style comes first
+          if (d.name == "fill") attributes.set("style fill", d.value);
       } else if (const auto kept = kept_attributes.find(name); kept != kept_attributes.end())
         attributes.set(*kept, std::string(value));
     }
@@ -214,13 +213,27 @@ class Drawing_reader {
     if (tags_ == Drawing_tags::all || tag.find('\n') != std::string_view::npos) node.tag = tag;
   }
 
+  // Takes note of what the style sheet says of the property `fill`, of whatever element.
+  void note_fills() {
+    for (std::size_t i = sheet_.find("fill"); i != std::string::npos; i = sheet_.find("fill", i + 4)) {
+      document_.sheets_speak_of_fill = true;
+      const std::size_t colon = sheet_.find_first_not_of(" \t\r\n\f", i + 4);
+      if (colon == std::string::npos || sheet_[colon] != ':') continue;
+      const std::size_t end = sheet_.find_first_of(";}", colon);
+      const std::string value = sheet_.substr(colon + 1, end == std::string::npos ? end : end - colon - 1);
+      if (value.substr(0, value.find('!')).find("none") != std::string::npos) continue;
+      document_.sheets_fill = true;
+      document_.sheets_fill_always |= value.find('!') != std::string::npos;
+    }
+  }
+
   void end() {
     Drawing_node& node = document_.nodes[open_.back()];
     if (node.name == "style") {
       const std::string& type = node.attributes.text("type");
       if (type.empty() || type == "text/css") document_.sheets.add(sheet_, node.line);
     }
-    if (node.name == "style") document_.sheets_set_fill |= sheet_.find("fill") != std::string::npos;
+    if (node.name == "style") note_fills();
     node.end = document_.nodes.size();
     open_.pop_back();
   }

@@ -171,11 +171,14 @@ class Drawing_walk {
     return document_.sheets.change(path, has_transform(attributes));
   }
 
-  // Style sheets are not applied: where one of them gives the property to something, an element counts as filled unless it says itself that
-  // it is not.
+  // Style sheets are not applied: an element counts as filled where one of them may fill it. A style comes before a sheet, unless that is
+  // important, and a sheet before an attribute.
   bool is_filled(const Drawing_attributes& attributes, bool inherited) const {
-    const std::string_view value = Style_text::trimmed(attributes.text("fill"));
-    if (value.empty() || value == "inherit") return inherited || document_.sheets_set_fill;
+    const bool has_style = attributes.has("style fill");
+    const std::string_view value =
+        Style_text::trimmed(std::string_view(attributes.text(has_style ? "style fill" : "fill")));
+    if (has_style ? document_.sheets_fill_always : document_.sheets_fill) return true;
+    if (value.empty() || value == "inherit") return inherited || document_.sheets_speak_of_fill;
     return value != "none" && value != "transparent";
   }
 

@@ -19,15 +19,23 @@ namespace {
 
 bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
+// Returns whether a word of a type begins like this: STYLE begins a word of STYLED_ITEM, and PRESENTATION none of REPRESENTATION.
+bool has_word(const std::string& type, const std::string& word) {
+  for (std::size_t at = type.find(word); at != std::string::npos; at = type.find(word, at + 1))
+    if (at == 0 || type[at - 1] == '_' || type[at - 1] == ' ') return true;
+  return false;
+}
+
 bool is_face(const std::string& type) { return type == "ADVANCED_FACE" || contains(type, "FACE_SURFACE"); }
 bool is_edge(const std::string& type) { return contains(type, "EDGE_CURVE"); }
+bool is_bound(const std::string& type) { return has_word(type, "FACE_BOUND") || has_word(type, "FACE_OUTER_BOUND"); }
 
 // What says nothing of the shape: how it looks, what it is called, who made it.
 bool is_remark(const std::string& type) {
-  for (const char* part :
+  for (const char* word :
        {"STYLE", "COLOUR", "PRESENTATION", "DRAUGHTING", "ANNOTATION", "CAMERA", "APPROVAL", "DATE", "PERSON",
         "ORGANIZATION", "SECURITY", "DOCUMENT", "DIMENSION", "TOLERANCE", "DATUM", "CATEGORY", "APPLICATION"})
-    if (contains(type, part)) return true;
+    if (has_word(type, word)) return !contains(type, "DIMENSIONAL_EXPONENTS"); // those are of units
   return type == "PROPERTY_DEFINITION" || type == "PROPERTY_DEFINITION_REPRESENTATION";
 }
 
@@ -39,6 +47,8 @@ class Step_losses {
   std::vector<Step_entity> entities_;
   std::unordered_map<std::uint64_t, std::size_t> places_;               // by the id
   std::unordered_map<std::uint64_t, Handle(Standard_Transient)> known_; // as OpenCASCADE has them
+
+  std::set<std::uint64_t> used_; // the edges of faces
 
   enum Mark : char { open, active, whole, incomplete };
   std::vector<Mark> marks_; // whether something is missing in an entity or in what it refers to
@@ -116,28 +126,46 @@ class Step_losses {
     return marks_[first] == whole;
   }
 
-  // The edges in the boundary of a face, as often as it uses them.
-  std::vector<const Step_entity*> edges_of(const Step_entity& face) const {
+  // Adds what of an entity refers to none of the type that is expected there.
+  void add_wrong(const Step_entity& entity, const char* names) {
+    losses_.add(id(entity.id), entity.type, std::string("it names no ") + names);
+  }
+
+  // Returns the edges in the boundary of a face, as often as it uses them, and adds what of its boundary names none.
+  std::vector<const Step_entity*> edges_of(const Step_entity& face) {
     std::vector<const Step_entity*> result;
-    for (const std::uint64_t b : face.references)
-      if (const Step_entity* const bound = find(b); bound != nullptr && contains(bound->type, "BOUND"))
-        for (const std::uint64_t l : bound->references)
-          if (const Step_entity* const loop = find(l); loop != nullptr && contains(loop->type, "EDGE_LOOP"))
-            for (const std::uint64_t u : loop->references)
-              if (const Step_entity* const use = find(u); use != nullptr && !use->references.empty())
-                if (const Step_entity* const edge = find(use->references.back()); edge != nullptr)
-                  result.push_back(edge);
+    for (const std::uint64_t b : face.references) {
+      const Step_entity* const bound = find(b);
+      if (bound == nullptr || !is_bound(bound->type)) continue; // the surface
+      const Step_entity* const loop = bound->references.empty() ? nullptr : find(bound->references.back());
+      if (loop == nullptr || !contains(loop->type, "LOOP")) {
+        add_wrong(*bound, "loop");
+        continue;
+      }
+      if (!contains(loop->type, "EDGE_LOOP")) continue; // a point, or a polygon
+      if (loop->references.empty()) add_wrong(*loop, "edge");
+      for (const std::uint64_t u : loop->references) {
+        const Step_entity* const use = find(u);
+        if (use == nullptr) continue; // it is missing
+        const Step_entity* const edge = is_edge(use->type)        ? use
+                                        : use->references.empty() ? nullptr
+                                                                  : find(use->references.back());
+        if (edge != nullptr && is_edge(edge->type)) {
+          used_.insert(edge->id);
+          result.push_back(edge);
+        } else if (edge != nullptr || use->references.empty())
+          add_wrong(*use, "edge with a curve");
+      }
+    }
     return result;
   }
 
   // Adds the faces that the shape does not have, and the edges that a face has lost.
   void add_faces_and_edges() {
-    std::set<std::uint64_t> used;
     for (std::size_t i = 0; i < entities_.size(); ++i) {
       const Step_entity& face = entities_[i];
       if (!is_face(face.type)) continue;
       const std::vector<const Step_entity*> edges = edges_of(face);
-      for (const Step_entity* edge : edges) used.insert(edge->id);
       const TopoDS_Shape shape = shape_of(face);
       if (!parts_.has(shape)) {
         losses_.add(id(face.id), face.type, "no shape has it");
@@ -149,9 +177,16 @@ class Step_losses {
         if (is_edge(edge->type) && !parts.has(shape_of(*edge)))
           losses_.add(id(edge->id), edge->type, "the face " + id(face.id) + " has been read without it");
     }
-    for (const Step_entity& edge : entities_)
-      if (is_edge(edge.type) && used.count(edge.id) == 0 && !parts_.has(shape_of(edge)))
-        losses_.add(id(edge.id), edge.type, "no face has it");
+    std::set<std::uint64_t> named; // by others
+    for (const Step_entity& entity : entities_) named.insert(entity.references.begin(), entity.references.end());
+    for (const Step_entity& entity : entities_) {
+      const std::string& type = entity.type;
+      if (is_edge(type) && used_.count(entity.id) == 0 && !parts_.has(shape_of(entity)))
+        losses_.add(id(entity.id), type, "no face has it");
+      else if ((is_bound(type) || contains(type, "LOOP") || contains(type, "ORIENTED_EDGE")) &&
+               named.count(entity.id) == 0)
+        losses_.add(id(entity.id), type, "nothing refers to it");
+    }
   }
 
 public:

@@ -54,11 +54,13 @@ class Edge_samples {
   double parameter(double part) const {
     return curve_.FirstParameter() + part * (curve_.LastParameter() - curve_.FirstParameter());
   }
-  gp_Pnt2d in_plane(double t) const {
+  // Nothing where there is no curve in the parameter plane.
+  std::optional<gp_Pnt2d> in_plane(double t) const {
     double begin, end;
     const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge_.edge, edge_.face, begin, end);
+    if (curve.IsNull()) return std::nullopt;
     const double part = (t - curve_.FirstParameter()) / (curve_.LastParameter() - curve_.FirstParameter());
-    return curve.IsNull() ? gp_Pnt2d() : curve->Value(begin + part * (end - begin));
+    return curve->Value(begin + part * (end - begin));
   }
 
 public:
@@ -143,12 +145,14 @@ public:
     return result;
   }
 
-  // Returns whether the points of two edges of one face are the two sides of a narrow part of it, and not those of a cut that closes it.
+  // Returns whether the points of two edges of one face are the two sides of a narrow part of it, and not those of a cut that closes it. Where
+  // the parameter plane does not tell, as of an edge that is there twice, they are not.
   bool is_across(double t, const Edge_samples& other, double s, double distance) const {
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(edge_.face);
     if (surface.IsNull()) return true;
-    const gp_Pnt2d a = in_plane(t), b = other.in_plane(s);
-    const gp_Pnt middle = surface->Value((a.X() + b.X()) / 2, (a.Y() + b.Y()) / 2);
+    const std::optional<gp_Pnt2d> a = in_plane(t), b = other.in_plane(s);
+    if (!a || !b || a->Distance(*b) <= Precision::PConfusion()) return false;
+    const gp_Pnt middle = surface->Value((a->X() + b->X()) / 2, (a->Y() + b->Y()) / 2);
     return middle.Distance(point(t)) <= 2 * distance;
   }
 };
