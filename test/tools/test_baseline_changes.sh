@@ -22,6 +22,13 @@ new() {
   holds [ "$(grep -c '{"rule":' out)" -eq "$n" ]
 }
 
+# --- gaps: what turns behind one is new, and what cannot be read for another reason
+gap() { { curve $'2 0\n2 2\n0 0 1 1\n0 0\n10 0'; curve $'2 0\n2 2\n0 0 1 1\n10.0001 0\n20 '"$1"; } >gap.g2; }
+gap 0 && base gap.g2 --require G1 && known gap.g2 --require G1
+gap 5 && new 1 '"rule":"gap"' gap.g2 --require G1
+printf '<svg xmlns="http://www.w3.org/2000/svg"><path id="p" d="%s"/></svg>' "M0 0L1 1L2 2f" >x.svg && base x.svg && known x.svg --allow-uncovered
+printf '<svg xmlns="http://www.w3.org/2000/svg"><path id="p" d="%s"/></svg>' "M0 0fL1 1L2 2" >x.svg && new 1 '"rule":"not-verified"' x.svg --allow-empty
+
 # --- drawings: with ids and without, in groups, some that cannot be read
 drawing() { printf '<svg xmlns="http://www.w3.org/2000/svg">\n%s\n</svg>\n' "$*" >x.svg; }
 small='M0 0L100 0L200 1' large='M0 0L100 0L200 8' # 0.57 and 4.57 degrees

@@ -39,6 +39,22 @@ sed 's/EDGE_CURVE(/EDGE_KURVE(/' models/kinks.step >unknown.step
 holds [ $? -eq 1 ] && says out ' EDGE_KURVE: of no known type'
 sed 's/^\(#[0-9]* = OPEN_SHELL(.*,(\)#[0-9]*,/\1/' models/kinks.step >orphan.step
 run 1 verify orphan.step --allow-empty && says out ' ADVANCED_FACE: no shape has it'
+# edges of another known type, uses that name no edge, and what nothing refers to
+edge=$(id EDGE_CURVE models/fillet.step 1) use=$(id ORIENTED_EDGE models/fillet.step 1) bound=$(id FACE_BOUND models/fillet.step 1)
+for type in CARTESIAN_POINT VERTEX_POINT VECTOR EDGE; do
+  sed "s/^$edge = EDGE_CURVE(/$edge = $type(/" models/fillet.step >retyped.step
+  "$program" verify retyped.step --require G1 --allow-empty >out 2>err
+  holds [ $? -ne 0 ]
+done
+sed "s/^\($use = ORIENTED_EDGE(.*,\)#[0-9]*,/\1\$,/" models/fillet.step >unnamed.step
+"$program" verify unnamed.step --require G1 --allow-empty >out 2>err
+holds [ $? -eq 1 ] && says out "$use ORIENTED_EDGE: it names no edge with a curve"
+sed "s/^\(#[0-9]* = EDGE_LOOP('',(\)$use,/\1/" models/fillet.step >unused.step
+"$program" verify unused.step --require G1 --allow-empty >out 2>err
+holds [ $? -eq 1 ] && says out "$use ORIENTED_EDGE: nothing refers to it"
+# units and the precision belong to the shape
+without "$(sed -n 's/^\(#[0-9]*\) = ( *GEOMETRIC_REPRESENTATION_CONTEXT(3).*/\1/p' models/fillet.step | head -n 1)" models/fillet.step >context.step
+run 1 verify context.step --require G1 && says out "not in the file, but #" "REPRESENTATION refers to it"
 # what says nothing of the shape may be missing
 for type in PRODUCT_RELATED_PRODUCT_CATEGORY APPLICATION_PROTOCOL_DEFINITION; do
   without "$(id $type models/fillet.step 1)" models/fillet.step >remark.step

@@ -342,7 +342,10 @@ filled "<path $ring/>" && filled "<path fill=\"black\" $ring/>" && filled "<path
 stroked "<path fill=\"none\" $ring/>" && stroked "<path style=\"stroke:red;fill : none !important\" $ring/>" && stroked "<path fill=\"transparent\" $ring/>"
 filled "<g fill=\"none\"><path fill=\"red\" $ring/></g>" && filled "<g fill=\"red\"><path fill=\"inherit\" $ring/></g>"
 stroked "<g fill=\"none\"><g><path $ring/></g></g>" && stroked "<g style=\"fill:none\"><path fill=\"inherit\" $ring/></g>"
-# of style sheets no more is read than that they speak of it
+# what a rule of a style sheet may fill counts as filled
+filled "<style>.a{fill:red}</style><path fill=\"none\" class=\"a\" $ring/>" && filled "<style>path{fill:red !important}</style><path style=\"fill:none\" $ring/>"
+stroked "<style>path{fill:red}</style><path style=\"fill:none\" $ring/>" && stroked "<style>.a{fill:none}</style><path fill=\"none\" class=\"a\" $ring/>"
+filled "<style>g .a{fill:red}</style><g fill=\"none\"><path class=\"a\" fill=\"none\" $ring/></g>" && stroked "<style>g .a{fill:red}</style><path class=\"a\" fill=\"none\" $ring/>"
 filled "<style>.a{fill:red}</style><g fill=\"none\"><path class=\"a\" $ring/></g>" && stroked "<style>.a{fill:red}</style><path fill=\"none\" $ring/>"
 svg "<defs><path id=\"r\" $ring/></defs><use href=\"#r\"/><use href=\"#r\" fill=\"none\"/>" && run 1 verify drawing.svg --require G1 && says out "7 joins in 2 subpaths" "1 of them not G1"
 svg '<polyline points="0 0 9 0 9 9 0 0"/><polyline fill="none" points="0 0 9 0 9 9 0 0"/><line x2="3"/>' && run 0 verify drawing.svg && says out "5 joins in 3 subpaths"

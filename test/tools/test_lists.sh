@@ -188,6 +188,8 @@ run 2 verify --jsonl missing && says err missing
 run 2 verify --jsonl first --require G --output refused.jsonl && says err "G" && run 2 verify --jsonl first --within 1,x && says err "--within: item 2, 'x'"
 run 2 verify --jsonl first --kink-angle x -o refused.jsonl && says refused.jsonl '"message":"--kink-angle: ' '"asked":["--kink-angle=x"]'
 run 2 verify --jsonl empty.jsonl && says err 'names no file'
+# names that end with a null character, as find -print0 writes them
+printf '%s\0' kink1.svg missing.svg >null && run 2 verify --jsonl null -o null.jsonl && says null.jsonl '{"file":"kink1.svg"' '{"file":"missing.svg"' && lacks null.jsonl u0000
 run 2 verify --jsonl list --json && says err --json
 run 2 verify "$S" -o x && says err 'only with --jsonl'
 run 2 verify --jsonl list --memory-limit 1 && says err --memory-limit

@@ -59,6 +59,10 @@ handles $'0 50\n0 164\n0 164\n0 164' "$line" # the third derivative tells
 run 0 verify zh.g2 --require G1 && says out "drawn as G1"
 handles $'0 164\n0 164\n0 164\n0 164' "$line"
 run 1 verify zh.g2 --require G1 && says out "zero tangent at the end of the left curve" && lacks out "drawn"
+# three derivatives that are zero, and a fourth one that is read with a higher order
+{ curve $'2 0\n5 5\n0 0 0 0 0 1 1 1 1 1\n0 0\n0 164\n0 164\n0 164\n0 164'; curve $'2 0\n'"$line"; } >zh.g2
+run 1 verify zh.g2 --require G1 && says out "undecided: 1 join, all derivatives that are read are zero, see --max-order" && run 0 verify zh.g2 --require G1 --allow-undecided
+run 0 verify zh.g2 --require G1 --max-order 4 && says out "drawn as G1"
 { spline $'4 4\n0 0 0 0 1 1 1 1\n50 0 0\n0 160 0\n0 164 0\n0 164 0'; spline $'2 2\n0 0 1 1\n0 164 0\n0 200 1'; } >zh.g2 # in space
 run 0 verify zh.g2 && says out "drawn as kink of 1.591 degrees"
 { spline $'4 4\n0 0 0 0 1 1 1 1\n50 0 0\n0 160 0\n0 164 0\n0 164 0'; spline $'2 2\n0 0 1 1\n0 164 0\n0 200 0'; } >zh.g2

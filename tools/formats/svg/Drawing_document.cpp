@@ -213,27 +213,13 @@ class Drawing_reader {
     if (tags_ == Drawing_tags::all || tag.find('\n') != std::string_view::npos) node.tag = tag;
   }
 
-  // Takes note of what the style sheet says of the property `fill`, of whatever element.
-  void note_fills() {
-    for (std::size_t i = sheet_.find("fill"); i != std::string::npos; i = sheet_.find("fill", i + 4)) {
-      document_.sheets_speak_of_fill = true;
-      const std::size_t colon = sheet_.find_first_not_of(" \t\r\n\f", i + 4);
-      if (colon == std::string::npos || sheet_[colon] != ':') continue;
-      const std::size_t end = sheet_.find_first_of(";}", colon);
-      const std::string value = sheet_.substr(colon + 1, end == std::string::npos ? end : end - colon - 1);
-      if (value.substr(0, value.find('!')).find("none") != std::string::npos) continue;
-      document_.sheets_fill = true;
-      document_.sheets_fill_always |= value.find('!') != std::string::npos;
-    }
-  }
-
   void end() {
     Drawing_node& node = document_.nodes[open_.back()];
     if (node.name == "style") {
       const std::string& type = node.attributes.text("type");
       if (type.empty() || type == "text/css") document_.sheets.add(sheet_, node.line);
     }
-    if (node.name == "style") note_fills();
+    if (node.name == "style") document_.sheets_set_fill |= sheet_.find("fill") != std::string::npos;
     node.end = document_.nodes.size();
     open_.pop_back();
   }

@@ -41,9 +41,8 @@ public:
   std::vector<Drawing_node> nodes;
   std::vector<long long> outside_sheets; // the lines that refer to style sheets in other files
   Style_sheets sheets;
-  // What the style sheets say of the property `fill`: one of them speaks of it, sets it to something, and so that styles do not count.
-  bool sheets_speak_of_fill = false, sheets_fill = false, sheets_fill_always = false;
-  std::size_t bytes = 0; // a measure of all that is written
+  bool sheets_set_fill = false; // one of them gives the property `fill` to something
+  std::size_t bytes = 0;        // a measure of all that is written
 
   // Returns the number of the element with an id, or nodes.size().
   std::size_t find(std::string_view id) const {

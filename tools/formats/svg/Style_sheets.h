@@ -68,12 +68,13 @@ class Style_sheets {
   struct Rule {
     std::vector<Selector> selectors;
     std::vector<Style_declaration> declarations;
-    long long line; // of the sheet
+    long long line;            // of the sheet
+    bool is_important = false; // something in it may be
   };
   static constexpr std::size_t most_rules = 1000; // each of which is compared with each element
 
-  std::vector<Rule> rules_;
-  bool any_element_ = false, moving_keyframes_ = false;
+  std::vector<Rule> rules_, fills_; // that may change outlines, and that may fill
+  bool any_element_ = false, any_filled_ = false, moving_keyframes_ = false;
   long long first_line_ = 0; // of the first sheet with a rule
 
   static bool is_name_character(char c) {
@@ -171,14 +172,17 @@ class Style_sheets {
   }
 
   void add_rule(std::string_view selectors, std::string_view block, long long line) {
-    Rule rule{{}, {}, line};
-    for (Style_declaration& d : style_declarations(block))
+    Rule rule{{}, {}, line, block.find('!') != std::string_view::npos};
+    bool fills = false;
+    for (Style_declaration& d : style_declarations(block)) {
+      fills = fills || (d.name == "fill" && d.value != "none");
       for (const char* element : {"path", "circle", "rect"})
         if (style_effect(d.name, element) != Style_effect::none) {
           rule.declarations.push_back(std::move(d));
           break;
         }
-    if (rule.declarations.empty()) return;
+    }
+    if (rule.declarations.empty() && !fills) return;
     std::string text(selectors);
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '\t' || c == '\n' || c == '\r' || c == '\f'; }, ' ');
@@ -186,6 +190,11 @@ class Style_sheets {
       char end;
       rule.selectors.push_back(selector(Style_text::trimmed(rest.take_until(",", end))));
     }
+    if (fills) {
+      any_filled_ = any_filled_ || fills_.size() == most_rules;
+      if (!any_filled_) fills_.push_back(rule);
+    }
+    if (rule.declarations.empty()) return;
     if (first_line_ == 0) first_line_ = line;
     any_element_ = any_element_ || rules_.size() == most_rules;
     if (!any_element_) rules_.push_back(std::move(rule));
@@ -246,6 +255,16 @@ public:
   }
 
   bool is_empty() const { return first_line_ == 0; }
+
+  // Returns whether a rule may fill the last element of a path from the root on; where its own style says something else, an important rule.
+  bool may_fill(const std::vector<Styled_element>& path, bool has_style) const {
+    return any_filled_ || std::any_of(fills_.begin(), fills_.end(), [&](const Rule& rule) {
+             return (!has_style || rule.is_important) &&
+                    std::any_of(rule.selectors.begin(), rule.selectors.end(),
+                                [&](const Selector& s) { return may_match(s, path); });
+           });
+  }
+  bool has_fills() const { return any_filled_ || !fills_.empty(); }
 
   // Says which rule may change the outline of the last element of a path from the root on; nothing where none does.
   std::optional<std::string> change(const std::vector<Styled_element>& path, bool has_transform) const {

@@ -157,10 +157,8 @@ class Drawing_walk {
     handler_.path(element, {value, place, Attribute_text(n.tag, n.tag_begin, "d", value), role});
   }
 
-  // Why the outline of an element may be another one than is written; nothing where it may not.
-  std::optional<std::string> change(std::size_t i, const Drawing_attributes& attributes) const {
-    if (node(i).animated_in_line != 0) return "it is animated in line " + std::to_string(node(i).animated_in_line);
-    if (document_.sheets.is_empty()) return std::nullopt;
+  // Returns the elements from the root on to one of them, as selectors see them.
+  std::vector<Styled_element> path_to(std::size_t i) const {
     std::vector<Styled_element> path;
     for (std::size_t k = i;; k = node(k).parent) {
       const Drawing_attributes& a = node(k).attributes;
@@ -168,24 +166,32 @@ class Drawing_walk {
       if (k == node(k).parent) break;
     }
     std::reverse(path.begin(), path.end());
-    return document_.sheets.change(path, has_transform(attributes));
+    return path;
   }
 
-  // Style sheets are not applied: an element counts as filled where one of them may fill it. A style comes before a sheet, unless that is
-  // important, and a sheet before an attribute.
-  bool is_filled(const Drawing_attributes& attributes, bool inherited) const {
+  // Why the outline of an element may be another one than is written; nothing where it may not.
+  std::optional<std::string> change(std::size_t i, const Drawing_attributes& attributes) const {
+    if (node(i).animated_in_line != 0) return "it is animated in line " + std::to_string(node(i).animated_in_line);
+    if (document_.sheets.is_empty()) return std::nullopt;
+    return document_.sheets.change(path_to(i), has_transform(attributes));
+  }
+
+  // Style sheets are not applied: an element counts as filled where a rule may fill it, and where one of them speaks of the property and the
+  // element does not. A style comes before a rule that is not important, and a rule before an attribute.
+  bool is_filled(std::size_t i, bool inherited) const {
+    const Drawing_attributes& attributes = node(i).attributes;
     const bool has_style = attributes.has("style fill");
+    if (document_.sheets.has_fills() && document_.sheets.may_fill(path_to(i), has_style)) return true;
     const std::string_view value =
         Style_text::trimmed(std::string_view(attributes.text(has_style ? "style fill" : "fill")));
-    if (has_style ? document_.sheets_fill_always : document_.sheets_fill) return true;
-    if (value.empty() || value == "inherit") return inherited || document_.sheets_speak_of_fill;
+    if (value.empty() || value == "inherit") return inherited || document_.sheets_set_fill;
     return value != "none" && value != "transparent";
   }
 
   // Of an element that is not drawn there.
   bool is_filled_where_it_stands(std::size_t i) const {
     const std::size_t parent = node(i).parent;
-    return is_filled(node(i).attributes, parent == i || is_filled_where_it_stands(parent));
+    return is_filled(i, parent == i || is_filled_where_it_stands(parent));
   }
 
   // Visits an element. Returns whether to go on with those that it holds.
@@ -208,7 +214,7 @@ class Drawing_walk {
       if (const std::optional<std::string> changed = change(i, *attributes)) throw Not_covered{*changed};
       if (frames_.empty() && (document_.sheets.is_empty() || attributes->has("viewBox")))
         frame.viewport = outermost_viewport(*attributes);
-      frame.is_filled = is_filled(n.attributes, frame.is_filled);
+      frame.is_filled = is_filled(i, frame.is_filled);
       place(*attributes, frame);
       if (n.name == "symbol" || (n.name == "svg" && !frames_.empty()))
         frame = inner_frame(frame, *attributes, is_target ? part.size : Repeated_size());
