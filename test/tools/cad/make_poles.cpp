@@ -82,13 +82,13 @@ Handle(Geom_Curve) through(const std::vector<std::array<double, 2>>& profile, do
   interpolation.Load(gp_Vec(0, 0, 1), gp_Vec(-std::sin(angle), 0, std::cos(angle)));
   interpolation.Perform();
   require(interpolation.IsDone(), "profile");
-  return interpolation.Curve();
+  return Handle(Geom_Curve)(interpolation.Curve());
 }
 Handle(Geom_Curve) bezier(const std::vector<std::array<double, 2>>& profile) {
   TColgp_Array1OfPnt points(1, static_cast<int>(profile.size()));
   for (std::size_t i = 0; i < profile.size(); ++i)
     points.SetValue(static_cast<int>(i) + 1, gp_Pnt(profile[i][0], 0, profile[i][1]));
-  return new Geom_BezierCurve(points);
+  return Handle(Geom_Curve)(new Geom_BezierCurve(points));
 }
 // Three thirds of what a profile makes around the axis, with common edges.
 TopoDS_Shape thirds(const Handle(Geom_Curve) & profile) {
