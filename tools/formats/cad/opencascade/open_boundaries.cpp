@@ -48,7 +48,8 @@ class Edge_samples {
   const Boundary_edge& edge_;
   BRepAdaptor_Curve curve_;
   double tolerance_, length_ = 0, sag_ = 0;
-  std::vector<gp_Pnt> points_; // at equal distances of the parameter
+  std::vector<gp_Pnt> points_;            // at equal distances of the parameter
+  std::array<gp_Pnt, parts + 1> samples_; // likewise
   std::array<double, 6> box_;
 
   double parameter(double part) const {
@@ -72,8 +73,9 @@ public:
       curve_.Initialize(edge.edge);
     if (!is_finite(curve_.FirstParameter(), curve_.LastParameter())) return;
     const auto pieces = static_cast<std::size_t>(curve_.NbIntervals(GeomAbs_C1));
-    const std::size_t n = parts * (std::min)(2 * pieces, std::size_t(16));
+    const std::size_t n = curve_.GetType() == GeomAbs_Line ? 1 : 4 * (std::min)(2 * pieces, std::size_t(16));
     for (std::size_t i = 0; i <= n; ++i) points_.push_back(curve_.Value(parameter(double(i) / double(n))));
+    for (std::size_t i = 0; i <= parts; ++i) samples_[i] = curve_.Value(sample_parameter(i));
     constexpr double inf = std::numeric_limits<double>::infinity();
     box_ = {inf, inf, inf, -inf, -inf, -inf};
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -108,6 +110,7 @@ public:
   }
 
   double sample_parameter(std::size_t i) const { return parameter(double(i) / double(parts)); }
+  const gp_Pnt& sample(std::size_t i) const { return samples_[i]; }
 
   // The parameter of the nearest point, if it is no farther away than the distance.
   std::optional<double> nearest(const gp_Pnt& p, double distance) const {
@@ -165,10 +168,9 @@ bool is_beside(const Edge_samples& a, const Edge_samples& b, double gap) {
   std::array<bool, parts + 1> is_near{};
   std::size_t number = 0;
   for (std::size_t i = 1; i < parts; ++i) {
-    const double t = a.sample_parameter(i);
-    const gp_Pnt p = a.point(t);
-    const std::optional<double> s = b.nearest(p, distance);
+    const std::optional<double> s = b.nearest(a.sample(i), distance);
     if (!s) continue;
+    const double t = a.sample_parameter(i);
     const gp_Vec u = a.direction(t), v = b.direction(*s);
     if (!(std::abs(u.Dot(v)) >= least_cosine * u.Magnitude() * v.Magnitude())) continue;
     if (a.face().IsSame(b.face()) && a.is_across(t, b, *s, distance)) continue;
