@@ -36,7 +36,7 @@ svg '<path d="M0 0A7 4 45 0 1 16 24A4 7 -45 0 1 0 0M8 8a6,3,135,0,0-6,0z"/>' && 
 svg '<path d="M20 60c0-5.523 4.477-10 10-10s10 4.477 10 10-4.477 10-10 10-10-4.477-10-10.001Z"/>' && certified 0 drawing.svg && says said "5 certified" # also of rounding
 ends='d="M50 10C72 10 90 90 50 90C28 90 10 11 50 10"'
 svg "<path $ends/><g style=\"fill : none !important\"><path $ends/><path fill=\"#000\" $ends/></g>" && certified 0 drawing.svg && says said "5 certified"
-svg "<style>*{fill:red}</style><g fill=\"none\"><path $ends/><path fill=\"none\" $ends/></g>" && certified 0 drawing.svg && says said "3 certified"
+svg "<style>*{fill:red}</style><g fill=\"none\"><path $ends/><path fill=\"none\" $ends/></g>" && certified 0 drawing.svg && says said "4 certified"
 
 # all orders: G2 and F3 but not G3, C2 at inner knots, unclamped knots, rational curves, a cusp, zero tangents, points, other dimensions
 for strategy in normal seq_f3; do

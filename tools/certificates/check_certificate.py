@@ -266,7 +266,7 @@ def drawing_joins(files, order):
             paths = [([None], True)]
         for number, (segments, closed) in enumerate(paths if stack[-1] else [], 1):
             kept = [s for s in segments if s != ()]
-            closed = closed or (filled[-1] and all(kept[:1] + kept[-1:]) and kept[:1] and kept[0][0][0] == kept[-1][1][0])
+            closed = closed or ((filled[-1] or sheets_fill) and all(kept[:1] + kept[-1:]) and kept[:1] and kept[0][0][0] == kept[-1][1][0])
             for i in range(len(kept) - (not closed)):
                 j = (i + 1) % len(kept)
                 place = {"line": parser.CurrentLineNumber, "subpath": number, "left": i, "right": j}

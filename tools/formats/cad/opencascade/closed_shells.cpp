@@ -7,8 +7,6 @@
 #include "formats/cad/opencascade/losses.h"
 
 #include <BRep_Tool.hxx>
-#include <IGESSolid_Face.hxx>
-#include <IGESSolid_Shell.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <StepShape_ClosedShell.hxx>
 #include <StepShape_Face.hxx>
@@ -36,8 +34,6 @@ std::vector<Handle(Standard_Transient)> faces_of_closed_shell(const Handle(Stand
         face = oriented->FaceElement();
       result.push_back(face);
     }
-  if (const auto* shell = dynamic_cast<const IGESSolid_Shell*>(entity.get()); shell != nullptr && shell->IsClosed())
-    for (int i = 1; i <= shell->NbFaces(); ++i) result.push_back(shell->Face(i));
   return result;
 }
 

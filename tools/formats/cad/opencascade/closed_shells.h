@@ -22,7 +22,7 @@ struct Closed_shell {
 // The names of closed shells, by their faces.
 typedef std::map<const TopoDS_TShape*, std::string> Shell_names;
 
-// Returns the closed shells that a STEP or IGES file names.
+// Returns the closed shells that a STEP file names. Shells in IGES are written as closed whether they are or not: there only solids count.
 Shell_names closed_shell_names(XSControl_Reader& reader);
 
 // Returns the shells of a shape that are named or belong to a solid, and, of BREP, those that are marked. What is placed again comes once.
