@@ -24,8 +24,9 @@ typedef GC::Join_continuity<Exact> Join;
 inline bool exceeds(const GC::Kink_bound& bound, const GC::Coordinate_vector<Exact, 0>& a,
                     const GC::Coordinate_vector<Exact, 0>& b) {
   typedef CGAL::Sqrt_extension<Exact, Exact> Root; // |a x b|, which is a number in the plane only
-  const Exact ab = dot(a, b);
-  return bound.is_exceeded(Root(Exact(0), Exact(1), Exact(dot(a, a) * dot(b, b) - ab * ab)), Root(ab));
+  const Exact ab = dot(a, b), sine_squared = dot(a, a) * dot(b, b) - ab * ab;
+  if (sine_squared == 0) return ab < 0; // which is no number with a root
+  return bound.is_exceeded(Root(Exact(0), Exact(1), sine_squared), Root(ab));
 }
 
 // An order of continuity that is asked for, e.g. "G2".
