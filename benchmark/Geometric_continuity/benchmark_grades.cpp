@@ -11,7 +11,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 
 #include <cmath>
 #include <random>
@@ -24,17 +24,17 @@ typedef GC::Traits_2<CGAL::Exact_predicates_inexact_constructions_kernel> Traits
 typedef GC::Bezier_curve<Traits, 3> Cubic;
 typedef GC::Bezier_curve<Traits> Curve; // of any degree
 typedef Traits::Point Point;
-using GC::Join_grade;
+using GC::Visual_class;
 
-Join_grade by_hand(const Cubic& x, const Cubic& y) {
+Visual_class by_hand(const Cubic& x, const Cubic& y) {
   const auto leg = [](const Cubic& c, int j) { return c.control_point(j) - c.control_point(j - 1); };
   const auto cross = [](const auto& a, const auto& b) { return a.x() * b.y() - a.y() * b.x(); };
   const auto a = leg(x, 3), b = leg(y, 1);
   const double angle = std::atan2(std::abs(cross(a, b)), a * b), degree = std::acos(-1.) / 180;
-  if (angle > 5 * degree) return Join_grade::corner;
-  if (angle > 1e-9) return Join_grade::kink;
+  if (angle > 5 * degree) return Visual_class::corner;
+  if (angle > 1e-9) return Visual_class::kink;
   const double k = cross(leg(x, 2), a) / std::pow(a * a, 1.5), l = cross(b, leg(y, 2)) / std::pow(b * b, 1.5);
-  return std::abs(k - l) > 1e-9 * (std::abs(k) + std::abs(l)) ? Join_grade::g1 : Join_grade::g2;
+  return std::abs(k - l) > 1e-9 * (std::abs(k) + std::abs(l)) ? Visual_class::g1 : Visual_class::g2;
 }
 
 struct Joins {
@@ -43,7 +43,7 @@ struct Joins {
 };
 
 // Joins of one grade; the node anywhere, handles on a primitive direction (x, y) of less than 2^9.
-Joins joins(Join_grade grade) {
+Joins joins(Visual_class grade) {
   Joins result;
   std::mt19937_64 random(2026);
   const auto number = [&](int bits) { return static_cast<double>(random() >> (64 - bits)) - std::ldexp(1, bits - 1); };
@@ -56,14 +56,14 @@ Joins joins(Join_grade grade) {
     const Cubic left({at(number(12), number(12)), at(-2 * p * x + p * p * s + u * x, -2 * p * y + p * p * t + u * y),
                       at(-p * x, -p * y), node});
     const Cubic right({node,
-                       grade == Join_grade::corner ? corner
-                       : grade == Join_grade::kink ? at(q * x, q * y + 1)
-                                                   : at(q * x, q * y),
-                       at(2 * q * x + q * q * s + v * x + (grade == Join_grade::g1), 2 * q * y + q * q * t + v * y),
+                       grade == Visual_class::corner ? corner
+                       : grade == Visual_class::kink ? at(q * x, q * y + 1)
+                                                     : at(q * x, q * y),
+                       at(2 * q * x + q * q * s + v * x + (grade == Visual_class::g1), 2 * q * y + q * q * t + v * y),
                        at(number(12), number(12))});
-    if (GC::join_grade(left, right) != grade) continue;
+    if (GC::visual_class(left, right) != grade) continue;
     check(by_hand(left, right) == grade, "grade by hand");
-    check(GC::join_grade(Curve(left), Curve(right)) == grade, "grade of curves of any degree");
+    check(GC::visual_class(Curve(left), Curve(right)) == grade, "grade of curves of any degree");
     result.left.push_back(left);
     result.right.push_back(right);
     result.left_curves.emplace_back(left);
@@ -73,17 +73,18 @@ Joins joins(Join_grade grade) {
 }
 
 int main(int argc, char** argv) {
-  for (const Join_grade grade : {Join_grade::corner, Join_grade::kink, Join_grade::g1, Join_grade::g2}) {
+  for (const Visual_class grade : {Visual_class::corner, Visual_class::kink, Visual_class::g1, Visual_class::g2}) {
     const Joins j = joins(grade);
     const auto run = [&](const char* method, auto work) {
       one_by_one((to_string(grade) + " | " + method).c_str(), work);
     };
     run("by hand, double, not certified",
         [j](std::size_t l) { benchmark::DoNotOptimize(by_hand(j.left[l], j.right[l])); });
-    run("join_grade, cubics", [j](std::size_t l) { benchmark::DoNotOptimize(GC::join_grade(j.left[l], j.right[l])); });
-    run("join_grade, curves of any degree",
-        [j](std::size_t l) { benchmark::DoNotOptimize(GC::join_grade(j.left_curves[l], j.right_curves[l])); });
-    if (grade == Join_grade::kink)
+    run("visual_class, cubics",
+        [j](std::size_t l) { benchmark::DoNotOptimize(GC::visual_class(j.left[l], j.right[l])); });
+    run("visual_class, curves of any degree",
+        [j](std::size_t l) { benchmark::DoNotOptimize(GC::visual_class(j.left_curves[l], j.right_curves[l])); });
+    if (grade == Visual_class::kink)
       run("kink_size", [j](std::size_t l) { benchmark::DoNotOptimize(GC::kink_size(j.left[l], j.right[l])); });
   }
   return run_benchmarks(argc, argv);

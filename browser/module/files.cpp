@@ -54,7 +54,7 @@ void verify_svg(Request& request, std::ostream& os) {
   const Exact degrees = request.exact();
   std::ostringstream degrees_text;
   GC::write_number(degrees_text, degrees);
-  const Kink_rule kinks{degrees_text.str(), GC::Kink_bound(degrees)};
+  const Kink_rule kinks{degrees_text.str(), GC::Corner_threshold(degrees)};
   const Memory_file file("drawing.svg", request.text());
   const Captured_output output(os);
   verify_drawings({file.name()}, required ? (std::max)(max_order, required->order()) : max_order, json_mode(), required,
@@ -63,7 +63,7 @@ void verify_svg(Request& request, std::ostream& os) {
 
 void repair_svg(Request& request, std::ostream& os) {
   Repair_options options;
-  options.bound = GC::Kink_bound(request.exact());
+  options.bound = GC::Corner_threshold(request.exact());
   options.max_move = request.optional_exact();
   options.harmonise = request.count() != 0;
   const std::string name = "drawing.svg", text = request.text();
@@ -88,9 +88,9 @@ void verify_g2(Request& request, std::ostream& os) {
     verify_surfaces({file.name()}, json_mode(), required ? std::optional<int>(required->order()) : std::nullopt,
                     std::nullopt);
   } else
-    verify_chain(
-        {file.name()}, false, closed, json_mode(),
-        {required ? (std::max)(max_order, required->order()) : max_order, required, std::nullopt, GC::Kink_bound()});
+    verify_chain({file.name()}, false, closed, json_mode(),
+                 {required ? (std::max)(max_order, required->order()) : max_order, required, std::nullopt,
+                  GC::Corner_threshold()});
 }
 
 // A name of the options: "-" for none.
@@ -105,9 +105,9 @@ void verify_font(Request& request, std::ostream& os) {
   if (required) {
     if (required->text() != "G1" && required->text() != "G2")
       throw GC::Error(GC::Error_code::malformed_input, "verifyFont: of fonts G1 and G2 are decided");
-    demand.rule.required = required->order() == 1 ? GC::Join_grade::g1 : GC::Join_grade::g2;
+    demand.rule.required = required->order() == 1 ? GC::Visual_class::g1 : GC::Visual_class::g2;
   }
-  demand.rule.corner = GC::Kink_bound(request.exact());
+  demand.rule.corner = GC::Corner_threshold(request.exact());
   demand.worst = static_cast<std::size_t>(request.count());
   demand.glyphs = glyphs(request);
   const Memory_file file("font", request.text());

@@ -78,10 +78,10 @@ GC::Bezier_curve<Plane_traits> plane_curve(const Module_curve& curve) {
   return GC::Bezier_curve<Plane_traits>(points.begin(), points.end(), curve.domain().first, curve.domain().second);
 }
 
-void join_grade(Request& request, std::ostream& os) {
-  const GC::Kink_bound bound(request.exact());
+void visual_class(Request& request, std::ostream& os) {
+  const GC::Corner_threshold bound(request.exact());
   const auto left = plane_curve(request.curve()), right = plane_curve(request.curve());
-  const std::optional<GC::Join_grade> grade = GC::join_grade(left, right, bound);
+  const std::optional<GC::Visual_class> grade = GC::visual_class(left, right, bound);
   os << "{\"grade\":";
   if (grade)
     os << '"' << *grade << '"';
@@ -259,7 +259,7 @@ void align_handles(Request& request, std::ostream& os) {
 
 const std::vector<Module_function> module_functions = {
     {"continuity", continuity},      {"deviation", deviation},
-    {"joinGrade", join_grade},       {"blend", blend},
+    {"joinGrade", visual_class},     {"blend", blend},
     {"roundCorner", round_corner},   {"edgeContinuity", edge_continuity},
     {"alignHandles", align_handles},
 };

@@ -6,7 +6,7 @@ s/const internal::Convertible_number<typename .*::FT>&/const FT\&/g
 s/internal::Decision_FT<\([A-Za-z_]*\)>/typename Exact_field<Predicate_FT<\1>>::type/g
 s/internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type>/unspecified_type/g
 s/internal::Bezier_coefficients<[A-Za-z_, ]*>/unspecified_type/g
-s/= internal::usual_kink_bound()/= Kink_bound(5)/g
+s/= internal::usual_corner_threshold()/= Corner_threshold(5)/g
 s/internal::Per_object_limit::default_steps/4'000'000'000/
 /^using \| using \|constexpr /s/ = \(typename \)\{0,1\}internal::[^;]*;/ = unspecified_value;/
 s/typedef \(std::conditional_t<.*\|typename \)internal::.*> *\(::type\)\{0,1\} \([A-Za-z_]*\);/typedef unspecified_type \3;/

@@ -25,7 +25,7 @@ int main() {
     chain.push_back(GC::extend_toward(chain.back(), GC::Frenet_order::torsion, target));
 
   bool proved = true;
-  GC::Chain_analysis<Curve> analysis;
+  GC::Chain_accumulator<Curve> analysis;
   for (const Curve& segment : chain)
     analysis.add(segment, [&](const GC::Chain_join<Curve>& join) {
       const auto tau = GC::torsion(join.right_curve.start_jet(3));

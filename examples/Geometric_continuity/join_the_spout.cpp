@@ -59,12 +59,12 @@ int main() {
   // The loop around the corner, in both patches: up to (1/6, 1/3) from it by y = 1/2 - 6 x^2, from there on by x = 1/4 - 3/4 y^2.
   const FT x = FT(1) / 6, y = FT(1) / 3;
   const Polynomial height{FT(1) / 2, FT(1) / 2, y}, width{FT(1) / 4, FT(1) / 4, x}, rising{x, FT(1) / 4, FT(1) / 4};
-  const Patch top = trim_back(above.split_u(x).first, v1, height),
-              upper = trim_back(above.split_v(1 - y).second, u0, rising),
-              lower = trim_back(below.split_v(y).first, u0, width),
-              bottom = trim_back(below.split_u(x).first, v0, height);
+  const Patch top = cut_back(above.split_u(x).first, v1, height),
+              upper = cut_back(above.split_v(1 - y).second, u0, rising),
+              lower = cut_back(below.split_v(y).first, u0, width),
+              bottom = cut_back(below.split_u(x).first, v0, height);
 
-  const Patch spout = trim_back(teapot[16], v0, FT(1) / 4);
+  const Patch spout = cut_back(teapot[16], v0, FT(1) / 4);
   const auto halves = spout.split_u(FT(1) / 2);
   const auto of_top = halves.first.split_u(FT(1) / 4), of_bottom = halves.second.split_u(FT(3) / 4);
 

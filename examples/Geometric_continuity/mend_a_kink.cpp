@@ -18,7 +18,7 @@ typedef GC::Bezier_curve<Traits> Curve;
 Point point(const GC::Grid_vector& v) { return Point(double(v.x), double(v.y)); }
 
 void describe(const char* when, const Curve& left, const Curve& right) {
-  std::cout << when << ": " << GC::join_grade(left, right).value() << '\n';
+  std::cout << when << ": " << GC::visual_class(left, right).value() << '\n';
 }
 
 int main() {

@@ -43,11 +43,11 @@
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/joins/Join_certificate.h>
 #include <CGAL/Geometric_continuity/joins/Join_deviation.h>
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
-#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/failing_joins.h>
@@ -60,11 +60,11 @@
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
+#include <CGAL/Geometric_continuity/surfaces/cut_back.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
 #include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
-#include <CGAL/Geometric_continuity/surfaces/trim_back.h>
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
@@ -96,7 +96,7 @@
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/models/face_graph.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 #include <CGAL/Geometric_continuity/models/round_edges.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 

@@ -14,17 +14,27 @@ read exactly as it is, and what is decided is decided exactly. Names and members
 2
 """
 
-from ._native import (Edge_continuity, Enclosure, Join_continuity, Join_deviation, Join_grade, Kink_size, Order_up_to_rounding,
+import warnings
+
+from ._native import (Edge_continuity, Enclosure, Join_continuity, Join_deviation, Kink_size, Order_up_to_rounding, Visual_class,
                       uses_gmp)
 from .curves import (STRATEGIES, Blend, Fair_spline, Fitted_curve, Representable_blend, Rounded_corner, Segmented_curve, Spline, blend,
                      fair, fairness, fit, interpolate, interpolate_fair, representable_blend, round_corner)
 from .errors import Error
-from .joins import align_handle, align_handles, continuity, deviation, edge_continuity, failing_joins, join_grade, kink_size
+from .joins import align_handle, align_handles, continuity, deviation, edge_continuity, failing_joins, kink_size, visual_class
 from .program import file_record, program, verify
 
 __all__ = [
-    "Blend", "Edge_continuity", "Enclosure", "Error", "Fair_spline", "Fitted_curve", "Join_continuity", "Join_deviation", "Join_grade",
+    "Blend", "Edge_continuity", "Enclosure", "Error", "Fair_spline", "Fitted_curve", "Join_continuity", "Join_deviation", "Visual_class",
     "Kink_size", "Order_up_to_rounding", "Representable_blend", "Rounded_corner", "STRATEGIES", "Segmented_curve", "Spline", "blend",
     "continuity", "deviation", "edge_continuity", "failing_joins", "fair", "fairness", "file_record", "fit", "interpolate", "interpolate_fair",
-    "join_grade", "kink_size", "program", "representable_blend", "round_corner", "align_handle", "align_handles", "uses_gmp", "verify",
+    "visual_class", "kink_size", "program", "representable_blend", "round_corner", "align_handle", "align_handles", "uses_gmp", "verify",
 ]
+
+
+def __getattr__(name):
+    new = {"Join_grade": "Visual_class", "join_grade": "visual_class"}.get(name)  # old names, for one release
+    if new is None:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    warnings.warn(f"{name} is now {new}", DeprecationWarning, stacklevel=2)
+    return globals()[new]

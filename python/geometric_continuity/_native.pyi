@@ -55,13 +55,13 @@ class Join_deviation:
     @property
     def torsion_jump(self) -> Optional[Enclosure]: ...
 
-class Join_grade:
-    gap: Join_grade
-    corner: Join_grade
-    kink: Join_grade
-    g1: Join_grade
-    g2: Join_grade
-    __members__: Dict[str, Join_grade]
+class Visual_class:
+    gap: Visual_class
+    corner: Visual_class
+    kink: Visual_class
+    g1: Visual_class
+    g2: Visual_class
+    __members__: Dict[str, Visual_class]
     @property
     def name(self) -> str: ...
     @property
@@ -99,7 +99,7 @@ class Edge_continuity:
 
 def continuity(left: Any, right: Any, max_order: int) -> Join_continuity: ...
 def deviation(left: Any, right: Any) -> Join_deviation: ...
-def join_grade(left: Any, right: Any, kink_angle: Any) -> Optional[Join_grade]: ...
+def visual_class(left: Any, right: Any, kink_angle: Any) -> Optional[Visual_class]: ...
 def kink_size(left: Any, right: Any) -> Optional[Kink_size]: ...
 def align_handles(
     left: Tuple[int, int], right: Tuple[int, int], max_squared_move: int

@@ -10,7 +10,7 @@ from typing import Optional, Tuple
 import numpy
 
 from . import _native
-from ._native import Edge_continuity, Join_continuity, Join_deviation, Join_grade, Kink_size
+from ._native import Edge_continuity, Join_continuity, Join_deviation, Kink_size, Visual_class
 
 
 def continuity(left, right, max_order: int = 3) -> Join_continuity:
@@ -37,7 +37,7 @@ def deviation(left, right) -> Join_deviation:
     return _native.deviation(left, right)
 
 
-def join_grade(left, right, kink_angle=5) -> Optional[Join_grade]:
+def visual_class(left, right, kink_angle=5) -> Optional[Visual_class]:
     """Returns what a join of two plane curves looks like: gap, corner, kink, g1 or g2; None where a curve has no length.
 
     left, right: arrays of shape (degree + 1, 2).
@@ -45,7 +45,7 @@ def join_grade(left, right, kink_angle=5) -> Optional[Join_grade]:
 
     Raises Error: `dimension_mismatch` unless in the plane, `parameter_outside_domain` unless 0 < kink_angle < 180, `not_finite`.
     """
-    return _native.join_grade(left, right, kink_angle)
+    return _native.visual_class(left, right, kink_angle)
 
 
 def kink_size(left, right) -> Optional[Kink_size]:

@@ -5,7 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_PYTHON_GEOMETRY_H
 #define GEOMETRIC_CONTINUITY_PYTHON_GEOMETRY_H
 
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
@@ -50,7 +50,7 @@ enum class Field_of_results { doubles, exact };
 
 GC::Join_continuity<Exact> continuity(const Numbers& left, const Numbers& right, std::optional<int> max_order);
 GC::Join_deviation deviation(const Numbers& left, const Numbers& right);
-std::optional<GC::Join_grade> join_grade(const Numbers& left, const Numbers& right, const Exact& kink_angle);
+std::optional<GC::Visual_class> visual_class(const Numbers& left, const Numbers& right, const Exact& kink_angle);
 std::optional<GC::Kink_size> kink_size(const Numbers& left, const Numbers& right);
 
 // n Bezier curves of one degree in the plane or in space, in the memory of somebody else; the steps between curves, points and coordinates

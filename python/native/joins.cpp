@@ -168,10 +168,10 @@ GC::Join_deviation deviation(const Numbers& left, const Numbers& right) {
   return with_curves(left, right, "deviation", [](const auto& a, const auto& b) { return GC::deviation(a, b); });
 }
 
-std::optional<GC::Join_grade> join_grade(const Numbers& left, const Numbers& right, const Exact& kink_angle) {
-  const GC::Kink_bound bound{kink_angle};
-  return with_plane_curves(left, right, "join_grade",
-                           [&](const auto& a, const auto& b) { return GC::join_grade(a, b, bound); });
+std::optional<GC::Visual_class> visual_class(const Numbers& left, const Numbers& right, const Exact& kink_angle) {
+  const GC::Corner_threshold bound{kink_angle};
+  return with_plane_curves(left, right, "visual_class",
+                           [&](const auto& a, const auto& b) { return GC::visual_class(a, b, bound); });
 }
 
 std::optional<GC::Kink_size> kink_size(const Numbers& left, const Numbers& right) {

@@ -363,13 +363,13 @@ PYBIND11_MODULE(_native, m) {
       .def("__repr__", [](const GC::Join_deviation& d) { return "<Join_deviation " + text(d) + '>'; })
       .def("__str__", text<GC::Join_deviation>);
 
-  py::enum_<GC::Join_grade>(m, "Join_grade",
-                            "What a join of two plane curves looks like, from the roughest to the smoothest.")
-      .value("gap", GC::Join_grade::gap)
-      .value("corner", GC::Join_grade::corner)
-      .value("kink", GC::Join_grade::kink)
-      .value("g1", GC::Join_grade::g1)
-      .value("g2", GC::Join_grade::g2);
+  py::enum_<GC::Visual_class>(m, "Visual_class",
+                              "What a join of two plane curves looks like, from the roughest to the smoothest.")
+      .value("gap", GC::Visual_class::gap)
+      .value("corner", GC::Visual_class::corner)
+      .value("kink", GC::Visual_class::kink)
+      .value("g1", GC::Visual_class::g1)
+      .value("g2", GC::Visual_class::g2);
 
   py::class_<GC::Kink_size>(m, "Kink_size", "How large a kink is: guaranteed enclosures.")
       .def_readonly("angle", &GC::Kink_size::angle, "radians, in [0, pi]")
@@ -403,10 +403,10 @@ PYBIND11_MODULE(_native, m) {
     const Numbers a = numbers_of(left), b = numbers_of(right);
     return released([&] { return deviation(a, b); });
   });
-  m.def("join_grade", [](const py::object& left, const py::object& right, const py::object& kink_angle) {
+  m.def("visual_class", [](const py::object& left, const py::object& right, const py::object& kink_angle) {
     const Numbers a = numbers_of(left), b = numbers_of(right);
     const Exact angle = exact_number(kink_angle);
-    return released([&] { return join_grade(a, b, angle); });
+    return released([&] { return visual_class(a, b, angle); });
   });
   m.def("kink_size", [](const py::object& left, const py::object& right) {
     const Numbers a = numbers_of(left), b = numbers_of(right);

@@ -77,7 +77,7 @@ class Outlines(unittest.TestCase):
         circle = [Point(0, 0, "qcurve"), Point(0, 10, None), Point(10, 20, None), Point(30, 20, None), Point(40, 10, None), Point(40, 0, "qcurve"),
                   Point(40, -10, None), Point(0, -10, None)]
         grades = [(j.node, j.grade()) for j in outlines.joins(circle)]
-        self.assertEqual(grades, [(5, gc.Join_grade.g1), (0, gc.Join_grade.g1)])
+        self.assertEqual(grades, [(5, gc.Visual_class.g1), (0, gc.Visual_class.g1)])
         left = next(iter(outlines.joins(circle))).left
         self.assertEqual(left, [(35, 15), (40, 10), (40, 0)])
         for small in ([], [Point(0, 0, "move")], [Point(0, 0, "line")], [Point(0, 0, "line"), Point(0, 0, "line")],
@@ -391,7 +391,7 @@ class Drawings(unittest.TestCase):
         self.assertEqual([len(c) for c in contours[0]][:4], [4, 4, 3, 2])
         self.assertEqual(gc.continuity(contours[0][0], contours[0][1]).c_order, 1)
         self.assertEqual(gc.continuity(contours[1][0], contours[1][1]).g_order, 3)
-        self.assertEqual(gc.join_grade(contours[0][2], contours[0][3]), gc.Join_grade.corner)
+        self.assertEqual(gc.visual_class(contours[0][2], contours[0][3]), gc.Visual_class.corner)
 
     @needs("ezdxf")
     def test_splines(self):

@@ -170,8 +170,8 @@ class Joins(unittest.TestCase):
                     gc.continuity(*pair)
                 self.assertEqual(caught.exception.code, code)
         with self.assertRaises(gc.Error) as caught:
-            gc.join_grade([[0, 0, 0], [1, 1, 1]], [[1, 1, 1], [2, 2, 2]])
-        self.assertEqual((caught.exception.code, caught.exception.place), ("dimension_mismatch", "join_grade"))
+            gc.visual_class([[0, 0, 0], [1, 1, 1]], [[1, 1, 1], [2, 2, 2]])
+        self.assertEqual((caught.exception.code, caught.exception.place), ("dimension_mismatch", "visual_class"))
         with self.assertRaises(gc.Error) as caught:
             gc.continuity(line, line, -1)
         self.assertEqual((caught.exception.code, caught.exception.place), ("negative_count", "continuity"))
@@ -182,11 +182,13 @@ class Joins(unittest.TestCase):
 
     def test_grades(self):
         line = [[0, 0], [1, 0]]
-        grades = [gc.join_grade(line, [[1, 0], [2, y]]) for y in (0, Decimal("0.05"), 1)]
-        self.assertEqual(grades, [gc.Join_grade.g2, gc.Join_grade.kink, gc.Join_grade.corner])
-        self.assertEqual(gc.join_grade(line, [[1, 0], [2, 1]], 45), gc.Join_grade.kink)
-        self.assertEqual(gc.join_grade(line, [[1, 0], [2, 1]], Decimal("44.999")), gc.Join_grade.corner)
-        self.assertIsNone(gc.join_grade(line, [[1, 0], [1, 0]]))
+        grades = [gc.visual_class(line, [[1, 0], [2, y]]) for y in (0, Decimal("0.05"), 1)]
+        self.assertEqual(grades, [gc.Visual_class.g2, gc.Visual_class.kink, gc.Visual_class.corner])
+        self.assertEqual(gc.visual_class(line, [[1, 0], [2, 1]], 45), gc.Visual_class.kink)
+        self.assertEqual(gc.visual_class(line, [[1, 0], [2, 1]], Decimal("44.999")), gc.Visual_class.corner)
+        self.assertIsNone(gc.visual_class(line, [[1, 0], [1, 0]]))
+        with self.assertWarns(DeprecationWarning):
+            self.assertIs(gc.join_grade, gc.visual_class)
         size = gc.kink_size(line, [[1, 0], [2, 1]])
         self.assertTrue(size.angle.lower <= numpy.pi / 4 <= size.angle.upper)
 

@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(splines_and_polynomials) {
 }
 
 BOOST_AUTO_TEST_CASE(roots_and_angles) {
-  const GC::Enclosure root = GC::root_enclosure(Q(2)), angle = GC::angle_enclosure(Q(1), Q(1));
+  const GC::Enclosure root = GC::sqrt_enclosure(Q(2)), angle = GC::angle_enclosure(Q(1), Q(1));
   BOOST_CHECK(Q(root.lower) * Q(root.lower) < 2 && 2 < Q(root.upper) * Q(root.upper));
   BOOST_CHECK(angle.lower <= 0.78539816339744830 && 0.78539816339744831 <= angle.upper);
   BOOST_CHECK(*GC::rational_square_root(Q(Q(9) / Q(4))) == Q(3) / Q(2));

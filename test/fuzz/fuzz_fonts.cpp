@@ -35,7 +35,7 @@ Curve curve(const Glyph_segment& segment) {
   return Curve(points.begin(), points.end());
 }
 
-void check_outline(const Glyph_outline& outline, const GC::Kink_bound& bound) {
+void check_outline(const Glyph_outline& outline, const GC::Corner_threshold& bound) {
   std::size_t joins = 0;
   for (std::size_t contour = 0; contour < outline.contours(); ++contour) {
     const Glyph_segment *const begin = outline.begin(contour), *const end = outline.end(contour), *left = end - 1;
@@ -45,21 +45,21 @@ void check_outline(const Glyph_outline& outline, const GC::Kink_bound& bound) {
       require(left->end() == right->start(), "a segment starts where the one before it ends");
       const Glyph_join join(*left, *right, outline.steps());
       if (joins < 200) // which are many for one input
-        require(GC::join_grade(curve(*left), curve(*right), bound) == join.grade(bound),
+        require(GC::visual_class(curve(*left), curve(*right), bound) == join.grade(bound),
                 "the grade is that of the library");
     }
   }
   require(joins == outline.size(), "a contour has as many joins as segments");
   Join_rule rule;
   rule.corner = bound;
-  rule.required = GC::Join_grade::g2;
+  rule.required = GC::Visual_class::g2;
   const Join_counts counts = grade_joins(outline, rule, [](auto&&...) {});
   require(counts.joins() == joins, "each join is counted");
   require(counts.failing() == counts[Glyph_grade::kink] + counts[Glyph_grade::g1], "what is not G2 fails");
 }
 
 void check_font(std::string_view bytes, int index, int& fonts) {
-  static const GC::Kink_bound bound;
+  static const GC::Corner_threshold bound;
   const Font_face font(bytes, index);
   fonts = (std::min)(font.fonts_of_file(), 4);
   require(!font.has_outlines() || font.units_per_em() > 0, "an em has units");

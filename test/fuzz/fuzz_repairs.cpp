@@ -18,34 +18,34 @@
 
 namespace {
 
-typedef std::vector<std::optional<GC::Join_grade>> Grades;
+typedef std::vector<std::optional<GC::Visual_class>> Grades;
 
 struct Grading_handler : Drawing_handler {
-  const GC::Kink_bound& bound;
+  const GC::Corner_threshold& bound;
   Grades grades;
 
-  explicit Grading_handler(const GC::Kink_bound& largest_kink) : bound(largest_kink) {}
+  explicit Grading_handler(const GC::Corner_threshold& largest_kink) : bound(largest_kink) {}
 
   void subpath(const Drawing_element&, int, const Drawing_subpath& path) override {
     const std::size_t n = path.segments.size();
     for (std::size_t i = 0; i < path.joins(); ++i)
-      grades.push_back(GC::join_grade(path.segments[i], path.segments[(i + 1) % n], bound));
+      grades.push_back(GC::visual_class(path.segments[i], path.segments[(i + 1) % n], bound));
   }
   void not_read(const Drawing_element&, const std::string&) override {}
 };
 
-Grades grades(const std::string& drawing, const GC::Kink_bound& bound) {
+Grades grades(const std::string& drawing, const GC::Corner_threshold& bound) {
   std::istringstream stream(drawing);
   Grading_handler handler(bound);
   read_svg_drawing(stream, "fuzz.svg", handler);
   return handler.grades;
 }
 
-void check_join(const std::optional<GC::Join_grade>& before, const std::optional<GC::Join_grade>& after) {
+void check_join(const std::optional<GC::Visual_class>& before, const std::optional<GC::Visual_class>& after) {
   require(before.has_value() == after.has_value(), "what is decided stays so");
   if (!before) return;
-  require((*before == GC::Join_grade::corner) == (*after == GC::Join_grade::corner), "a corner stays a corner");
-  require((std::min)(*before, GC::Join_grade::g1) <= *after, "no join is worse");
+  require((*before == GC::Visual_class::corner) == (*after == GC::Visual_class::corner), "a corner stays a corner");
+  require((std::min)(*before, GC::Visual_class::g1) <= *after, "no join is worse");
 }
 
 // How the drawing is repaired; with the exit code.
@@ -79,7 +79,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const Grades after = grades(result, options.bound);
     require(before.size() == after.size(), "there are as many joins as before");
     for (std::size_t i = 0; i < before.size(); ++i) check_join(before[i], after[i]);
-    require(code != 0 || std::count(after.begin(), after.end(), GC::Join_grade::kink) == 0,
+    require(code != 0 || std::count(after.begin(), after.end(), GC::Visual_class::kink) == 0,
             "no kink is left where that is said");
     require(repaired(result, options, code) == result, "what is repaired again stays as it is");
   }

@@ -23,7 +23,7 @@ constexpr int max_glyphs = 8;        // of which the joins are judged
 constexpr std::size_t max_joins = 8; // of each glyph
 
 void check(const GC::Variable_join& join, const GC::Variable_outline& glyph, const GC::Variable_font& font) {
-  const GC::Kink_bound bound;
+  const GC::Corner_threshold bound;
   const GC::Kink_search search{0.01, 1e-5, GC::Work_limit(100000)};
   const GC::Largest_kink kink = GC::largest_kink(join, glyph.regions, font.ranges(), bound, search);
   require(0 <= kink.angle.lower && kink.angle.lower <= kink.angle.upper && kink.angle.upper < 3.2,

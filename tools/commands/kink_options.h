@@ -9,14 +9,14 @@
 #include "commands/fonts/Glyph_join.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 
 #include <stdexcept>
 
 // What --kink-angle gives: the largest angle that is a kink.
-inline GC::Kink_bound kink_bound(const Command_line& line) {
+inline GC::Corner_threshold corner_threshold(const Command_line& line) {
   try {
-    return GC::Kink_bound(line.number("kink-angle", CGAL::Exact_rational(5)));
+    return GC::Corner_threshold(line.number("kink-angle", CGAL::Exact_rational(5)));
   } catch (const GC::Error&) {
     throw std::invalid_argument("--kink-angle: " + line.text("kink-angle") + " is not between 0 and 180 degrees");
   }

@@ -102,7 +102,7 @@ int run_report(const Command_line& line) {
   if (!has_no_format(output) && extension(output) != ".html" && extension(output) != ".htm")
     throw std::invalid_argument("--output: " + output + ": the page is HTML, and the name must end with .html");
   Report_demand demand;
-  demand.kink_bound = kink_bound(line);
+  demand.corner_threshold = corner_threshold(line);
   demand.rounding = rounding_bound(line);
   const GC::Work_scope each(line.work_limit());
   demand.closed = line.has("closed");

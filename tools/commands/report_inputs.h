@@ -11,13 +11,13 @@
 #include "formats/font/Glyph_selection.h"
 #include "reports/report_page.h"
 
-#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 
 #include <string>
 
 // What `report` asks of its inputs.
 struct Report_demand {
-  GC::Kink_bound kink_bound;
+  GC::Corner_threshold corner_threshold;
   bool closed = false;     // the last curve of a chain leads back to its first
   Glyph_selection glyphs;  // of fonts
   Rounding_bound rounding; // of fonts

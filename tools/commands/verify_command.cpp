@@ -153,15 +153,15 @@ Report_format report_format(const Command_line& line) {
 
 // The largest angle that is a kink.
 Kink_rule kink_rule(const Command_line& line) {
-  return {line.has("kink-angle") ? line.text("kink-angle") : "5", kink_bound(line)};
+  return {line.has("kink-angle") ? line.text("kink-angle") : "5", corner_threshold(line)};
 }
 
 // The angle that no kink may exceed.
-GC::Kink_bound max_kink(const Command_line& line) {
+GC::Corner_threshold max_kink(const Command_line& line) {
   const Exact degrees = line.number<Exact>("max-kink", Exact(1) / Exact(2));
   if (!(Exact(0) < degrees && degrees < Exact(90)))
     throw std::invalid_argument("--max-kink: " + line.text("max-kink") + " is not between 0 and 90 degrees");
-  return GC::Kink_bound(degrees);
+  return GC::Corner_threshold(degrees);
 }
 
 // What is asked of all instances of variable fonts.
@@ -195,7 +195,7 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
   if (required) {
     if (required->text() != "G1" && required->text() != "G2")
       throw std::invalid_argument("--require " + required->text() + ": of fonts G1 and G2 are decided");
-    demand.rule.required = required->order() == 1 ? GC::Join_grade::g1 : GC::Join_grade::g2;
+    demand.rule.required = required->order() == 1 ? GC::Visual_class::g1 : GC::Visual_class::g2;
   }
   return demand;
 }

@@ -6,18 +6,18 @@
 
 #include "commands/chains/join_report.h"
 
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
-Report_grade report_grade(const std::optional<GC::Join_grade>& grade) {
+Report_grade report_grade(const std::optional<GC::Visual_class>& grade) {
   if (!grade) return Report_grade::undecided;
   switch (*grade) {
-  case GC::Join_grade::gap: return Report_grade::gap;
-  case GC::Join_grade::corner: return Report_grade::corner;
-  case GC::Join_grade::kink: return Report_grade::kink;
-  case GC::Join_grade::g1: return Report_grade::g1;
-  case GC::Join_grade::g2: return Report_grade::g2;
+  case GC::Visual_class::gap: return Report_grade::gap;
+  case GC::Visual_class::corner: return Report_grade::corner;
+  case GC::Visual_class::kink: return Report_grade::kink;
+  case GC::Visual_class::g1: return Report_grade::g1;
+  case GC::Visual_class::g2: return Report_grade::g2;
   }
   return Report_grade::undecided;
 }
@@ -40,7 +40,7 @@ const char* report_words(Report_grade grade, bool retracted) {
 
 Report_item measured_join(const Plane_curve& left, const Plane_curve& right, const Report_demand& demand) {
   Report_item item;
-  item.grade = report_grade(GC::join_grade(left, right, demand.kink_bound));
+  item.grade = report_grade(GC::visual_class(left, right, demand.corner_threshold));
   item.gap = item.angle = GC::Enclosure{0, 0};
   bool retracted = false;
   switch (item.grade) {

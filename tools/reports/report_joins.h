@@ -10,7 +10,7 @@
 
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 
 #include <memory>
 #include <optional>
@@ -21,7 +21,7 @@
 typedef GC::Bezier_curve<Drawing_traits> Plane_curve;
 
 // The grade of the page; an empty one is that of curves without length.
-Report_grade report_grade(const std::optional<GC::Join_grade>& grade);
+Report_grade report_grade(const std::optional<GC::Visual_class>& grade);
 
 // Returns the grade, the verdict and all measures of the join of two curves in the plane. Throws GC::Error `work_limit`.
 Report_item measured_join(const Plane_curve& left, const Plane_curve& right, const Report_demand& demand);

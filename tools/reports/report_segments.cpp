@@ -63,7 +63,7 @@ std::shared_ptr<const Report_curve> drawn_curve(const Segment& given, std::size_
 Report_item measured_join(const Segment& left, const Segment& right, const Report_demand& demand) {
   if (left.bezier() && right.bezier()) return measured_join(*left.bezier(), *right.bezier(), demand);
   Report_item item;
-  item.grade = report_grade(GC::join_grade(left, right, demand.kink_bound));
+  item.grade = report_grade(GC::visual_class(left, right, demand.corner_threshold));
   item.gap = GC::Enclosure{0, 0}; // segments of a path
   const std::optional<GC::Enclosure> angle = GC::tangent_angle(left, right);
   if (angle) item.angle = GC::in_degrees(*angle);

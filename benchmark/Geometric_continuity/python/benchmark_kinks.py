@@ -43,7 +43,7 @@ def by_numpy(joins, tolerance):
 
 
 def exactly(joins):
-    return {place for place, join in joins if join.grade(LARGEST) == gc.Join_grade.kink}
+    return {place for place, join in joins if join.grade(LARGEST) == gc.Visual_class.kink}
 
 
 def timed(function, *arguments):

@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any, Iterator, List, Optional, Sequence, Tuple
 
 from .. import joins as _joins
-from .._native import Join_grade
+from .._native import Visual_class
 
 
 @dataclass
@@ -32,8 +32,8 @@ class Join:
     left: Sequence  #: the Bezier curve that ends there
     right: Sequence  #: the Bezier curve that starts there
 
-    def grade(self, kink_angle=5) -> Optional[Join_grade]:
-        return _joins.join_grade(self.left, self.right, kink_angle)
+    def grade(self, kink_angle=5) -> Optional[Visual_class]:
+        return _joins.visual_class(self.left, self.right, kink_angle)
 
 
 @dataclass(frozen=True)
@@ -104,7 +104,7 @@ def kinks(points: List[Point], kink_angle=5, glyph: str = "", contour: int = 0) 
     """Returns the kinks of a contour: joins with an angle of at most `kink_angle` degrees that are not smooth, exactly."""
     found = []
     for join in joins(points):
-        if join.grade(kink_angle) == Join_grade.kink:
+        if join.grade(kink_angle) == Visual_class.kink:
             size = _joins.kink_size(join.left, join.right)
             assert size is not None  # what has a grade has a size
             node = points[join.node]
@@ -128,7 +128,7 @@ def mend(points: List[Point], kink_angle=5, max_move: Optional[float] = None, gl
         if (before.x, before.y) == (node.x, node.y) or (behind.x, behind.y) == (node.x, node.y):
             continue  # a handle that is retracted
         curves = ([(before.x, before.y), (node.x, node.y)], [(node.x, node.y), (behind.x, behind.y)])
-        if _joins.join_grade(*curves, kink_angle) != Join_grade.kink:
+        if _joins.visual_class(*curves, kink_angle) != Visual_class.kink:
             continue
         a = (int(node.x - before.x), int(node.y - before.y))
         b = (int(behind.x - node.x), int(behind.y - node.y))

@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(the_pieces_are_those_of_the_curves) {
   BOOST_CHECK_GT(expected.size(), 400);
   BOOST_CHECK(read_pieces<Exact>(text.str()) == expected);
   BOOST_CHECK(read_pieces<Rounded>(text.str()) == expected);
-  for (int order : {0, 3, 20}) BOOST_CHECK(reads_ends<GC::Text_number>(text.str(), order, expected));
+  for (int order : {0, 3, 20}) BOOST_CHECK(reads_ends<GC::Decimal>(text.str(), order, expected));
   BOOST_CHECK(reads_ends<double>(text.str(), 3, expected));
   std::istringstream is(text.str());
   CHECK_ERROR((GC::G2_span_reader<Exact>(is, "f.g2", -1)), negative_count);

@@ -43,12 +43,12 @@ std::mt19937 random_bits;
 int below(int n) { return static_cast<int>(random_bits() % static_cast<unsigned>(n)); }
 
 // A decimal, as an integer and the number of its digits behind the point.
-struct Decimal {
+struct Written_decimal {
   std::int64_t digits;
   int places;
 };
 
-Q value(const Decimal& d) {
+Q value(const Written_decimal& d) {
   Q x = GC::parse_number<Q>(std::to_string(d.digits));
   for (int i = 0; i < d.places; ++i) x /= Q(10);
   return x;
@@ -219,13 +219,13 @@ template <int N, class Traits> void check_splines() {
   int inner_knots = 0;
   for (int i = 0; i < 400; ++i) {
     const std::string file = spline(N, i >= 300);
-    const auto spans = read_spans<Traits, GC::Text_number>(file);
+    const auto spans = read_spans<Traits, GC::Decimal>(file);
     for (std::size_t j = 1; j < spans.size(); ++j, ++inner_knots) check_join(spans[j - 1], spans[j], file);
   }
   BOOST_CHECK_GT(inner_knots, 300);
   for (int i = 0; i < 200; ++i) {
     const std::string file = spline(N, i % 4 == 0, i % 2 == 0);
-    const auto spans = read_spans<Traits, GC::Text_number>(file);
+    const auto spans = read_spans<Traits, GC::Decimal>(file);
     for (std::size_t j = 1; j < spans.size(); ++j) check_join(spans[j - 1], spans[j], file);
     const auto rounded = read_spans<Traits, double>(file);
     for (std::size_t j = 1; j < rounded.size(); ++j) check_join(rounded[j - 1], rounded[j], file);
@@ -240,12 +240,12 @@ template <int N, class Traits> void check_other_curves() {
   for (const std::string& right :
        {"1 2 3 4 5 6 7 8\n" + other + other + third + point, "1 2 3 4 5 7 8 9\n" + other + other + third + point,
         "1 2 3 4 5 6 7 8\n" + other + point + third + point}) {
-    const auto spans = read_spans<Traits, GC::Text_number>(left + head + right + '\n');
+    const auto spans = read_spans<Traits, GC::Decimal>(left + head + right + '\n');
     check_join(spans[0], spans[1], right);
   }
   // of another degree
   const std::string quadratic = "100 1 0 0 " + std::to_string(N) + " 0\n3 3\n2 3 4 5 6 7\n" + other + third + point;
-  const auto three = read_spans<Traits, GC::Text_number>(left + quadratic + '\n' + left);
+  const auto three = read_spans<Traits, GC::Decimal>(left + quadratic + '\n' + left);
   check_join(three[0], three[1], quadratic);
   check_join(three[1], three[2], quadratic);
   // quintics with Bezier points at the other end only, or nearly
@@ -256,7 +256,7 @@ template <int N, class Traits> void check_other_curves() {
          {"4 4 4 4 4 4 5 5 5 5 5 5\n", "1 2 3 4 4 4 5 5 5 5 5 5\n", "4 4 4 4 4 4 5 6 7 8 9 10\n"}) {
       const std::string file = quintic + knots + point + other + other + third + point + third + '\n' + quintic +
                                start + third + point + other + other + third + point + '\n';
-      const auto spans = read_spans<Traits, GC::Text_number>(file);
+      const auto spans = read_spans<Traits, GC::Decimal>(file);
       check_join(spans[0], spans[1], file);
     }
 }
@@ -271,7 +271,7 @@ template <int N, class Traits> void check_all_classes() {
   for (int kind = 0; kind < classes; ++kind)
     for (int i = 0; i < repetitions; ++i) {
       const std::string file = join<N>(static_cast<Join_class>(kind), 1 + below(18));
-      ++counts[check_roads<Traits, GC::Text_number>(file)];
+      ++counts[check_roads<Traits, GC::Decimal>(file)];
       if (i % 3 == 0) check_roads<Traits, double>(file);
     }
   for (int order = -1; order <= 3; ++order) BOOST_CHECK_GT(counts[order], repetitions / 4); // each class occurs
@@ -322,7 +322,7 @@ BOOST_AUTO_TEST_CASE(spans_off_the_grid) {
   files.push_back(head + usual + points + high + '\n');
   files.push_back(high + '\n' + head + usual + next);
   for (const std::string& file : files) {
-    check_roads<Exact_2, GC::Text_number>(file);
+    check_roads<Exact_2, GC::Decimal>(file);
     check_roads<Exact_2, double>(file);
   }
 
@@ -398,7 +398,7 @@ template <class Number> void check_enclosures() {
 }
 
 BOOST_AUTO_TEST_CASE(enclosed_jets) {
-  check_enclosures<GC::Text_number>();
+  check_enclosures<GC::Decimal>();
   check_enclosures<double>();
 }
 
@@ -430,7 +430,7 @@ BOOST_AUTO_TEST_CASE(residues_that_vanish) {
           for (const std::int64_t coordinate : point) file += std::to_string(offset + unit * coordinate) + ' ';
         file += '\n';
       }
-      const auto spans = read_spans<Exact_2, GC::Text_number>(file);
+      const auto spans = read_spans<Exact_2, GC::Decimal>(file);
       BOOST_CHECK_EQUAL(check_join(spans[0], spans[1], file) >= 2, holds);
     }
   }

@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_CASE(places) {
     BOOST_TEST(!curve.is_line);
     for (const GC::G2_curve_text::Written_number& x : curve.coordinates) {
       const std::string word = text.substr(x.begin, x.end - x.begin);
-      BOOST_TEST((x.value == GC::Text_number(word)));
+      BOOST_TEST((x.value == GC::Decimal(word)));
       found += word + ' ';
     }
   }

@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_chain_is_its_joins, Traits, All_traits) {
       std::map<int, std::size_t> c, g, f;
       const GC::Closure closure = closed ? GC::Closure::closed : GC::Closure::open;
       const auto joins = GC::chain_joins(chain, max_order, closure);
-      GC::Chain_analysis<Bezier<Traits>> analysis(max_order);
+      GC::Chain_accumulator<Bezier<Traits>> analysis(max_order);
       const auto report = [&](const Chain_join& join) {
         BOOST_CHECK_EQUAL(join.left, n);
         BOOST_CHECK_EQUAL(join.right, n == 29 ? 0 : n + 1);
@@ -168,7 +168,7 @@ BOOST_AUTO_TEST_CASE(memory_does_not_grow_with_a_chain) {
   Random random;
   const Counted_curve curve(random.curve<Double_2>(3, 1).segment(0));
   const auto most = [&](int n) {
-    GC::Chain_analysis<Counted_curve> chain(2);
+    GC::Chain_accumulator<Counted_curve> chain(2);
     Counted_curve::most = Counted_curve::alive;
     for (int i = 0; i < n; ++i) chain.add(curve);
     chain.close();
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(a_refused_curve_does_not_change_the_chain) {
   const Point p(2, x.begin(), x.begin() + 2), q(3, x.begin(), x.end());
   const Bezier<Exact_d> plane{p, p}, space{q, q};
   typedef GC::Chain_join<Bezier<Exact_d>> Chain_join;
-  GC::Chain_analysis<Bezier<Exact_d>> chain;
+  GC::Chain_accumulator<Bezier<Exact_d>> chain;
   chain.add(plane);
   CHECK_ERROR(chain.add(space), dimension_mismatch);
   BOOST_CHECK_THROW(chain.add(plane, [](const Chain_join&) { throw std::runtime_error("report"); }),
@@ -195,7 +195,7 @@ BOOST_AUTO_TEST_CASE(a_refused_curve_does_not_change_the_chain) {
   BOOST_CHECK_EQUAL(chain.summary().joins(), 0);
   chain.add(plane);
   BOOST_CHECK_EQUAL(chain.summary().joins(), 1);
-  CHECK_ERROR(GC::Chain_analysis<Bezier<Exact_d>>(-1), negative_count);
+  CHECK_ERROR(GC::Chain_accumulator<Bezier<Exact_d>>(-1), negative_count);
 }
 
 // ------------------------------------------------------------------------------------- analysis of a segmented curve

@@ -114,7 +114,7 @@ BOOST_AUTO_TEST_CASE(negative_orders) {
   CHECK_ERROR(GC::continuity(rounded.left, rounded.right, -1), negative_count);
   CHECK_ERROR(GC::continuity(filtered.left, filtered.right, -1), negative_count);
   CHECK_ERROR(GC::continuity(filtered.left.end_jet(2), filtered.right.start_jet(2), -1), negative_count);
-  CHECK_ERROR(GC::Chain_analysis<GC::Bezier_curve<Filtered>>(-1), negative_count);
+  CHECK_ERROR(GC::Chain_accumulator<GC::Bezier_curve<Filtered>>(-1), negative_count);
 }
 
 // ---------------------------------------------------------------- exact joins of doubles

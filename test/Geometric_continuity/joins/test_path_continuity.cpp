@@ -92,16 +92,16 @@ BOOST_AUTO_TEST_CASE(joins_of_arcs) {
   const auto never = [](const auto&, const auto&) { BOOST_ERROR("called"); };
   for (const Segment& segment : {known, rotated}) {
     BOOST_CHECK(!GC::visit_enclosures(Join(line, segment), never) && !GC::visit_enclosures(Join(segment, line), never));
-    BOOST_CHECK(GC::join_grade(line, segment) == GC::Join_grade::corner && GC::tangent_angle(line, segment));
+    BOOST_CHECK(GC::visual_class(line, segment) == GC::Visual_class::corner && GC::tangent_angle(line, segment));
     BOOST_CHECK_EQUAL(GC::continuity(line, segment)->g_order, 0);
   }
   for (const Segment& right : {line, rotated}) {
-    BOOST_CHECK(GC::join_grade(rotated, right) == GC::Join_grade::gap && GC::tangent_angle(rotated, right));
+    BOOST_CHECK(GC::visual_class(rotated, right) == GC::Visual_class::gap && GC::tangent_angle(rotated, right));
     BOOST_CHECK_EQUAL(GC::continuity(rotated, right)->g_order, -1);
   }
   BOOST_CHECK_THROW(GC::continuity(line, rotated, -1), GC::Error);
   const Segment point{Curve{Point(1, 0), Point(1, 0)}};
-  BOOST_CHECK(!GC::join_grade(point, rotated) && !GC::tangent_angle(point, rotated));
+  BOOST_CHECK(!GC::visual_class(point, rotated) && !GC::tangent_angle(point, rotated));
 }
 
 // Half of an ellipse that is turned by hardly anything, and the vertical line that would follow it otherwise.
@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE(directions_that_differ_by_too_little) {
   for (int bits = 0; bits < 1200; bits += 100, rotation /= Q(0x1p100)) {
     const Segment arc{GC::Elliptical_arc<Plane>(Point(0, 0), Point(10, 0), {Q(5), Q(4), rotation, false, true})};
     BOOST_CHECK_EQUAL(GC::continuity(arc, line).has_value(), bits <= 1000);
-    BOOST_CHECK(GC::join_grade(arc, line) == (bits <= 1000 ? std::optional(GC::Join_grade::kink) : std::nullopt));
+    BOOST_CHECK(GC::visual_class(arc, line) == (bits <= 1000 ? std::optional(GC::Visual_class::kink) : std::nullopt));
     const GC::Enclosure angle = *GC::tangent_angle(arc, line); // of (25 - 16) / 25 times the rotation, nearly
     BOOST_CHECK(angle.lower <= CGAL::to_double(rotation) && angle.upper < (bits < 500 ? 2e-2 : 1e-150));
   }

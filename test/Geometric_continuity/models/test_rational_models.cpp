@@ -11,7 +11,7 @@
 #include <CGAL/Geometric_continuity/curves/arcs.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 
 #include <sstream>
@@ -149,10 +149,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fillets, Traits, All_traits) {
   const std::vector<Patch<Traits>> broken{fillet, lifted};
   const auto apart = GC::model_continuity(broken);
   BOOST_CHECK_EQUAL(text(apart.summary), "0 G2, 0 G1, 0 G0, 8 boundary, 0 collapsed");
-  const auto near = near_edges(broken, apart, {0.01, 0.001});
+  const auto near = nearly_coincident_edges(broken, apart, {0.01, 0.001});
   BOOST_REQUIRE_EQUAL(near.size(), 1u);
   BOOST_CHECK(near[0].within.deviation.gap.lower <= 1. / 1024 && 1. / 1024 <= near[0].within.deviation.gap.upper);
-  BOOST_CHECK(near_edges(broken, apart, {0.01, 0.0009}).empty());
+  BOOST_CHECK(nearly_coincident_edges(broken, apart, {0.01, 0.0009}).empty());
 }
 
 BOOST_AUTO_TEST_CASE(swept_patches) {

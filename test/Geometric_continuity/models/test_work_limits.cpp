@@ -15,7 +15,7 @@
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cstddef>
@@ -103,7 +103,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_very_different_sizes) {
       decided.edges[2].continuity.deviation ? decided.edges[2].continuity.deviation->angle() : GC::Enclosure{0, 0};
   BOOST_CHECK(angle.lower <= angle.upper);
   for (double gap : {5e-324, 1.0, 1e308})
-    for (const GC::Near_edges& e : GC::near_edges(model, decided, {1e308, gap})) {
+    for (const GC::Nearly_coincident_edges& e : GC::nearly_coincident_edges(model, decided, {1e308, gap})) {
       BOOST_CHECK(e.within(0) != GC::Verdict::refuted);
       BOOST_CHECK(e.within.deviation.gap.lower <= gap);
     }
@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(joins_of_high_order) {
     const GC::Work_scope each(one_step);
     CHECK_ERROR(GC::continuity(left, slow, order), work_limit);
   }
-  GC::Chain_analysis<GC::Bezier_curve<Plane>> chain(n);
+  GC::Chain_accumulator<GC::Bezier_curve<Plane>> chain(n);
   chain.add(left);
   CHECK_ERROR(limited(one_step, [&] { chain.add(slow); }), work_limit);
   BOOST_CHECK_EQUAL(chain.size(), 1u);
@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(near_edges_are_found) {
           GC::deviation(model[boundary[i].first], boundary[i].second, model[boundary[j].first], boundary[j].second));
   for (int units : {0, 1, 2, 3, 4, 5, 6, 7, 8, 2000000}) {
     const GC::Edge_tolerance tolerance{0, units * 0x1p-20};
-    const std::vector<GC::Near_edges> found = GC::near_edges(model, decided, tolerance);
+    const std::vector<GC::Nearly_coincident_edges> found = GC::nearly_coincident_edges(model, decided, tolerance);
     std::size_t expected = 0, pair = 0;
     for (std::size_t i = 0; i < boundary.size(); ++i)
       for (std::size_t j = i + 1; j < boundary.size(); ++j) {
@@ -165,13 +165,13 @@ BOOST_AUTO_TEST_CASE(near_edges_are_found) {
         const auto& [q, f] = boundary[j];
         if (GC::order_within(deviations[pair++], tolerance)(0) == GC::Verdict::refuted) continue;
         BOOST_REQUIRE_LT(expected, found.size());
-        const GC::Near_edges& x = found[expected++];
+        const GC::Nearly_coincident_edges& x = found[expected++];
         BOOST_CHECK_MESSAGE(x.patch_a == p && x.edge_a == e && x.patch_b == q && x.edge_b == f,
                             "pair " << expected << ", " << units << " units, seed " << seed);
       }
     BOOST_CHECK_EQUAL(found.size(), expected);
   }
-  CHECK_ERROR(limited(one_step, [&] { return GC::near_edges(model, decided, {0, 1}); }), work_limit);
+  CHECK_ERROR(limited(one_step, [&] { return GC::nearly_coincident_edges(model, decided, {0, 1}); }), work_limit);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

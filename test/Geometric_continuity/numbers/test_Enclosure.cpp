@@ -40,7 +40,7 @@ template <class FT> GC::Enclosure angle_in(int mode, const FT& sine_squared, con
   return in_rounding_mode(mode, [&] { return GC::angle_enclosure(sine_squared, cosine); });
 }
 template <class FT> GC::Enclosure root_in(int mode, const FT& x) {
-  return in_rounding_mode(mode, [&] { return GC::root_enclosure(x); });
+  return in_rounding_mode(mode, [&] { return GC::sqrt_enclosure(x); });
 }
 
 std::string printed(const GC::Enclosure& e, int precision = 6) {
@@ -115,11 +115,11 @@ BOOST_AUTO_TEST_CASE(special_roots) {
     const GC::Enclosure huge = root_in(mode, Q(Q(largest) * Q(4)));
     BOOST_CHECK(huge.upper == infinity && Q(huge.lower) * Q(huge.lower) <= Q(Q(largest) * Q(4)));
   }
-  CHECK_ERROR(GC::root_enclosure(Q(-1)), parameter_outside_domain);
+  CHECK_ERROR(GC::sqrt_enclosure(Q(-1)), parameter_outside_domain);
   const Q tiny(std::ldexp(1., -600));
-  CHECK_ERROR(GC::root_enclosure(Q(-tiny * tiny)),
+  CHECK_ERROR(GC::sqrt_enclosure(Q(-tiny * tiny)),
               parameter_outside_domain); // between 0 and the greatest negative double
-  CHECK_ERROR(GC::root_enclosure(infinity), not_finite);
+  CHECK_ERROR(GC::sqrt_enclosure(infinity), not_finite);
   CHECK_ERROR(GC::enclosure(infinity), not_finite);
   BOOST_CHECK(GC::enclosure(Q(Q(1) / Q(2))) == (GC::Enclosure{0.5, 0.5}));
 }

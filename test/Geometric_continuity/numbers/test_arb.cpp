@@ -14,7 +14,7 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Simple_cartesian.h>
 

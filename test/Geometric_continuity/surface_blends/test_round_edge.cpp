@@ -88,8 +88,8 @@ void check_rounded(const A& a, Patch_edge ea, const B& b, Patch_edge eb, Edge_di
   BOOST_CHECK_EQUAL(whole_edge_order(a, ea, b, eb), 0);
   const Q wa = width(a, ea, part_a), wb = width(b, eb, part_b);
   const GC::Rounded_edge<A, B> r = round_edge(a, ea, b, eb, wa, wb, strategy...);
-  BOOST_CHECK(r.first == trim_back(a, ea, wa));
-  BOOST_CHECK(r.second == trim_back(b, eb, wb));
+  BOOST_CHECK(r.first == cut_back(a, ea, wa));
+  BOOST_CHECK(r.second == cut_back(b, eb, wb));
   BOOST_CHECK(r.direction == direction);
   BOOST_CHECK_EQUAL(whole_edge_order(r.first, ea, r.blend, v0), 2);
   BOOST_CHECK_EQUAL(whole_edge_order(r.blend, v1, r.second, eb), 2);
@@ -135,8 +135,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
       wall({{P(0, 0, 0), P(8, 0, 0)}, {P(0, 0, 8), P(8, 0, 8)}});
   const FT quarter = FT(1) / FT(4);
   const auto r = round_edge(floor, v0, wall, u0, quarter, quarter);
-  BOOST_CHECK(r.first == trim_back(floor, v0, quarter));
-  BOOST_CHECK(r.second == trim_back(wall, u0, quarter));
+  BOOST_CHECK(r.first == cut_back(floor, v0, quarter));
+  BOOST_CHECK(r.second == cut_back(wall, u0, quarter));
   BOOST_CHECK_EQUAL(whole_edge_order(r.first, v0, r.blend, v0), 2);
   BOOST_CHECK_EQUAL(whole_edge_order(r.blend, v1, r.second, u0), 2);
   BOOST_CHECK(r.blend.control_point(1, 0) == P(8, 2, 0));

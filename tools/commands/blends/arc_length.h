@@ -72,7 +72,7 @@ public:
     const int m = curve.degree();
     if (is_line(curve)) {
       const auto chord = curve.coordinates(m) - curve.coordinates(0);
-      return GC::root_enclosure(Exact(dot(chord, chord)));
+      return GC::sqrt_enclosure(Exact(dot(chord, chord)));
     }
     const auto interval = [](const Exact& x) { return Interval(CGAL::to_interval(x)); };
     Rows rows;

@@ -29,7 +29,7 @@ std::string name_without_folder(const std::string& file) { return file.substr(fi
 // Draws the chain of curves of a file.
 GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool closed) {
   GC::Svg_panel panel(name_without_folder(file));
-  GC::Chain_analysis<Exact_curve> chain;
+  GC::Chain_accumulator<Exact_curve> chain;
   Curve_stream<GC::G2_piece_reader<Program_traits<Exact>>> stream({file});
   Progress progress("curves read");
   const auto mark = [&](const GC::Chain_join<Exact_curve>& join) {

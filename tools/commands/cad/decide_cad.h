@@ -9,7 +9,7 @@
 #include "commands/commands.h"
 #include "formats/cad/Cad_reading.h"
 
-#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 
 #include <cstddef>
 #include <functional>
@@ -17,7 +17,7 @@
 #include <vector>
 
 // Returns what is asked within a tolerance as it is written, without a requirement. Throws std::invalid_argument.
-Cad_demand demand_within(const std::string& tolerance, const GC::Kink_bound& kink);
+Cad_demand demand_within(const std::string& tolerance, const GC::Corner_threshold& kink);
 
 // A CAD file and the verdicts on its edges.
 struct Decided_cad_file {

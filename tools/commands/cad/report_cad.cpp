@@ -53,7 +53,7 @@ const GC::Edge_maximum& worst(const GC::Edge_enclosure& e, Report_grade grade) {
 constexpr const char* page_curvature = "0.1%";
 
 Cad_demand page_demand(const std::string& tolerance, const Report_demand& asked) {
-  Cad_demand demand = demand_within(tolerance, asked.kink_bound);
+  Cad_demand demand = demand_within(tolerance, asked.corner_threshold);
   if (demand.most > 1) return demand;
   demand.bounds.curvature_jump = parse_tolerances(std::string("1,1deg,") + page_curvature, false).joins.curvature_jump;
   demand.tolerance += std::string(", and G2 within a curvature jump of ") + page_curvature;

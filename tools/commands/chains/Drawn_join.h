@@ -8,7 +8,7 @@
 #include "commands/chains/join_report.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <cstddef>
@@ -18,10 +18,10 @@
 
 // How a join is drawn of which a tangent is zero, as by a handle of length 0: by the directions of the first derivatives that are not.
 struct Drawn_join {
-  GC::Join_grade grade; // corner, kink, or G1
-  GC::Enclosure angle;  // in radians
+  GC::Visual_class grade; // corner, kink, or G1
+  GC::Enclosure angle;    // in radians
 
-  bool is_smooth() const { return grade >= GC::Join_grade::g1; }
+  bool is_smooth() const { return grade >= GC::Visual_class::g1; }
 
   // E.g. ", drawn as kink of 2.045 degrees".
   std::string text() const {
@@ -64,13 +64,13 @@ inline std::optional<GC::Coordinate_vector<Exact, 0>> direction(const GC::Curve_
 // flag `regular` is read only where it is G0.
 inline std::optional<Drawn_join> drawn_join(const Join& join, const GC::Curve_jet<Program_traits<Exact>>& left,
                                             const GC::Curve_jet<Program_traits<Exact>>& right,
-                                            const GC::Kink_bound& bound) {
+                                            const GC::Corner_threshold& bound) {
   if (join.g_order != 0 || join.regular) return std::nullopt;
   const auto a = direction(left, GC::Curve_end::end), b = direction(right, GC::Curve_end::start);
   if (!a || !b) return std::nullopt;
   const Exact ab = dot(*a, *b), sine_squared = dot(*a, *a) * dot(*b, *b) - ab * ab;
-  if (sine_squared == 0 && ab > 0) return Drawn_join{GC::Join_grade::g1, {0, 0}};
-  return Drawn_join{exceeds(bound, *a, *b) ? GC::Join_grade::corner : GC::Join_grade::kink,
+  if (sine_squared == 0 && ab > 0) return Drawn_join{GC::Visual_class::g1, {0, 0}};
+  return Drawn_join{exceeds(bound, *a, *b) ? GC::Visual_class::corner : GC::Visual_class::kink,
                     GC::angle_enclosure(sine_squared, ab)};
 }
 

@@ -73,7 +73,7 @@ private:
   Drawn drawn(const Join& join, const Span& left, const Span& right) const {
     if (join.g_order != 0 || join.regular) return std::nullopt;
     const auto &x = left.jets(), &y = right.jets();
-    return drawn_join(join, x.end_jet(x.order()), y.start_jet(y.order()), demand_.kink_bound);
+    return drawn_join(join, x.end_jet(x.order()), y.start_jet(y.order()), demand_.corner_threshold);
   }
 
   std::string certificate(const Join_place& place, const Join& join, const Span& left, const Span& right) const {
@@ -133,7 +133,7 @@ private:
   }
 
   Join_words words(const Join& join, const Drawn& drawn, const Span& left, const Span& right) const {
-    Join_words words = join_words(join, left, right, demand_.kink_bound);
+    Join_words words = join_words(join, left, right, demand_.corner_threshold);
     if (drawn) words.remark += drawn->text();
     return words;
   }
@@ -153,11 +153,12 @@ private:
   Finding_rule rule(const Join& join, const Drawn& drawn, const Span& left, const Span& right) const {
     if (join.c_order < 0) return Finding_rule::gap;
     if (drawn && !drawn->is_smooth())
-      return drawn->grade == GC::Join_grade::corner ? Finding_rule::corner : Finding_rule::kink;
+      return drawn->grade == GC::Visual_class::corner ? Finding_rule::corner : Finding_rule::kink;
     if (!join.regular) return Finding_rule::tangent;
     if (!*join.tangent_equal)
-      return exceeds(demand_.kink_bound, left.jets().end_jet(1)[1], right.jets().start_jet(1)[1]) ? Finding_rule::corner
-                                                                                                  : Finding_rule::kink;
+      return exceeds(demand_.corner_threshold, left.jets().end_jet(1)[1], right.jets().start_jet(1)[1])
+                 ? Finding_rule::corner
+                 : Finding_rule::kink;
     return *join.curvature_vector_equal ? Finding_rule::derivative : Finding_rule::curvature;
   }
 

@@ -33,7 +33,8 @@ template <class Size> std::string jump(const std::string& from, const std::strin
 }
 
 // An angle of tangents is called by its name without a bound of kinks.
-template <class Numbers> std::string remark_of(const Join& join, const Numbers& numbers, const GC::Kink_bound* bound) {
+template <class Numbers>
+std::string remark_of(const Join& join, const Numbers& numbers, const GC::Corner_threshold* bound) {
   if (join.c_order < 0) return "the ends are " + numbers.gap() + " apart";
   if (!join.regular) {
     const bool left_zero = numbers.left_is_zero(), right_zero = numbers.right_is_zero();
@@ -60,7 +61,7 @@ template <class Numbers> std::string remark_of(const Join& join, const Numbers& 
 }
 
 template <class Numbers>
-Join_words words_of(const Join& join, int dimension, const Numbers& numbers, const GC::Kink_bound& bound) {
+Join_words words_of(const Join& join, int dimension, const Numbers& numbers, const GC::Corner_threshold& bound) {
   Join_words words{{}, remark_of(join, numbers, &bound)};
   words.point.reserve(64);
   for (int i = 0; i < dimension; ++i) append(words.point, i == 0 ? "(" : ", ", numbers.coordinate(i));
@@ -108,7 +109,7 @@ std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<Int
 }
 
 template <class Span>
-Join_words join_words(const Join& join, const Span& left, const Span& right, const GC::Kink_bound& bound) {
+Join_words join_words(const Join& join, const Span& left, const Span& right, const GC::Corner_threshold& bound) {
   Join_words words;
   bool certain = false;
   Span::visit_enclosures(left, right, [&](const auto& x, const auto& y) {
@@ -137,7 +138,7 @@ void append_table_row(std::string& table, const Join& join, std::size_t left, st
   append(table, words.remark, '\n');
 }
 
-template Join_words join_words(const Join&, const Program_span<GC::Text_number>&, const Program_span<GC::Text_number>&,
-                               const GC::Kink_bound&);
+template Join_words join_words(const Join&, const Program_span<GC::Decimal>&, const Program_span<GC::Decimal>&,
+                               const GC::Corner_threshold&);
 template Join_words join_words(const Join&, const Program_span<double>&, const Program_span<double>&,
-                               const GC::Kink_bound&);
+                               const GC::Corner_threshold&);

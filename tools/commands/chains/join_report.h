@@ -9,7 +9,7 @@
 #include "formats/g2_text/curves.h"
 #include "reports/words.h"
 
-#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Sqrt_extension.h>
@@ -21,7 +21,7 @@
 typedef GC::Join_continuity<Exact> Join;
 
 // Returns whether the angle of two tangents, in any dimension, exceeds the bound, decided exactly.
-inline bool exceeds(const GC::Kink_bound& bound, const GC::Coordinate_vector<Exact, 0>& a,
+inline bool exceeds(const GC::Corner_threshold& bound, const GC::Coordinate_vector<Exact, 0>& a,
                     const GC::Coordinate_vector<Exact, 0>& b) {
   typedef CGAL::Sqrt_extension<Exact, Exact> Root; // |a x b|, which is a number in the plane only
   const Exact ab = dot(a, b), sine_squared = dot(a, a) * dot(b, b) - ab * ab;
@@ -69,7 +69,7 @@ struct Join_words {
 
 // A larger angle than `bound` is a corner.
 template <class Span>
-Join_words join_words(const Join& join, const Span& left, const Span& right, const GC::Kink_bound& bound);
+Join_words join_words(const Join& join, const Span& left, const Span& right, const GC::Corner_threshold& bound);
 
 // Returns the first line of a table of joins.
 std::string table_head();

@@ -57,7 +57,7 @@ public:
     return xy < 0 && xx * yy == xy * xy;
   }
 
-  bool is_corner(const GC::Kink_bound& bound) const { return exceeds(bound, x_[1], y_[1]); }
+  bool is_corner(const GC::Corner_threshold& bound) const { return exceeds(bound, x_[1], y_[1]); }
 
   std::string left_curvature() const { return curvature(x_); }
   std::string right_curvature() const { return curvature(y_); }
@@ -115,7 +115,7 @@ public:
     return false;
   }
 
-  bool is_corner(const GC::Kink_bound& bound) const {
+  bool is_corner(const GC::Corner_threshold& bound) const {
     const Interval sine = length(cross(x_[1], y_[1])), cosine = dot(x_[1], y_[1]);
     const std::optional<bool> answer =
         bound.is_exceeded(sine.inf(), cosine.inf(), (sine.sup() - sine.inf()) + (cosine.sup() - cosine.inf()));

@@ -63,8 +63,9 @@ Report_item measured_exactly(const Exact_curve& left, const Exact_curve& right, 
   const GC::Join_deviation d = GC::deviation(left, right);
   item.gap = d.gap;
   if (d.tangent_angle) item.angle = GC::in_degrees(*d.tangent_angle);
-  const std::optional<Drawn_join> drawn = drawn_join(join, left.end_jet((std::max)(left.degree(), 1)),
-                                                     right.start_jet((std::max)(right.degree(), 1)), demand.kink_bound);
+  const std::optional<Drawn_join> drawn =
+      drawn_join(join, left.end_jet((std::max)(left.degree(), 1)), right.start_jet((std::max)(right.degree(), 1)),
+                 demand.corner_threshold);
   if (drawn) item.angle = GC::in_degrees(drawn->angle);
   if (join.c_order < 0) {
     item.grade = Report_grade::gap;
@@ -76,12 +77,12 @@ Report_item measured_exactly(const Exact_curve& left, const Exact_curve& right, 
     if (d.curvature_jump) item.curvature_jump = GC::in_percent(*d.curvature_jump);
     item.severity = item.curvature_jump ? item.curvature_jump->upper : 0;
   } else {
-    const bool is_corner = drawn ? drawn->grade == GC::Join_grade::corner
-                                 : exceeds(demand.kink_bound, left.end_jet(1)[1], right.start_jet(1)[1]);
+    const bool is_corner = drawn ? drawn->grade == GC::Visual_class::corner
+                                 : exceeds(demand.corner_threshold, left.end_jet(1)[1], right.start_jet(1)[1]);
     item.grade = is_corner ? Report_grade::corner : Report_grade::kink;
     const auto leg = [](const Exact_curve& c, int i, int j) {
       const Exact_vector v = c.coordinates(j) - c.coordinates(i);
-      return GC::root_enclosure(Exact(dot(v, v))).upper;
+      return GC::sqrt_enclosure(Exact(dot(v, v))).upper;
     };
     const double handle = (std::min)(leg(left, left.degree() - 1, left.degree()), leg(right, 0, 1));
     item.severity = (drawn ? drawn->angle : *d.tangent_angle).upper * handle;

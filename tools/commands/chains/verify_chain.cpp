@@ -144,5 +144,5 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
 int verify_chain(const Arguments& files, bool rounded, bool closed, const Report_mode& mode,
                  const Join_demand& demand) {
   return rounded ? verify_spans<double>(files, closed, mode, demand)
-                 : verify_spans<GC::Text_number>(files, closed, mode, demand);
+                 : verify_spans<GC::Decimal>(files, closed, mode, demand);
 }

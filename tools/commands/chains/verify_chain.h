@@ -9,7 +9,7 @@
 #include "commands/commands.h"
 #include "commands/tolerances.h"
 
-#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 
 #include <optional>
 
@@ -18,7 +18,7 @@ struct Join_demand {
   int max_order;
   std::optional<Requirement> order;
   std::optional<Tolerances> tolerance;
-  GC::Kink_bound kink_bound; // a larger angle is a corner
+  GC::Corner_threshold corner_threshold; // a larger angle is a corner
 };
 
 // Decides the joins of the chain that the curves of the files form, and of its end and its start when it is closed, and prints a

@@ -8,7 +8,7 @@
 #include "commands/drawings/element_units.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <array>
@@ -29,10 +29,10 @@ struct Kink_numbers {
       units; // of the handle: not at corners, not of arcs, and not where there are no decimals
 };
 
-Kink_numbers exact_numbers(const std::optional<Transform>& to_units, const Drawing_join& join, GC::Join_grade grade) {
+Kink_numbers exact_numbers(const std::optional<Transform>& to_units, const Drawing_join& join, GC::Visual_class grade) {
   const auto &left = join.left(), &right = join.right();
   Kink_numbers n{GC::in_degrees(*GC::tangent_angle(left, right)), {}, {}};
-  if (grade == GC::Join_grade::corner || !left.bezier() || !right.bezier()) return n;
+  if (grade == GC::Visual_class::corner || !left.bezier() || !right.bezier()) return n;
   const auto offset = [](const auto& x, const auto& y) {
     return GC::kink_size(*x.bezier(), *y.bezier())->handle_offset;
   };
@@ -65,15 +65,15 @@ GC::Enclosure enclosed_degrees(const Enclosed_vector& a, const Enclosed_vector& 
 // The same from enclosures of the jets, where both segments are short Bezier curves whose handles are not parallel, at a kink with an
 // acute angle.
 std::optional<Kink_numbers> enclosed_numbers(const std::array<Interval, 4>* to_units, const Drawing_join& join,
-                                             GC::Join_grade grade) {
+                                             GC::Visual_class grade) {
   std::optional<Kink_numbers> numbers;
   GC::visit_enclosures(join, [&](const auto& x, const auto& y) {
     const Interval m(join.left().bezier()->degree()), n(join.right().bezier()->degree());
     const Enclosed_vector a{x[1][0] / m, x[1][1] / m}, b{y[1][0] / n, y[1][1] / n};
     if (!(0 < CGAL::abs(cross(a, b)).inf())) return;
-    if (grade == GC::Join_grade::kink && !(0 < dot(a, b).inf())) return;
+    if (grade == GC::Visual_class::kink && !(0 < dot(a, b).inf())) return;
     numbers = Kink_numbers{enclosed_degrees(a, b), {}, {}};
-    if (grade == GC::Join_grade::corner) return;
+    if (grade == GC::Visual_class::corner) return;
     numbers->offset = enclosed_offset(a, b);
     if (!to_units) return;
     const auto image = [&m = *to_units](const Enclosed_vector& v) -> Enclosed_vector {
@@ -99,7 +99,7 @@ std::string text(const GC::Enclosure& x) {
 }
 
 // What is said with the texts text(number) of the numbers; nothing where one of them is empty.
-template <class Text> std::optional<std::string> words(const Kink_numbers& numbers, GC::Join_grade grade, Text text) {
+template <class Text> std::optional<std::string> words(const Kink_numbers& numbers, GC::Visual_class grade, Text text) {
   std::string s;
   s.reserve(128);
   s = to_string(grade);
@@ -125,8 +125,8 @@ Drawing_kink_words::Drawing_kink_words(const Drawing_element& element) : to_unit
   for (int i = 0; i < 4; ++i) enclosed_to_units_[i] = Interval(CGAL::to_interval(to_units_->matrix()[i]));
 }
 
-std::string Drawing_kink_words::operator()(const Drawing_join& join, GC::Join_grade grade) const {
-  if (grade != GC::Join_grade::corner && grade != GC::Join_grade::kink) return to_string(grade);
+std::string Drawing_kink_words::operator()(const Drawing_join& join, GC::Visual_class grade) const {
+  if (grade != GC::Visual_class::corner && grade != GC::Visual_class::kink) return to_string(grade);
   const auto enclosed = enclosed_numbers(to_units_ ? &enclosed_to_units_ : nullptr, join, grade);
   if (enclosed)
     if (const std::optional<std::string> certain = words(*enclosed, grade, certain_text)) return *certain;
@@ -141,18 +141,18 @@ std::optional<GC::Enclosure> angle_bounds(const GC::Path_segment<Drawing_traits>
 }
 
 void write_drawing_kink(std::ostream& os, const GC::Svg_segment<Drawing_traits>& left,
-                        const GC::Svg_segment<Drawing_traits>& right, const std::optional<GC::Join_grade>& grade) {
+                        const GC::Svg_segment<Drawing_traits>& right, const std::optional<GC::Visual_class>& grade) {
   if (!grade) {
     GC::write_json(os << ",\"grade\":null,\"angle_degrees\":", angle_bounds(left, right));
     return;
   }
   os << ",\"grade\":\"" << *grade << "\",\"angle_degrees\":";
-  if (*grade == GC::Join_grade::g1 || *grade == GC::Join_grade::g2) {
+  if (*grade == GC::Visual_class::g1 || *grade == GC::Visual_class::g2) {
     os << "[0,0]";
     return;
   }
   GC::write_json(os, angle_bounds(left, right));
-  if (*grade == GC::Join_grade::kink && left.bezier() && right.bezier())
+  if (*grade == GC::Visual_class::kink && left.bezier() && right.bezier())
     GC::write_json(os << ",\"handle_offset\":",
                    std::optional<GC::Enclosure>(GC::kink_size(*left.bezier(), *right.bezier())->handle_offset));
 }

@@ -28,7 +28,7 @@ class Drawing_kink_words {
 public:
   explicit Drawing_kink_words(const Drawing_element& element);
 
-  std::string operator()(const Drawing_join& join, GC::Join_grade grade) const;
+  std::string operator()(const Drawing_join& join, GC::Visual_class grade) const;
 };
 
 // Returns the angle of the tangents in degrees; nothing where a segment has no length.
@@ -37,6 +37,6 @@ std::optional<GC::Enclosure> angle_bounds(const GC::Path_segment<Drawing_traits>
 
 // Writes `,"grade":…,"angle_degrees":[…,…]`, and for a kink `"handle_offset":[…,…]` in units of the drawing.
 void write_drawing_kink(std::ostream& os, const GC::Svg_segment<Drawing_traits>& left,
-                        const GC::Svg_segment<Drawing_traits>& right, const std::optional<GC::Join_grade>& grade);
+                        const GC::Svg_segment<Drawing_traits>& right, const std::optional<GC::Visual_class>& grade);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_DRAWING_KINK_H

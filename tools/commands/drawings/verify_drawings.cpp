@@ -65,7 +65,7 @@ class Drawing_report : public Drawing_handler {
   std::function<void()> show_progress_ = [] {};
   double part_of_drawing_ = 0; // that has been decided
   GC::Chain_summary summary_;  // of what is decided
-  std::map<GC::Join_grade, std::size_t> grades_;
+  std::map<GC::Visual_class, std::size_t> grades_;
   std::size_t joins_ = 0, left_out_ = 0, undecided_ = 0, not_read_ = 0, subpaths_ = 0, segments_ = 0;
   std::size_t rounding_ = 0, looked_through_ = 0; // joins and segments, see Subpath_joins
 
@@ -78,7 +78,7 @@ class Drawing_report : public Drawing_handler {
   };
 
   typedef std::optional<GC::Join_continuity<Exact>> Decision;
-  typedef std::optional<GC::Join_grade> Grade; // empty where a join is undecided
+  typedef std::optional<GC::Visual_class> Grade; // empty where a join is undecided
 
   static Report_subject subject(const std::optional<Requirement>& required) {
     Report_subject s{"join", "every join"};
@@ -97,8 +97,8 @@ class Drawing_report : public Drawing_handler {
   Grade grade(const Drawing_join& join, const Decision& decision) const {
     if (!decision) return std::nullopt;
     if (decision->regular && *decision->tangent_equal)
-      return *decision->curvature_vector_equal ? GC::Join_grade::g2 : GC::Join_grade::g1;
-    return GC::join_grade(join, kinks_.bound);
+      return *decision->curvature_vector_equal ? GC::Visual_class::g2 : GC::Visual_class::g1;
+    return GC::visual_class(join, kinks_.bound);
   }
 
   Claim claim(const Decision& decision, const Grade& grade) const {
@@ -106,8 +106,8 @@ class Drawing_report : public Drawing_handler {
     if (!required_ || required_->met(*decision)) return Claim::met;
     if (!grade || required_->kind() != GC::Continuity_kind::G) return Claim::not_met;
     // what is drawn, also where a handle is retracted
-    const bool drawn = *grade >= GC::Join_grade::g1 && required_->order() <= 1;
-    return drawn || (*grade == GC::Join_grade::corner && leaves_corners(*required_)) ? Claim::met : Claim::not_met;
+    const bool drawn = *grade >= GC::Visual_class::g1 && required_->order() <= 1;
+    return drawn || (*grade == GC::Visual_class::corner && leaves_corners(*required_)) ? Claim::met : Claim::not_met;
   }
 
   // What is said of segments that are looked through.
@@ -245,7 +245,7 @@ private:
     const auto members = [&] {
       return json(segments_ + i, segments_ + j, looked_through, left, right, decision, grade);
     };
-    const bool is_noted = looked_through != 0 || (!required_ && grade == GC::Join_grade::kink);
+    const bool is_noted = looked_through != 0 || (!required_ && grade == GC::Visual_class::kink);
     report_.add(element.file, {claim, "join", too_near}, is_noted, [&]() -> Finding {
       Finding f;
       f.file = element.file;
@@ -323,8 +323,8 @@ private:
 
   static Finding_rule rule(const Decision& decision, const Grade& grade) {
     if (!decision) return Finding_rule::undecided;
-    if (grade == GC::Join_grade::corner) return Finding_rule::corner;
-    if (grade == GC::Join_grade::kink || (decision->regular && !*decision->tangent_equal)) return Finding_rule::kink;
+    if (grade == GC::Visual_class::corner) return Finding_rule::corner;
+    if (grade == GC::Visual_class::kink || (decision->regular && !*decision->tangent_equal)) return Finding_rule::kink;
     if (!decision->regular) return Finding_rule::tangent;
     return *decision->curvature_vector_equal ? Finding_rule::derivative : Finding_rule::curvature;
   }
@@ -375,7 +375,7 @@ private:
 
   std::map<int, std::size_t> counts() const { return summary_.counts(GC::Continuity_kind::G); }
 
-  std::size_t count(GC::Join_grade grade) const {
+  std::size_t count(GC::Visual_class grade) const {
     const auto found = grades_.find(grade);
     return found == grades_.end() ? 0 : found->second;
   }
@@ -391,9 +391,9 @@ private:
     if (undecided_ != 0) os << separator << undecided_ << " undecided";
     if (not_read_ != 0) os << "; " << counted(not_read_, "element") << " not verified";
     if (joins_ != 0)
-      os << "; drawn as " << counted(count(GC::Join_grade::corner), "corner") << ", "
-         << counted(count(GC::Join_grade::kink), "kink") << " of at most " << kinks_.degrees << " degrees, "
-         << count(GC::Join_grade::g1) << " G1, " << count(GC::Join_grade::g2) << " G2 or more";
+      os << "; drawn as " << counted(count(GC::Visual_class::corner), "corner") << ", "
+         << counted(count(GC::Visual_class::kink), "kink") << " of at most " << kinks_.degrees << " degrees, "
+         << count(GC::Visual_class::g1) << " G1, " << count(GC::Visual_class::g2) << " G2 or more";
     if (left_out_ != 0) os << "; " << counted(left_out_, "segment") << " without length left out";
     if (rounding_ != 0)
       os << "; rounding at " << counted(rounding_, "join") << ": " << counted(looked_through_, "segment")
@@ -406,9 +406,9 @@ private:
     std::ostringstream os;
     os << "\"summary\":{\"joins\":" << joins_ << ",\"subpaths\":" << subpaths_;
     for (const auto& [order, count] : counts()) os << ",\"G" << order << "\":" << count;
-    os << ",\"undecided\":" << undecided_ << ",\"corners\":" << count(GC::Join_grade::corner)
-       << ",\"kinks\":" << count(GC::Join_grade::kink) << ",\"left_out\":" << left_out_ << ",\"rounding\":" << rounding_
-       << ",\"looked_through\":" << looked_through_ << '}';
+    os << ",\"undecided\":" << undecided_ << ",\"corners\":" << count(GC::Visual_class::corner)
+       << ",\"kinks\":" << count(GC::Visual_class::kink) << ",\"left_out\":" << left_out_
+       << ",\"rounding\":" << rounding_ << ",\"looked_through\":" << looked_through_ << '}';
     return os.str();
   }
 };

@@ -8,7 +8,7 @@
 #include "commands/chains/join_report.h"
 #include "commands/commands.h"
 
-#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 
 #include <optional>
 #include <string>
@@ -16,7 +16,7 @@
 // The largest angle that is a kink. Corners, which are larger, are meant, and need not meet a requirement of G orders.
 struct Kink_rule {
   std::string degrees; // as it is written
-  GC::Kink_bound bound;
+  GC::Corner_threshold bound;
 };
 
 // Runs `verify` for SVG drawings: prints the joins of all paths and basic shapes, and returns the exit code.

@@ -9,7 +9,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 
 namespace GC = CGAL::Geometric_continuity;
 
-// The joins of a glyph, graded as GC::join_grade() does, whose text is for all curves and numbers. This one is for the integers of
+// The joins of a glyph, graded as GC::visual_class() does, whose text is for all curves and numbers. This one is for the integers of
 // a font, which are below 2^22 unless the font has fractions: a test compares both.
 
 // What a join of a glyph is, from the worst to the best. The angle between the tangents is larger than a bound where there is a
@@ -190,7 +190,7 @@ public:
   Integer cosine() const { return dot(a_, b_); }
 
   // Returns whether the angle of the tangents is larger than a bound.
-  bool exceeds(const GC::Kink_bound& bound) const {
+  bool exceeds(const GC::Corner_threshold& bound) const {
     const Integer c = sine(), d = cosine();
     const double x = as_double(c), y = as_double(d);
     constexpr Integer small = Integer(1) << 53; // what doubles have
@@ -201,18 +201,18 @@ public:
   }
 
   // The grade of the library, for which all kinks are equal.
-  GC::Join_grade grade(const GC::Kink_bound& bound) const {
-    if (sine() != 0 || cosine() < 0) return exceeds(bound) ? GC::Join_grade::corner : GC::Join_grade::kink;
+  GC::Visual_class grade(const GC::Corner_threshold& bound) const {
+    if (sine() != 0 || cosine() < 0) return exceeds(bound) ? GC::Visual_class::corner : GC::Visual_class::kink;
     const auto has_no_curvature = [](const Glyph_segment_end& end) { return end.is_retracted() && !end.is_line(); };
-    if (has_no_curvature(left_) || has_no_curvature(right_)) return GC::Join_grade::g1;
-    return curvatures_agree() ? GC::Join_grade::g2 : GC::Join_grade::g1;
+    if (has_no_curvature(left_) || has_no_curvature(right_)) return GC::Visual_class::g1;
+    return curvatures_agree() ? GC::Visual_class::g2 : GC::Visual_class::g1;
   }
 
-  Glyph_grade grade(const GC::Kink_bound& bound, const Rounding_bound& rounding) const {
+  Glyph_grade grade(const GC::Corner_threshold& bound, const Rounding_bound& rounding) const {
     switch (grade(bound)) {
-    case GC::Join_grade::g2: return Glyph_grade::g2;
-    case GC::Join_grade::g1: return Glyph_grade::g1;
-    case GC::Join_grade::kink: break;
+    case GC::Visual_class::g2: return Glyph_grade::g2;
+    case GC::Visual_class::g1: return Glyph_grade::g1;
+    case GC::Visual_class::kink: break;
     default: return Glyph_grade::corner;
     }
     if (!is_off_by_more_than(rounding)) return Glyph_grade::rounding;

@@ -21,10 +21,10 @@
 
 // What is asked of joins, and which of them are what.
 struct Join_rule {
-  GC::Kink_bound corner = GC::Kink_bound();    // between kinks and corners
-  Rounding_bound rounding = Rounding_bound();  // between kinks and rounding
-  std::optional<GC::Join_grade> required = {}; // g1 or g2, of all joins but corners, bends and rounding
-  std::optional<GC::Kink_bound> max_kink = {}; // which no kink may exceed
+  GC::Corner_threshold corner = GC::Corner_threshold(); // between kinks and corners
+  Rounding_bound rounding = Rounding_bound();           // between kinks and rounding
+  std::optional<GC::Visual_class> required = {};        // g1 or g2, of all joins but corners, bends and rounding
+  std::optional<GC::Corner_threshold> max_kink = {};    // which no kink may exceed
 
   bool requires_something() const { return required || max_kink; }
 };
@@ -147,7 +147,7 @@ inline std::string join_place(const std::string& glyph, const std::string& compo
 // Grades the joins of a glyph, and calls visit(contour, node, grade, fails, join, left, right) for each of them.
 template <class Visit> Join_counts grade_joins(const Glyph_outline& outline, const Join_rule& rule, Visit visit) {
   static const Rounding_bound one_unit;
-  const bool wants_g2 = rule.required == GC::Join_grade::g2;
+  const bool wants_g2 = rule.required == GC::Visual_class::g2;
   Join_counts counts;
   for (std::size_t contour = 0; contour < outline.contours(); ++contour) {
     const Glyph_segment *const begin = outline.begin(contour), *const end = outline.end(contour), *left = end - 1;

@@ -18,9 +18,9 @@ namespace GC = CGAL::Geometric_continuity;
 
 // What is asked of the joins of variable fonts.
 struct Instance_bounds {
-  GC::Kink_bound corner;   // above it an angle of the default instance is a corner, which is meant
-  GC::Kink_bound max_kink; // which no instance of the other joins should exceed
-  GC::Work_limit limit;    // for each join
+  GC::Corner_threshold corner;   // above it an angle of the default instance is a corner, which is meant
+  GC::Corner_threshold max_kink; // which no instance of the other joins should exceed
+  GC::Work_limit limit;          // for each join
 };
 
 // What was found out about joins over all instances.

@@ -56,7 +56,7 @@ class Fonts_page : public Font_visitor {
 
 public:
   Fonts_page(const Report_demand& demand, Report_page& page)
-      : demand_(demand), rule_{demand.kink_bound, demand.rounding}, page_(page) {}
+      : demand_(demand), rule_{demand.corner_threshold, demand.rounding}, page_(page) {}
 
   void begin_font(const Font_face&, const Font_result&) override {}
 

@@ -70,7 +70,7 @@ public:
 } // namespace
 
 int verify_fonts(const Arguments& files, const Report_mode& mode, const Font_demand& demand) {
-  const std::optional<GC::Join_grade>& required = demand.rule.required;
+  const std::optional<GC::Visual_class>& required = demand.rule.required;
   Font_requirement requirement{{}, {}, demand.off_by};
   if (required) requirement = {to_string(*required), "\"required\":\"" + to_string(*required) + '"', demand.off_by};
   if (!demand.max_kink.empty()) {

@@ -14,7 +14,7 @@
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ template <class Surface> class Model_report {
   const Edge_demand demand_;
   GC::Model_continuity<Exact> model_;
   std::vector<std::optional<Within>> edges_, lines_; // as those of the model
-  std::vector<GC::Near_edges> near_;
+  std::vector<GC::Nearly_coincident_edges> near_;
   Report report_;
 
 public:
@@ -81,7 +81,7 @@ public:
       const int order = model_.knot_lines[i].line.continuity.g_order;
       add("knot_lines", model_.knot_lines[i], claim(order, lines_[i]), is_noted(order, lines_[i]), lines_[i]);
     }
-    for (const GC::Near_edges& e : near_)
+    for (const GC::Nearly_coincident_edges& e : near_)
       add("near_edges", e, claim(-1, e.within), is_noted(-1, e.within), std::optional<Within>(e.within));
     if constexpr (!std::is_floating_point_v<typename Surface::FT>)
       if (std::ostream* const os = report_.mode().certificate)
@@ -132,12 +132,12 @@ private:
     return s;
   }
 
-  static std::vector<GC::Near_edges> near(const std::vector<Surface>& surfaces,
-                                          const GC::Model_continuity<Exact>& model, const Edge_demand& demand) {
+  static std::vector<GC::Nearly_coincident_edges>
+  near(const std::vector<Surface>& surfaces, const GC::Model_continuity<Exact>& model, const Edge_demand& demand) {
     Progress progress("boundary edges");
     const auto part = [&](std::size_t n) { return double(n) / double(model.summary.boundary); };
-    return GC::near_edges(surfaces, model, *demand.tolerance,
-                          [&](std::size_t n) { progress.step(n, [&] { return part(n); }); });
+    return GC::nearly_coincident_edges(surfaces, model, *demand.tolerance,
+                                       [&](std::size_t n) { progress.step(n, [&] { return part(n); }); });
   }
 
   // What is required, exactly or within the tolerance; where nothing is required, all orders within the tolerance.
@@ -248,7 +248,7 @@ private:
     return text;
   }
 
-  static std::string json_of(const GC::Near_edges& e, const std::optional<Within>&) {
+  static std::string json_of(const GC::Nearly_coincident_edges& e, const std::optional<Within>&) {
     std::ostringstream os;
     write_json(os, e);
     return os.str();

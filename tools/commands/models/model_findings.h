@@ -66,17 +66,17 @@ inline std::string edge_name(std::size_t patch, GC::Patch_edge edge) {
 // The patch on which an edge, a knot line or a pair of near edges is found.
 inline std::size_t patch_of(const Edge& e) { return e.patch_a; }
 inline std::size_t patch_of(const Line& l) { return l.patch; }
-inline std::size_t patch_of(const GC::Near_edges& e) { return e.patch_a; }
+inline std::size_t patch_of(const GC::Nearly_coincident_edges& e) { return e.patch_a; }
 
 // The other patch, if there is one.
 inline std::optional<std::size_t> other_patch_of(const Edge& e) { return e.patch_b; }
 inline std::optional<std::size_t> other_patch_of(const Line&) { return std::nullopt; }
-inline std::optional<std::size_t> other_patch_of(const GC::Near_edges& e) { return e.patch_b; }
+inline std::optional<std::size_t> other_patch_of(const GC::Nearly_coincident_edges& e) { return e.patch_b; }
 
 // Where it is on its patches.
 inline std::string spot_of(const Edge& e) { return text_of(e.edge_a) + (e.edge_b ? ' ' + text_of(*e.edge_b) : ""); }
 inline std::string spot_of(const Line& l) { return (l.line.constant_u ? "u = " : "v = ") + text_of(l.line.knot); }
-inline std::string spot_of(const GC::Near_edges& e) { return text_of(e.edge_a) + ' ' + text_of(e.edge_b); }
+inline std::string spot_of(const GC::Nearly_coincident_edges& e) { return text_of(e.edge_a) + ' ' + text_of(e.edge_b); }
 
 // How large the defect of this rule is, if that is known.
 inline std::optional<Measure> measure_of(Finding_rule rule, const std::optional<GC::Normal_deviation<Exact>>& angle,
@@ -93,7 +93,7 @@ inline std::optional<Measure> measure_of(Finding_rule rule, const Edge& e, const
 inline std::optional<Measure> measure_of(Finding_rule rule, const Line& l, const std::optional<Within>& within) {
   return measure_of(rule, l.line.continuity.deviation, within);
 }
-inline std::optional<Measure> measure_of(Finding_rule rule, const GC::Near_edges&,
+inline std::optional<Measure> measure_of(Finding_rule rule, const GC::Nearly_coincident_edges&,
                                          const std::optional<Within>& within) {
   return measure_of(rule, std::optional<GC::Normal_deviation<Exact>>(), within);
 }
@@ -118,7 +118,7 @@ inline Edge_words words_of(const Line& l) {
           l.line.continuity.defect, text_of(static_cast<const Continuity&>(l.line.continuity))};
 }
 
-inline Edge_words words_of(const GC::Near_edges& e) {
+inline Edge_words words_of(const GC::Nearly_coincident_edges& e) {
   return {"near edges", edge_name(e.patch_a, e.edge_a) + " - " + edge_name(e.patch_b, e.edge_b), GC::Edge_defect::gap,
           "near"};
 }

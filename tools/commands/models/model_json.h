@@ -9,7 +9,7 @@
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 
 #include <cstddef>
 #include <optional>
@@ -91,7 +91,7 @@ inline void write_json(std::ostream& os, const Line& l, const std::optional<With
   os << '}';
 }
 
-inline void write_json(std::ostream& os, const GC::Near_edges& e) {
+inline void write_json(std::ostream& os, const GC::Nearly_coincident_edges& e) {
   write_names(os, e.patch_a, e.edge_a, e.patch_b, e.edge_b);
   os << ",\"reversed\":" << boolean(e.within.deviation.reversed);
   write_json(os, e.within);

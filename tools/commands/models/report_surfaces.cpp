@@ -45,13 +45,13 @@ template <class Surface> class Model_page {
   typedef typename Surface::FT FT;
   const std::vector<Surface>& surfaces_;
   const GC::Model_continuity<Exact>& model_;
-  const GC::Enclosure kink_bound_; // degrees
+  const GC::Enclosure corner_threshold_; // degrees
   Report_page& page_;
 
 public:
   Model_page(const std::vector<Surface>& surfaces, const GC::Model_continuity<Exact>& model,
-             const GC::Enclosure& kink_bound, Report_page& page)
-      : surfaces_(surfaces), model_(model), kink_bound_(kink_bound), page_(page) {}
+             const GC::Enclosure& corner_threshold, Report_page& page)
+      : surfaces_(surfaces), model_(model), corner_threshold_(corner_threshold), page_(page) {}
 
   // The edges of the items are numbered as those of the model, and the knot lines behind them.
   void gather() {
@@ -120,8 +120,8 @@ private:
     if (e.g_order > 0) return e.g_order > 1 ? Report_grade::g2 : Report_grade::g1;
     if (e.defect == GC::Edge_defect::fold) return Report_grade::corner;
     if (e.defect != GC::Edge_defect::crease || !angle) return Report_grade::g0;
-    if (angle->upper <= kink_bound_.lower) return Report_grade::kink;
-    return kink_bound_.upper < angle->lower ? Report_grade::corner : Report_grade::undecided;
+    if (angle->upper <= corner_threshold_.lower) return Report_grade::kink;
+    return corner_threshold_.upper < angle->lower ? Report_grade::corner : Report_grade::undecided;
   }
 
   template <class Place> void gather(std::size_t number, const Continuity& e, Place place) {
@@ -210,7 +210,7 @@ void show_model(const std::vector<Surface>& surfaces, const std::string& name, c
                           return GC::model_continuity<CGAL::Parallel_if_available_tag>(
                               surfaces, [&](std::size_t n) { progress.step(n); });
                         });
-  Model_page<Surface> gatherer(surfaces, model, GC::enclosure(demand.kink_bound.degrees()), page);
+  Model_page<Surface> gatherer(surfaces, model, GC::enclosure(demand.corner_threshold.degrees()), page);
   gatherer.gather();
   page.finish();
   page.model = gatherer.drawing(page.items());

@@ -64,7 +64,7 @@ Written_curve cubic_spline(const Command_line& line, const std::vector<typename 
   std::ostringstream os;
   GC::write_g2(os, GC::interpolate<Program_traits<FT>>(points.begin(), points.end(), parametrisation_of(line),
                                                        closure_of(line)));
-  return {os.str(), decide_joins<GC::Text_number>(os.str(), closure_of(line)), ""};
+  return {os.str(), decide_joins<GC::Decimal>(os.str(), closure_of(line)), ""};
 }
 
 template <class FT>
@@ -73,7 +73,7 @@ Written_curve fair_spline(const Command_line& line, const std::vector<typename P
   std::ostringstream os;
   for (const auto& piece : curve.segments())
     GC::write_g2(os, exact(Program_curve<FT>(GC::Bezier_curve<Program_traits<FT>>(piece)))); // not rounded
-  typedef std::conditional_t<std::is_same_v<FT, double>, double, GC::Text_number> Number;
+  typedef std::conditional_t<std::is_same_v<FT, double>, double, GC::Decimal> Number;
   const double moved = CGAL::to_double(curve.moved);
   return {os.str(), decide_joins<Number>(os.str(), closure_of(line)),
           moved == 0 ? "" : "coordinates were moved by at most " + rounded(moved, 3) + '\n'};

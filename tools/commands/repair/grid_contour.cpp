@@ -79,19 +79,20 @@ Exact_segment exact_segment(const Grid_curve& curve) {
 
 } // namespace
 
-std::optional<GC::Join_grade> grade(const Grid_contour& contour, std::size_t join, const GC::Kink_bound& bound) {
+std::optional<GC::Visual_class> grade(const Grid_contour& contour, std::size_t join,
+                                      const GC::Corner_threshold& bound) {
   const Grid_curve &left = contour.curves[join], &right = contour.curves[contour.next(join)];
   const bool beziers = !left.points.empty() && !right.points.empty();
-  if (beziers && !contour.map) return GC::join_grade(grid_bezier(left.points), grid_bezier(right.points), bound);
+  if (beziers && !contour.map) return GC::visual_class(grid_bezier(left.points), grid_bezier(right.points), bound);
   if (!beziers && ((left.points.empty() && !left.arc) || (right.points.empty() && !right.arc))) return std::nullopt;
   const Exact_segment x = exact_segment(left), y = exact_segment(right);
-  return contour.map ? GC::join_grade(x.transform(*contour.map), y.transform(*contour.map), bound)
-                     : GC::join_grade(x, y, bound);
+  return contour.map ? GC::visual_class(x.transform(*contour.map), y.transform(*contour.map), bound)
+                     : GC::visual_class(x, y, bound);
 }
 
-Grade_counts grades(const Grid_contour& contour, const GC::Kink_bound& bound) {
+Grade_counts grades(const Grid_contour& contour, const GC::Corner_threshold& bound) {
   Grade_counts counts;
   for (std::size_t j = 0; j < contour.number_of_joins(); ++j)
-    if (const std::optional<GC::Join_grade> g = grade(contour, j, bound)) ++counts[*g];
+    if (const std::optional<GC::Visual_class> g = grade(contour, j, bound)) ++counts[*g];
   return counts;
 }

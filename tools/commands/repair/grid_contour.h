@@ -10,7 +10,7 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
-#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 #include <CGAL/Geometric_continuity/repairs/Grid_vector.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -65,12 +65,12 @@ bool is_line(const std::vector<GC::Grid_vector>& points);
 std::optional<GC::Grid_vector> arc_direction(const Exact_segment& arc, bool at_end);
 
 // How many joins have each grade.
-typedef std::map<GC::Join_grade, std::size_t> Grade_counts;
+typedef std::map<GC::Visual_class, std::size_t> Grade_counts;
 
 // Returns the grade of a join, the one behind this curve, as it is drawn; nothing where it is not known.
-std::optional<GC::Join_grade> grade(const Grid_contour& contour, std::size_t join, const GC::Kink_bound& bound);
+std::optional<GC::Visual_class> grade(const Grid_contour& contour, std::size_t join, const GC::Corner_threshold& bound);
 
 // Counts the grades of all joins that are known.
-Grade_counts grades(const Grid_contour& contour, const GC::Kink_bound& bound);
+Grade_counts grades(const Grid_contour& contour, const GC::Corner_threshold& bound);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_GRID_CONTOUR_H

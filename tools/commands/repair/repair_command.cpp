@@ -156,7 +156,7 @@ int run_repair(const Command_line& line) {
   const CGAL::Exact_rational angle = line.number("kink-angle", CGAL::Exact_rational(5));
   if (angle <= 0 || angle > 45)
     throw std::invalid_argument("--kink-angle: " + line.text("kink-angle") + " is not above 0 and at most 45 degrees");
-  options.bound = GC::Kink_bound(angle);
+  options.bound = GC::Corner_threshold(angle);
   if (line.has("max-move")) {
     options.max_move = line.number("max-move", CGAL::Exact_rational(1));
     if (*options.max_move <= 0) throw std::invalid_argument("--max-move: not a positive number of units");

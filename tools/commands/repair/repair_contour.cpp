@@ -4,7 +4,7 @@
 
 #include "commands/repair/repair_contour.h"
 
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
@@ -50,7 +50,7 @@ class Contour_mender {
   std::size_t next(std::size_t curve) const { return contour_.next(curve); }
   std::size_t previous(std::size_t curve) const { return (curve == 0 ? contour_.curves.size() : curve) - 1; }
   const Points& points(std::size_t curve) const { return contour_.curves[curve].points; }
-  std::optional<GC::Join_grade> grade(std::size_t join) const { return ::grade(contour_, join, options_.bound); }
+  std::optional<GC::Visual_class> grade(std::size_t join) const { return ::grade(contour_, join, options_.bound); }
 
   // The joins at both ends of a curve.
   std::vector<std::size_t> joins_of(std::size_t curve) const {
@@ -95,12 +95,12 @@ class Contour_mender {
   // What is to stay at a join next to a move.
   struct State {
     std::size_t join;
-    std::optional<GC::Join_grade> grade;
+    std::optional<GC::Visual_class> grade;
     std::optional<GC::Kink_size> size; // of a kink
   };
   State state(std::size_t join) const {
     State s{join, grade(join), std::nullopt};
-    if (s.grade == GC::Join_grade::kink && !points(join).empty() && !points(next(join)).empty())
+    if (s.grade == GC::Visual_class::kink && !points(join).empty() && !points(next(join)).empty())
       s.size = GC::kink_size(grid_bezier(points(join)), grid_bezier(points(next(join))));
     return s;
   }
@@ -119,14 +119,14 @@ class Contour_mender {
       return false;
     }
     switch (*before.grade) {
-    case GC::Join_grade::gap: return false;
-    case GC::Join_grade::corner: return after.grade != GC::Join_grade::corner;
-    case GC::Join_grade::kink:
-      return after.grade < GC::Join_grade::kink ||
+    case GC::Visual_class::gap: return false;
+    case GC::Visual_class::corner: return after.grade != GC::Visual_class::corner;
+    case GC::Visual_class::kink:
+      return after.grade < GC::Visual_class::kink ||
              (before.size && after.size &&
               (after.size->angle.upper > before.size->angle.upper ||
                after.size->handle_offset.upper > before.size->handle_offset.upper));
-    default: return after.grade < GC::Join_grade::g1;
+    default: return after.grade < GC::Visual_class::g1;
     }
   }
 
@@ -137,7 +137,7 @@ class Contour_mender {
       const Vector& from = given_.curves[m.curve].points[m.point];
       if (!is_within(from, m.to, bound))
         return "not on this grid: the nearest position, " + contour_.text(m.to) + ", is " +
-               units(GC::root_enclosure(squared_distance(from, m.to))) + " away, and the handle may move by " +
+               units(GC::sqrt_enclosure(squared_distance(from, m.to))) + " away, and the handle may move by " +
                bound_text(bound);
       for (std::size_t j : joins_of(m.curve)) joins.insert(j);
     }
@@ -145,12 +145,12 @@ class Contour_mender {
     std::vector<State> before;
     for (std::size_t j : joins) before.push_back(state(j));
     const Moves back = execute(moves);
-    bool smooth = grade(join) >= GC::Join_grade::g1;
+    bool smooth = grade(join) >= GC::Visual_class::g1;
     for (const State& x : before) {
       const State after = state(x.join);
       smooth = smooth && (x.join == join || !is_harmed(x, after, back));
-      harm.kinks += after.grade == GC::Join_grade::kink;
-      harm.lost += x.grade == GC::Join_grade::g2 && after.grade == GC::Join_grade::g1;
+      harm.kinks += after.grade == GC::Visual_class::kink;
+      harm.lost += x.grade == GC::Visual_class::g2 && after.grade == GC::Visual_class::g1;
     }
     execute(back);
     return smooth ? "" : "another join would be harmed";
@@ -223,7 +223,7 @@ class Contour_mender {
     if (left.arc || right.arc) { // the distance of the tip of the handle from the tangent
       const CGAL::Exact_rational c = exact(cross(a, b));
       const Vector& tangent = left.arc ? a : b;
-      off = GC::root_enclosure(CGAL::Exact_rational(c * c / exact(squared_length(tangent)))).lower;
+      off = GC::sqrt_enclosure(CGAL::Exact_rational(c * c / exact(squared_length(tangent)))).lower;
     } else
       off = GC::kink_size(grid_bezier(left.points), grid_bezier(right.points))->handle_offset.lower;
     return CGAL::Exact_rational(2 * CGAL::Exact_rational(off) + 1);
@@ -326,15 +326,15 @@ class Contour_mender {
     const Vector &node = at_end ? p[2] : p[0], &other = at_end ? p[0] : p[2], handle = p[1];
     const std::size_t other_join = at_end ? previous(curve) : curve;
     const std::vector<std::size_t> joins = joins_of(curve);
-    std::optional<GC::Join_grade> there;
+    std::optional<GC::Visual_class> there;
     const bool has_other = std::count(joins.begin(), joins.end(), other_join) != 0 && other_join != join;
     if (has_other) there = grade(other_join);
-    const bool bound = has_other && (!there || *there >= GC::Join_grade::g1);
+    const bool bound = has_other && (!there || *there >= GC::Visual_class::g1);
     const Vector leg = at_end ? node - handle : handle - node, d = GC::primitive(direction);
     if (!bound) {
       const Vector nearest = GC::align_handle(leg, d);
       choices.push_back({{curve, 1, at_end ? node - nearest : node + nearest}});
-      if (there != GC::Join_grade::kink) return;
+      if (there != GC::Visual_class::kink) return;
     }
     // node -+ k d = other + t e, where e is the tangent at the other node
     Vector e = handle - other;
@@ -367,7 +367,7 @@ class Contour_mender {
     const std::size_t other = at_end ? previous(curve) : curve;
     const std::vector<std::size_t> joins = joins_of(curve);
     const bool keeps =
-        n == 3 && std::count(joins.begin(), joins.end(), other) != 0 && grade(other) == GC::Join_grade::g2;
+        n == 3 && std::count(joins.begin(), joins.end(), other) != 0 && grade(other) == GC::Visual_class::g2;
     return {at_end ? p[n] - p[n - 1] : p[1] - p[0], at_end ? p[n] - p[n - 2] : p[2] - p[0], static_cast<int>(n),
             is_free(curve) && !keeps};
   }
@@ -384,7 +384,7 @@ class Contour_mender {
       for (std::size_t j : joins_of(m.curve)) joins.insert(j);
     double sum = 0;
     for (std::size_t j : joins)
-      if (is_bezier_join(j) && grade(j) == GC::Join_grade::g1)
+      if (is_bezier_join(j) && grade(j) == GC::Visual_class::g1)
         if (const std::optional<GC::Enclosure> x = jump(j)) sum += x->upper;
     return sum;
   }
@@ -457,7 +457,7 @@ class Contour_mender {
       const Proposal *const before = at(previous(p.join)), *const after = at(next(p.join));
       if (p.moves.empty() || (before && waits(p, *before)) || (after && waits(p, *after))) continue;
       Harm harm;
-      if (grade(p.join) != GC::Join_grade::kink || !objection(p.join, p.moves, p.bound, harm).empty()) continue;
+      if (grade(p.join) != GC::Visual_class::kink || !objection(p.join, p.moves, p.bound, harm).empty()) continue;
       execute(p.moves);
       any = true;
     }
@@ -469,12 +469,12 @@ class Contour_mender {
     do {
       proposals.clear();
       for (std::size_t j = 0; j < contour_.number_of_joins(); ++j)
-        if (grade(j) == GC::Join_grade::kink) proposals.push_back(propose(j));
+        if (grade(j) == GC::Visual_class::kink) proposals.push_back(propose(j));
     } while (mend(proposals)); // one repair may make room for another
     for (const Proposal& p : proposals)
       leave(p.join, p.reason.empty() ? "the handle would have to move to two places" : p.reason);
     for (std::size_t j = 0; j < contour_.number_of_joins(); ++j)
-      if (grade(j) == GC::Join_grade::gap)
+      if (grade(j) == GC::Visual_class::gap)
         leave(j,
               "a gap, as the next curve starts at " + contour_.text(points(next(j)).front()) + ": nodes do not move");
   }
@@ -491,13 +491,13 @@ class Contour_mender {
   void harmonise_all() {
     std::vector<Curvature_jump> jumps;
     for (std::size_t j = 0; j < contour_.number_of_joins(); ++j)
-      if (is_bezier_join(j) && grade(j) == GC::Join_grade::g1)
+      if (is_bezier_join(j) && grade(j) == GC::Visual_class::g1)
         if (const std::optional<GC::Enclosure> before = jump(j)) jumps.push_back({j, *before, *before, ""});
     for (int pass = 0; pass < passes; ++pass)
       for (Curvature_jump& x : jumps)
-        if (grade(x.join) == GC::Join_grade::g1) x.reason = harmonise(x.join);
+        if (grade(x.join) == GC::Visual_class::g1) x.reason = harmonise(x.join);
     for (Curvature_jump& x : jumps) {
-      x.after = grade(x.join) == GC::Join_grade::g2 ? GC::Enclosure{0, 0} : *jump(x.join);
+      x.after = grade(x.join) == GC::Visual_class::g2 ? GC::Enclosure{0, 0} : *jump(x.join);
       if (x.after.upper == 0) x.reason.clear();
     }
     result_.jumps = std::move(jumps);
@@ -553,7 +553,7 @@ std::vector<Curvature_jump> harmonised(Grid_contour& contour, const Repair_optio
     result = again;
     for (Curvature_jump& x : jumps) {
       const std::size_t next = result.next(x.join);
-      x.after = grade(result, x.join, options.bound) == GC::Join_grade::g2
+      x.after = grade(result, x.join, options.bound) == GC::Visual_class::g2
                     ? GC::Enclosure{0, 0}
                     : *GC::deviation(grid_bezier(result.curves[x.join].points), grid_bezier(result.curves[next].points))
                            .curvature_jump;
@@ -568,7 +568,7 @@ std::vector<Curvature_jump> harmonised(Grid_contour& contour, const Repair_optio
 
 } // namespace
 
-GC::Enclosure Handle_move::distance() const { return GC::root_enclosure(squared_distance(from, to)); }
+GC::Enclosure Handle_move::distance() const { return GC::sqrt_enclosure(squared_distance(from, to)); }
 
 std::string rounded_up(double x) {
   std::ostringstream os;
@@ -600,7 +600,7 @@ Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
   if (options.harmonise) {
     result.jumps = harmonised(contour, options);
     const auto is_mended = [&](const Unrepaired_join& x) { // as other handles have moved
-      return grade(contour, x.join, options.bound) >= GC::Join_grade::g1;
+      return grade(contour, x.join, options.bound) >= GC::Visual_class::g1;
     };
     std::vector<Unrepaired_join>& left = result.unrepaired;
     left.erase(std::remove_if(left.begin(), left.end(), is_mended), left.end());
@@ -615,8 +615,8 @@ Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
       touched.insert(i == 0 ? contour.curves.size() - 1 : i - 1);
     }
   for (std::size_t j : touched)
-    if (j < contour.number_of_joins() && grade(given, j, options.bound) == GC::Join_grade::g2 &&
-        grade(contour, j, options.bound) == GC::Join_grade::g1)
+    if (j < contour.number_of_joins() && grade(given, j, options.bound) == GC::Visual_class::g2 &&
+        grade(contour, j, options.bound) == GC::Visual_class::g1)
       result.lost.push_back(j);
   return result;
 }

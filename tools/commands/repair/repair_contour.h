@@ -18,7 +18,7 @@
 
 // What to repair, and how.
 struct Repair_options {
-  GC::Kink_bound bound; // kinks are angles up to this one
+  GC::Corner_threshold bound; // kinks are angles up to this one
   std::optional<CGAL::Exact_rational>
       max_move; // in units; unless it is given, twice what the kink is off and one more, for curvatures a tenth of the shorter handle
   bool harmonise = false; // the curvatures, too

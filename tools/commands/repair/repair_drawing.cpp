@@ -23,10 +23,10 @@ namespace {
 // Calls f(i, grade, n) for each join of a subpath, as verify decides them, behind the segment i, with n segments that are looked through; the
 // grade is empty where it is not known.
 template <class Function>
-void for_each_join(const Drawing_element& element, const Drawing_subpath& path, const GC::Kink_bound& bound,
+void for_each_join(const Drawing_element& element, const Drawing_subpath& path, const GC::Corner_threshold& bound,
                    Function f) {
   Subpath_joins(element, path).for_each([&](std::size_t i, std::size_t, std::size_t looked_through, const auto& right) {
-    f(i, GC::join_grade(path.segments[i], right, bound), looked_through);
+    f(i, GC::visual_class(path.segments[i], right, bound), looked_through);
   });
 }
 
@@ -45,10 +45,11 @@ struct Drawing_joins {
   std::size_t undecided = 0;
 
   // Adds the joins of a subpath as it is drawn, if it is. Returns whether there are kinks.
-  bool add(const Drawing_element& element, const Drawing_subpath& path, Path_role role, const GC::Kink_bound& bound) {
+  bool add(const Drawing_element& element, const Drawing_subpath& path, Path_role role,
+           const GC::Corner_threshold& bound) {
     bool has_kinks = false;
-    for_each_join(element, path, bound, [&](std::size_t, const std::optional<GC::Join_grade>& grade, std::size_t) {
-      has_kinks = has_kinks || grade == GC::Join_grade::kink;
+    for_each_join(element, path, bound, [&](std::size_t, const std::optional<GC::Visual_class>& grade, std::size_t) {
+      has_kinks = has_kinks || grade == GC::Visual_class::kink;
       if (role == Path_role::repeated) return; // they are counted where they are drawn
       if (grade)
         ++(is_drawn(role) ? drawn : defined)[*grade];
@@ -80,12 +81,12 @@ bool is_read_as(const Grid_curve& read, const Grid_curve& computed) {
 // What a reader of drawings for repair does with shapes and paths: counts joins.
 class Counting_handler : public Drawing_handler {
 protected:
-  const GC::Kink_bound& bound_;
+  const GC::Corner_threshold& bound_;
 
 public:
   Drawing_joins joins;
 
-  explicit Counting_handler(const GC::Kink_bound& bound) : bound_(bound) {}
+  explicit Counting_handler(const GC::Corner_threshold& bound) : bound_(bound) {}
 
   bool takes_paths() const override { return true; }
   void subpath(const Drawing_element& element, int, const Drawing_subpath& path) override {
@@ -141,9 +142,9 @@ public:
 
   void subpath(const Drawing_element& element, int number, const Drawing_subpath& path) override {
     Counting_handler::subpath(element, number, path);
-    for_each_join(element, path, bound_, [&](std::size_t i, const std::optional<GC::Join_grade>& grade, std::size_t) {
+    for_each_join(element, path, bound_, [&](std::size_t i, const std::optional<GC::Visual_class>& grade, std::size_t) {
       const std::string command = std::to_string(path.segments[i].command);
-      if (grade == GC::Join_grade::kink)
+      if (grade == GC::Visual_class::kink)
         report_.add_unread(element.text() + ", behind command " + command,
                            members(element) + ",\"curve\":" + std::to_string(i + 1), "no handle can move");
     });
@@ -208,7 +209,7 @@ private:
                         place_members = members(element) + ",\"subpath\":" + std::to_string(number);
       for_each_join(mapped(element, map), map ? text.subpath().transform(*map) : text.subpath(), bound_,
                     [&](std::size_t i, const auto& grade, std::size_t looked_through) {
-                      if (grade != GC::Join_grade::kink) return;
+                      if (grade != GC::Visual_class::kink) return;
                       has_kinks = true;
                       if (looked_through != 0)
                         report_.add_unread(
@@ -268,7 +269,7 @@ class Result_reader : public Counting_handler {
   std::size_t paths_ = 0;
 
 public:
-  Result_reader(const GC::Kink_bound& bound, const std::vector<std::string>& expected)
+  Result_reader(const GC::Corner_threshold& bound, const std::vector<std::string>& expected)
       : Counting_handler(bound), expected_(expected) {}
 
   void path(const Drawing_element& element, const Path_data& path) override {

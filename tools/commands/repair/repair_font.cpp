@@ -106,7 +106,7 @@ class Font_mender {
     Glyph_outline result;
     for (std::size_t i = 0; i < outline.contours(); ++i) {
       Grid_contour contour = grid_contour(outline, i);
-      const bool has_kinks = grades(contour, options_.bound).count(GC::Join_grade::kink) != 0;
+      const bool has_kinks = grades(contour, options_.bound).count(GC::Visual_class::kink) != 0;
       if (has_kinks || options_.harmonise) note({index, name, i, users}, contour, ::repair(contour, options_));
       add(result, contour);
     }

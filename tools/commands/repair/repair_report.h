@@ -46,7 +46,7 @@ class Repair_report {
   static std::string json_text(const GC::Enclosure& x) { return ::json_text(std::optional<GC::Enclosure>(x)); }
   static std::string json_text(const std::string& x) { return ::json_text(x); }
   static std::size_t kinks(const Grade_counts& counts) {
-    const auto found = counts.find(GC::Join_grade::kink);
+    const auto found = counts.find(GC::Visual_class::kink);
     return found == counts.end() ? 0 : found->second;
   }
   static std::string percent(const GC::Enclosure& x) { return rounded_up(x.upper * 100 * (1 + 1e-15)) + " %"; }
@@ -57,18 +57,18 @@ class Repair_report {
   static void write_counts(std::ostream& os, const Grade_counts& counts, bool json) {
     std::size_t all = 0;
     for (const auto& [grade, count] : counts) all += count;
-    const auto count = [&](GC::Join_grade grade) { return counts.count(grade) != 0 ? counts.at(grade) : 0; };
-    const std::pair<const char*, GC::Join_grade> names[] = {{"gaps", GC::Join_grade::gap},
-                                                            {"corners", GC::Join_grade::corner},
-                                                            {"kinks", GC::Join_grade::kink},
-                                                            {"G1", GC::Join_grade::g1},
-                                                            {"G2", GC::Join_grade::g2}};
+    const auto count = [&](GC::Visual_class grade) { return counts.count(grade) != 0 ? counts.at(grade) : 0; };
+    const std::pair<const char*, GC::Visual_class> names[] = {{"gaps", GC::Visual_class::gap},
+                                                              {"corners", GC::Visual_class::corner},
+                                                              {"kinks", GC::Visual_class::kink},
+                                                              {"G1", GC::Visual_class::g1},
+                                                              {"G2", GC::Visual_class::g2}};
     if (json) os << "{\"joins\":" << all;
     const char* separator = "";
     for (const auto& [name, grade] : names)
       if (json)
         os << ",\"" << name << "\":" << count(grade);
-      else if (grade != GC::Join_grade::gap || count(grade) != 0) {
+      else if (grade != GC::Visual_class::gap || count(grade) != 0) {
         os << separator << count(grade) << ' '
            << (count(grade) == 1 && name[0] >= 'a' ? std::string(name, std::char_traits<char>::length(name) - 1)
                                                    : name);
@@ -166,14 +166,14 @@ public:
   // Prints the report and returns the exit code.
   int print(std::ostream& os, const std::string& file) const {
     Claims claims = claims_;
-    const auto is_left = [](GC::Join_grade grade) {
-      return grade == GC::Join_grade::kink || grade == GC::Join_grade::gap;
+    const auto is_left = [](GC::Visual_class grade) {
+      return grade == GC::Visual_class::kink || grade == GC::Visual_class::gap;
     };
     for (const Grade_counts* counts : {&after_, &defined_after_})
       for (const auto& [grade, count] : *counts)
         claims.add({is_left(grade) ? Claim::not_met : Claim::met, "join"}, count);
     for (const auto& [reason, count] : undecided_) claims.add({Claim::undecided, "join", reason}, count);
-    const Report_subject subject = repair_subject(after_.count(GC::Join_grade::gap) != 0);
+    const Report_subject subject = repair_subject(after_.count(GC::Visual_class::gap) != 0);
     const Conclusion end(claims, mode_, subject);
     print(os, file, end);
     return end.exit_code();

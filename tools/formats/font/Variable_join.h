@@ -5,7 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIABLE_JOIN_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIABLE_JOIN_H
 
-#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <array>
@@ -124,7 +124,7 @@ inline std::vector<Variation_region::FT> region_scalars(const std::vector<Variat
 /// Decides whether a join is a corner at an instance, which is given by the scalars of the regions; empty when a side has no
 /// length there. The decision is exact.
 inline std::optional<bool> is_corner(const Variable_join& join, const std::vector<Variable_join::FT>& scalars,
-                                     const Kink_bound& bound) {
+                                     const Corner_threshold& bound) {
   const std::pair<Variable_join::FT, Variable_join::FT> products = join.products(scalars);
   if (products.first == 0 && products.second == 0) return std::nullopt;
   return bound.is_exceeded(products.first, products.second);

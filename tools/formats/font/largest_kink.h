@@ -55,7 +55,7 @@ struct Largest_kink {
 /// \param axes one for each axis of the regions
 /// \throws Error `parameter_outside_domain` for a bound that is not less than 90 degrees
 inline Largest_kink largest_kink(const Variable_join& join, const std::vector<Variation_region>& regions,
-                                 const std::vector<Variation_range>& axes, const Kink_bound& bound,
+                                 const std::vector<Variation_range>& axes, const Corner_threshold& bound,
                                  const Kink_search& search = Kink_search()) {
   typedef Largest_kink::FT FT;
   if (!(bound.degrees() < 90))

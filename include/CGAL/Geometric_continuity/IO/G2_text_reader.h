@@ -43,7 +43,7 @@ namespace Geometric_continuity {
 struct G2_curve_text {
   /// A number, and the bytes of the text from `begin` up to `end` that are it.
   struct Written_number {
-    Text_number value;
+    Decimal value;
     std::size_t begin, end;
   };
 
@@ -59,9 +59,9 @@ struct G2_curve_text {
 /// Reads the curves of a text of the format `.g2`, one after the other, as `G2_piece_reader` does, with the places of
 /// their coordinates. Memory: the coordinates of one curve.
 class G2_text_reader {
-  internal::G2_parser<Text_number, 0> parser_;
+  internal::G2_parser<Decimal, 0> parser_;
   internal::G2_size size_{0, 0};
-  std::vector<Text_number> knots_;
+  std::vector<Decimal> knots_;
 
 public:
   /// Reads from `is`. Messages call it `name`.
@@ -80,7 +80,7 @@ public:
     const int width = curve.dimension + curve.rational;
     for (int k = 0; k < curve.points; ++k)
       for (int i = 0; i < width; ++i) {
-        const Text_number value = parser_.read_coordinate(i, k, curve.points);
+        const Decimal value = parser_.read_coordinate(i, k, curve.points);
         const auto [begin, end] = parser_.place();
         curve.coordinates.push_back({value, begin, end});
       }
@@ -93,8 +93,8 @@ template <class Traits> class G2_surface_text_reader;
 /// \ingroup PkgGeometricContinuityIO
 /// A polynomial B-spline surface in space as it stands in a text in the `.g2` format, with the numbers as they are written.
 class G2_surface_text {
-  internal::G2_direction<Text_number> u_, v_;
-  std::vector<Text_number> coordinates_;
+  internal::G2_direction<Decimal> u_, v_;
+  std::vector<Decimal> coordinates_;
 
   template <class> friend class G2_surface_text_reader;
   friend class G2_grid;
@@ -109,9 +109,9 @@ class G2_surface_text {
       for (int i = 0; i < 3; ++i) x[i] = number(coordinates_[k + static_cast<std::size_t>(i)]);
       points.push_back(to_point<Traits>(x));
     }
-    const auto knots = [&](const internal::G2_direction<Text_number>& direction) {
+    const auto knots = [&](const internal::G2_direction<Decimal>& direction) {
       std::vector<FT> values;
-      for (const Text_number& x : direction.knots) values.push_back(knot(x));
+      for (const Decimal& x : direction.knots) values.push_back(knot(x));
       return Knot_vector<FT>(direction.order - 1, std::move(values));
     };
     return Bspline_surface<Traits>(internal::g2_net(points, u_), knots(u_), knots(v_));
@@ -120,7 +120,7 @@ class G2_surface_text {
 public:
   /// Returns the surface. \tparam Traits a model of `GeometricContinuityTraits` of dimension 3 over `Exact_rational`
   template <class Traits> Bspline_surface<Traits> surface() const {
-    const auto value = [](const Text_number& x) { return typename Traits::FT(x.value()); };
+    const auto value = [](const Decimal& x) { return typename Traits::FT(x.value()); };
     return surface<Traits>(value, value);
   }
 };
@@ -132,18 +132,18 @@ class G2_grid {
   struct Axis {
     int exponent = 0;
 
-    void include(const Text_number& x) {
+    void include(const Decimal& x) {
       if (x.is_decimal()) exponent = (std::min)(exponent, x.exponent());
     }
     // Returns whether this is an integer that is a double.
-    bool has(const Text_number& x) const {
+    bool has(const Decimal& x) const {
       std::int64_t n = 0;
       return x.on_grid(exponent, n) && -limit <= n && n <= limit;
     }
-    bool has(const std::vector<Text_number>& numbers) const {
-      return std::all_of(numbers.begin(), numbers.end(), [this](const Text_number& x) { return has(x); });
+    bool has(const std::vector<Decimal>& numbers) const {
+      return std::all_of(numbers.begin(), numbers.end(), [this](const Decimal& x) { return has(x); });
     }
-    double operator()(const Text_number& x) const {
+    double operator()(const Decimal& x) const {
       std::int64_t n = 0;
       x.on_grid(exponent, n);
       return static_cast<double>(n);
@@ -155,9 +155,9 @@ class G2_grid {
 public:
   /// Makes the grids fine enough for a surface.
   void include(const G2_surface_text& surface) {
-    for (const Text_number& x : surface.coordinates_) coordinates_.include(x);
+    for (const Decimal& x : surface.coordinates_) coordinates_.include(x);
     for (const auto* direction : {&surface.u_, &surface.v_})
-      for (const Text_number& x : direction->knots) knots_.include(x);
+      for (const Decimal& x : direction->knots) knots_.include(x);
   }
 
   /// Returns the exponent of the power of ten that is the unit of the coordinates.
@@ -187,7 +187,7 @@ public:
 template <class Traits> class G2_surface_text_reader {
   typedef typename Traits::FT FT;
 
-  internal::G2_parser<Text_number, 3> parser_;
+  internal::G2_parser<Decimal, 3> parser_;
   long long line_ = 0;
 
 public:
@@ -229,11 +229,11 @@ private:
       for (int i = 0; i < 4; ++i) values[i] = FT(row[i].value());
       parser_.checked([&] { w.push_back(values); });
     }
-    const auto direction = [](const internal::G2_direction<Text_number>& d) {
+    const auto direction = [](const internal::G2_direction<Decimal>& d) {
       internal::G2_direction<FT> result;
       result.points = d.points;
       result.order = d.order;
-      for (const Text_number& x : d.knots) result.knots.push_back(FT(x.value()));
+      for (const Decimal& x : d.knots) result.knots.push_back(FT(x.value()));
       return result;
     };
     return parser_.checked([&] {
@@ -247,7 +247,7 @@ template <class Traits, class Number, class Concurrency_tag> class G2_span_reade
 /// \ingroup PkgGeometricContinuityIO
 /// A span of a curve as it stands in a text, with the numbers as they are written; see `G2_span_reader`.
 /// \tparam Traits, Number as those of `G2_span_reader`
-template <class Traits_, class Number_ = Text_number> class G2_span {
+template <class Traits_, class Number_ = Decimal> class G2_span {
   internal::G2_spline_part<Number_> part_;
   bool has_one_span_ = false; // and no weights
   int order_ = 0;
@@ -339,9 +339,9 @@ private:
 /// verdicts. Of a curve, only the knots and what belongs to one span are kept; curves of an order above 16 are read as a whole.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` over an exact field, in which the other joins are decided
-/// \tparam Number `Text_number`, or a floating-point type to which numbers are rounded when they are read
+/// \tparam Number `Decimal`, or a floating-point type to which numbers are rounded when they are read
 /// \tparam Concurrency_tag with `Parallel_tag`, or `Parallel_if_available_tag` and TBB, the numbers are read on several cores
-template <class Traits, class Number = Text_number, class Concurrency_tag = Sequential_tag> class G2_span_reader {
+template <class Traits, class Number = Decimal, class Concurrency_tag = Sequential_tag> class G2_span_reader {
   static constexpr int highest_order = 16; // of a curve that is cut span by span
 
   internal::G2_spline_parts<Number, dimension_v<Traits>, Concurrency_tag> parts_;

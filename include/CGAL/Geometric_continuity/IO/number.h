@@ -68,28 +68,27 @@ template <class FT> void write_number(std::ostream& os, const FT& x) {
 /// A number as it stands in a text, exactly: a decimal with at most 18 digits as an integer times a power of ten, for which no
 /// memory is allocated, and everything else that `parse_number()` accepts as a rational number. It is for storing and comparing;
 /// whoever computes takes `value()`, or brings several numbers on a common grid with `on_grid()`.
-class Text_number {
+class Decimal {
   std::int64_t digits_ = 0;
   int exponent_ = 0;
   std::shared_ptr<const Exact_rational> exact_; // in place of the decimal
 
 public:
   /// Constructs 0.
-  Text_number() = default;
+  Decimal() = default;
   /// Constructs `digits` \f$ \cdot 10^{exponent} \f$. \pre at most 18 digits, and an exponent of at most `max_decimal_exponent`
-  explicit Text_number(std::int64_t digits, int exponent = 0)
-      : digits_(digits), exponent_(digits == 0 ? 0 : exponent) {}
+  explicit Decimal(std::int64_t digits, int exponent = 0) : digits_(digits), exponent_(digits == 0 ? 0 : exponent) {}
   /// Constructs any rational number.
-  explicit Text_number(const Exact_rational& x) : exact_(std::make_shared<const Exact_rational>(x)) {}
+  explicit Decimal(const Exact_rational& x) : exact_(std::make_shared<const Exact_rational>(x)) {}
   /// Reads a number. \throws Error `malformed_input` as `parse_number()` does
-  explicit Text_number(std::string_view text) {
+  explicit Decimal(std::string_view text) {
     internal::Short_decimal decimal;
     if (!text.empty() && text.size() <= max_number_length &&
         internal::read_short_decimal(text.data(), text.data() + text.size(), decimal) == text.data() + text.size() &&
         decimal.exists())
-      *this = Text_number(decimal.digits, decimal.exponent);
+      *this = Decimal(decimal.digits, decimal.exponent);
     else
-      *this = Text_number(parse_number<Exact_rational>(text));
+      *this = Decimal(parse_number<Exact_rational>(text));
   }
 
   /// Returns whether the number is kept as a decimal.
@@ -144,12 +143,12 @@ public:
     return x;
   }
 
-  friend bool operator==(const Text_number& x, const Text_number& y) {
+  friend bool operator==(const Decimal& x, const Decimal& y) {
     if (x.exponent_ == y.exponent_ && !x.exact_ && !y.exact_) return x.digits_ == y.digits_;
     return x.compare(y) == 0;
   }
-  friend bool operator!=(const Text_number& x, const Text_number& y) { return !(x == y); }
-  friend bool operator<(const Text_number& x, const Text_number& y) {
+  friend bool operator!=(const Decimal& x, const Decimal& y) { return !(x == y); }
+  friend bool operator<(const Decimal& x, const Decimal& y) {
     if (x.exponent_ == y.exponent_ && !x.exact_ && !y.exact_) return x.digits_ < y.digits_;
     return x.compare(y) < 0;
   }
@@ -168,7 +167,7 @@ private:
   }();
 
   // The sign of the difference.
-  int compare(const Text_number& other) const {
+  int compare(const Decimal& other) const {
     std::int64_t x, y;
     const int exponent = (std::min)(exponent_, other.exponent_);
     if (on_grid(exponent, x) && other.on_grid(exponent, y)) return x < y ? -1 : y < x ? 1 : 0;
@@ -176,6 +175,11 @@ private:
     return a < b ? -1 : b < a ? 1 : 0;
   }
 };
+
+#ifndef CGAL_NO_DEPRECATED_CODE
+// Old names, for one release.
+using Text_number CGAL_DEPRECATED = Decimal;
+#endif
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -96,7 +96,7 @@ template <class Field, int N> Enclosure largest_distance(const Edge_sides<Field,
   const Normal_deviation<Exact> largest =
       largest_measure<Exact>(s.elevated_to(degree), factor * q.elevated_to(degree), acute);
   const auto distance = [&](const Exact& measure) { // of homogeneous points the common denominator cancels out
-    return root_enclosure(sides.denominator.divided(Exact(measure * Exact(k)), N == 4 ? 0 : 2));
+    return sqrt_enclosure(sides.denominator.divided(Exact(measure * Exact(k)), N == 4 ? 0 : 2));
   };
   return {distance(largest.lower).lower, distance(largest.upper).upper};
 }

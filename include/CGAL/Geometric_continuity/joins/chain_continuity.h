@@ -124,7 +124,7 @@ template <class Curve> struct Chain_join {
 /// are kept.
 ///
 /// \code{.cpp}
-/// Chain_analysis<Curve> chain(2);
+/// Chain_accumulator<Curve> chain(2);
 /// while (std::optional<Curve> curve = reader.next())
 ///   chain.add(*curve, [](const Chain_join<Curve>& join) { std::cout << join.continuity << '\n'; });
 /// chain.close();
@@ -132,7 +132,7 @@ template <class Curve> struct Chain_join {
 /// \endcode
 ///
 /// \tparam Curve a copyable model of `ParametricCurve`
-template <class Curve> class Chain_analysis {
+template <class Curve> class Chain_accumulator {
   int max_order_;
   std::size_t size_ = 0;
   std::optional<Curve> first_, last_;
@@ -143,8 +143,8 @@ template <class Curve> class Chain_analysis {
 public:
   /// Starts an empty chain. Orders up to `max_order` are decided.
   /// \throws Error `negative_count` for a negative order
-  explicit Chain_analysis(int max_order = 3) : max_order_(max_order) {
-    if (max_order < 0) throw Error(Error_code::negative_count, "Chain_analysis: order");
+  explicit Chain_accumulator(int max_order = 3) : max_order_(max_order) {
+    if (max_order < 0) throw Error(Error_code::negative_count, "Chain_accumulator: order");
   }
 
   /// Appends a curve and decides its join with the one before it, if there is one: `report` is called with a
@@ -211,13 +211,13 @@ using Curve_of_range =
 /// \ingroup PkgGeometricContinuityContinuity
 /// Decides all joins of a chain of curves up to order `max_order`, with that of the last curve and the first one if the chain is
 /// closed, and returns how many of them have which order. Only the orders of each join are decided, which takes less time than
-/// `continuity()`. `chain_joins()` returns the joins themselves, and `Chain_analysis` takes curves one at a time.
+/// `continuity()`. `chain_joins()` returns the joins themselves, and `Chain_accumulator` takes curves one at a time.
 /// \tparam InputIterator its value type is a copyable model of `ParametricCurve`
 /// \throws Error as `continuity()` does
 template <class InputIterator>
 Chain_summary chain_continuity(InputIterator first, InputIterator last, int max_order = 3,
                                Closure closure = Closure::open) {
-  Chain_analysis<internal::Chain_curve<InputIterator>> chain(max_order);
+  Chain_accumulator<internal::Chain_curve<InputIterator>> chain(max_order);
   for (; first != last; ++first) chain.add(*first);
   if (closure == Closure::closed) chain.close();
   return chain.summary();
@@ -248,7 +248,7 @@ chain_joins(InputIterator first, InputIterator last, int max_order = 3, Closure 
   typedef internal::Chain_curve<InputIterator> Curve;
   std::vector<Join_continuity<Predicate_FT<typename Curve::Traits>>> joins;
   const auto keep = [&](const Chain_join<Curve>& join) { joins.push_back(join.continuity); };
-  Chain_analysis<Curve> chain(max_order);
+  Chain_accumulator<Curve> chain(max_order);
   for (; first != last; ++first) chain.add(*first, keep);
   if (closure == Closure::closed) chain.close(keep);
   return joins;
@@ -413,6 +413,11 @@ std::vector<Knot_continuity<typename Curve::Traits>> knot_continuities(const Cur
     result.push_back({knot.value, knot.multiplicity, knot_continuity(curve, knot.value, max_order)});
   return result;
 }
+
+#ifndef CGAL_NO_DEPRECATED_CODE
+// Old names, for one release.
+template <class Curve> using Chain_analysis CGAL_DEPRECATED = Chain_accumulator<Curve>;
+#endif
 
 } // namespace Geometric_continuity
 } // namespace CGAL

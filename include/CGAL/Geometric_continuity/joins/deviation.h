@@ -44,13 +44,13 @@ Join_deviation join_deviation(const Coordinate_jet<Field, N>& x, const Coordinat
   if (x.dimension() != y.dimension()) throw Error(Error_code::dimension_mismatch, "deviation of two jets");
   charge_invariants(x, y);
   const auto square = [](const Vector& v) -> Field { return dot(v, v); };
-  Join_deviation d{root_enclosure(square(y[0] - x[0])), {}, {}, {}};
+  Join_deviation d{sqrt_enclosure(square(y[0] - x[0])), {}, {}, {}};
   if (is_zero(x[1]) || is_zero(y[1])) return d;
   const Field xy = dot(x[1], y[1]);
   d.tangent_angle = angle_enclosure(Field(square(x[1]) * square(y[1]) - xy * xy), xy);
   const Vector kx = *curvature_vector(x), ky = *curvature_vector(y);
   const Field largest = (std::max)(square(kx), square(ky));
-  d.curvature_jump = largest == Field(0) ? Enclosure{0, 0} : root_enclosure(Field(square(ky - kx) / largest));
+  d.curvature_jump = largest == Field(0) ? Enclosure{0, 0} : sqrt_enclosure(Field(square(ky - kx) / largest));
   if constexpr (N == 0 || N == 3)
     if (x.dimension() == 3 && !is_zero(kx) && !is_zero(ky)) {
       const Field jump = *torsion(y) - *torsion(x);

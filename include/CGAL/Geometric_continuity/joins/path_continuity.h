@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_PATH_CONTINUITY_H
 
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/internal/Enclosed_arc.h>
 #include <CGAL/Geometric_continuity/joins/internal/Grid_join.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
@@ -131,7 +131,7 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The join between the end of a segment of a path and the start of another one, for `continuity()`, `join_grade()` and
+/// The join between the end of a segment of a path and the start of another one, for `continuity()`, `visual_class()` and
 /// `visit_enclosures()`: what these have in common is prepared once. The segments must outlive it.
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2
 template <class Traits> class Path_join {
@@ -143,7 +143,7 @@ template <class Traits> class Path_join {
 
   template <class T> friend std::optional<Join_continuity<typename T::FT>> continuity(const Path_join<T>&, int);
   template <class T, class Function> friend bool visit_enclosures(const Path_join<T>&, Function);
-  template <class T> friend std::optional<Join_grade> join_grade(const Path_join<T>&, const Kink_bound&);
+  template <class T> friend std::optional<Visual_class> visual_class(const Path_join<T>&, const Corner_threshold&);
 
 public:
   /// Prepares the join.
@@ -254,21 +254,21 @@ template <class FT, class Field> Enclosure angle_of_products(const Leg_products<
 
 // The grade of a join with an arc of a rotated ellipse, if it can be decided.
 template <class Traits>
-std::optional<Join_grade> rotated_join_grade(const Path_segment<Traits>& left, const Path_segment<Traits>& right,
-                                             const Kink_bound& bound) {
+std::optional<Visual_class> rotated_visual_class(const Path_segment<Traits>& left, const Path_segment<Traits>& right,
+                                                 const Corner_threshold& bound) {
   const Rotated_join<Traits> join(left, right);
   if (!join.has_directions()) return std::nullopt;
-  if (left.end() != right.start()) return Join_grade::gap;
+  if (left.end() != right.start()) return Visual_class::gap;
   if (join.common_jets(2)) {
     const auto decision = join.continuity(2);
-    return decision->g_order >= 2 ? Join_grade::g2 : decision->g_order == 1 ? Join_grade::g1 : Join_grade::corner;
+    return decision->g_order >= 2 ? Visual_class::g2 : decision->g_order == 1 ? Visual_class::g1 : Visual_class::corner;
   }
   std::optional<bool> corner;
   join.until([&](const auto& p) {
     if (p.differ()) corner = p.exceed(bound);
     return corner.has_value();
   });
-  return corner ? std::optional<Join_grade>(*corner ? Join_grade::corner : Join_grade::kink) : std::nullopt;
+  return corner ? std::optional<Visual_class>(*corner ? Visual_class::corner : Visual_class::kink) : std::nullopt;
 }
 
 // The angle at a join with an arc of a rotated ellipse, with at least 48 bits unless it is too small. \pre both have a length
@@ -288,13 +288,13 @@ Enclosure rotated_join_angle(const Path_segment<Traits>& left, const Path_segmen
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns what a join of segments of paths looks like, see `join_grade()` of Bézier curves; empty when one
+/// Returns what a join of segments of paths looks like, see `visual_class()` of Bézier curves; empty when one
 /// of them has no length, and where `continuity()` does not decide. Directions of arcs are compared in the field of their square roots, or
 /// enclosed. Exact, except in `double`
 /// \throws Error `not_finite`, `work_limit`
 template <class Traits>
-std::optional<Join_grade> join_grade(const Path_join<Traits>& join,
-                                     const Kink_bound& bound = internal::usual_kink_bound()) {
+std::optional<Visual_class> visual_class(const Path_join<Traits>& join,
+                                         const Corner_threshold& bound = internal::usual_corner_threshold()) {
   const Path_segment<Traits>&left = join.left(), &right = join.right();
   std::optional<bool> corner;
   if (left.bezier() && right.bezier()) {
@@ -304,33 +304,33 @@ std::optional<Join_grade> join_grade(const Path_join<Traits>& join,
       if (0 < c.inf() || c.sup() < 0)
         corner = bound.is_exceeded(c.inf(), d.inf(), (c.sup() - c.inf()) + (d.sup() - d.inf()));
     });
-    if (corner && join.grid_.ends_meet()) return *corner ? Join_grade::corner : Join_grade::kink;
-    return join_grade(*left.bezier(), *right.bezier(), bound);
+    if (corner && join.grid_.ends_meet()) return *corner ? Visual_class::corner : Visual_class::kink;
+    return visual_class(*left.bezier(), *right.bezier(), bound);
   }
   if constexpr (!std::is_floating_point_v<typename Traits::FT>)
-    if (!left.is_known() || !right.is_known()) return internal::rotated_join_grade(left, right, bound);
+    if (!left.is_known() || !right.is_known()) return internal::rotated_visual_class(left, right, bound);
   const bool directed = internal::visit_direction_products(left, right, [&](const auto& p) {
     typedef std::decay_t<decltype(p.dot)> Field;
     if (p.cross != Field(0) || p.dot < Field(0)) corner = bound.is_exceeded(p.cross, p.dot);
   });
   if (!directed) return std::nullopt;
-  if (left.end() != right.start()) return Join_grade::gap;
-  if (corner) return *corner ? Join_grade::corner : Join_grade::kink;
+  if (left.end() != right.start()) return Visual_class::gap;
+  if (corner) return *corner ? Visual_class::corner : Visual_class::kink;
   // Readers of paths make lines of cubics that are drawn as lines, so that a handle that is retracted here is one that bends.
-  return continuity(join, 2)->g_order >= 2 ? Join_grade::g2 : Join_grade::g1;
+  return continuity(join, 2)->g_order >= 2 ? Visual_class::g2 : Visual_class::g1;
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns what the join between the end of `left` and the start of `right` looks like.
 template <class Traits>
-std::optional<Join_grade> join_grade(const Path_segment<Traits>& left, const Path_segment<Traits>& right,
-                                     const Kink_bound& bound = internal::usual_kink_bound()) {
-  return join_grade(Path_join<Traits>(left, right), bound);
+std::optional<Visual_class> visual_class(const Path_segment<Traits>& left, const Path_segment<Traits>& right,
+                                         const Corner_threshold& bound = internal::usual_corner_threshold()) {
+  return visual_class(Path_join<Traits>(left, right), bound);
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns the angle in \f$ [0, \pi] \f$ between the directions in which the segments are drawn, in radians; empty when one of them has no
-/// length. A retracted handle is taken as `join_grade()` takes it.
+/// length. A retracted handle is taken as `visual_class()` takes it.
 /// \throws Error `not_finite`
 template <class Traits>
 std::optional<Enclosure> tangent_angle(const Path_segment<Traits>& left, const Path_segment<Traits>& right) {

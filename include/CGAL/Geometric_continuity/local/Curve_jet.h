@@ -230,7 +230,7 @@ Coordinate_jet<Field, dimension_v<typename Curve::Traits>> start_jet(const Curve
 
 /// \ingroup PkgGeometricContinuityLocal
 /// The jets at the two ends of a curve, in place of the curve: all that decisions about joins read. `continuity()`, `deviation()`,
-/// `order_within()` and `Chain_analysis` take it like a curve, up to the order of the jets.
+/// `order_within()` and `Chain_accumulator` take it like a curve, up to the order of the jets.
 ///
 /// \tparam Traits_ a model of `GeometricContinuityTraits`
 template <class Traits_> class Curve_end_jets {

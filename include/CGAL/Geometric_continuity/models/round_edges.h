@@ -162,7 +162,7 @@ private:
 
   void trim(std::size_t patch, Patch_edge edge) {
     Surface& s = result_.surfaces[patch];
-    for_edge(patch, edge, [&] { s = trim_back(s, edge, set_back_parameter(given_[patch], edge, rounding_.set_back)); });
+    for_edge(patch, edge, [&] { s = cut_back(s, edge, set_back_parameter(given_[patch], edge, rounding_.set_back)); });
   }
 
   template <class Strategy> void add_blend(const Row& row, const Strategy& strategy) {

@@ -159,8 +159,8 @@ template <class FT> Enclosure enclosure(const FT& x) {
 /// Returns an enclosure of \f$ \sqrt{x} \f$ for `x >= 0`. \tparam FT a number type with `CGAL::to_interval()`
 /// \throws Error `parameter_outside_domain` for a negative number
 /// \throws Error `not_finite` for an infinite or undefined floating-point number
-template <class FT> Enclosure root_enclosure(const FT& x) {
-  const std::pair<double, double> i = internal::nonnegative_interval(x, "root_enclosure: a negative number");
+template <class FT> Enclosure sqrt_enclosure(const FT& x) {
+  const std::pair<double, double> i = internal::nonnegative_interval(x, "sqrt_enclosure: a negative number");
   return {internal::root_below(i.first), std::isinf(i.second) ? i.second : internal::root_above(i.second)};
 }
 
@@ -274,6 +274,11 @@ inline void check_bound(const Bound& bound) {
 }
 
 } // namespace internal
+
+#ifndef CGAL_NO_DEPRECATED_CODE
+// Old names, for one release.
+template <class FT> CGAL_DEPRECATED Enclosure root_enclosure(const FT& x) { return sqrt_enclosure(x); }
+#endif
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -12,8 +12,8 @@
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
+#include <CGAL/Geometric_continuity/surfaces/cut_back.h>
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
-#include <CGAL/Geometric_continuity/surfaces/trim_back.h>
 
 #include <CGAL/number_utils.h>
 
@@ -78,7 +78,7 @@ Edge_direction direction_of_sharp_edge(const Surface_a& a, Patch_edge edge_a, co
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Rounds the edge in which two surfaces meet: both are trimmed back from it, see `trim_back()`, and a blend leads from the one new edge
+/// Rounds the edge in which two surfaces meet: both are trimmed back from it, see `cut_back()`, and a blend leads from the one new edge
 /// to the other. With an exact kernel all three surfaces together are exactly \f$ G^2 \f$ along the whole new edges.
 ///
 /// That the surfaces have the edge in common, and are not \f$ G^2 \f$ there, is decided exactly with every kernel. An edge with \f$ G^1 \f$
@@ -100,8 +100,8 @@ Rounded_edge<Surface_a, Surface_b> round_edge(const Surface_a& a, Patch_edge edg
                                               const typename Surface_b::FT& set_back_b,
                                               const Strategy& strategy = Strategy()) {
   const Edge_direction direction = internal::direction_of_sharp_edge(a, edge_a, b, edge_b);
-  Surface_a first = trim_back(a, edge_a, set_back_a);
-  Surface_b second = trim_back(b, edge_b, set_back_b);
+  Surface_a first = cut_back(a, edge_a, set_back_a);
+  Surface_b second = cut_back(b, edge_b, set_back_b);
   internal::check_normals(first, edge_a, "round_edge: at the new edge " + to_string(edge_a) + " of the first surface");
   internal::check_normals(second, edge_b,
                           "round_edge: at the new edge " + to_string(edge_b) + " of the second surface");
@@ -144,7 +144,7 @@ std::optional<typename Surface::FT> set_back_of_ruled(const Surface& surface, Pa
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns a width in the parameter for `trim_back()` and `round_edge()` with which the new edge is at about a given distance from the
+/// Returns a width in the parameter for `cut_back()` and `round_edge()` with which the new edge is at about a given distance from the
 /// old one: the mean square of the distances of their points at the same parameters, at the Greville abscissae, is that of the distance
 /// up to one per cent. The width is a fraction of the domain of few binary digits, so that exact numbers stay short. A polynomial surface that is
 /// linear across the edge has the distance exactly, with an exact kernel, where that needs no irrational root: a plane face, for instance.

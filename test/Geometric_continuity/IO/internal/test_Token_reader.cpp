@@ -223,8 +223,8 @@ BOOST_AUTO_TEST_CASE(numbers) {
     GC::internal::Token_reader<CGAL::Parallel_if_available_tag> reader(is, "f.g2");
     for (const std::string& word : words) {
       BOOST_REQUIRE(reader.advance());
-      BOOST_CHECK_EQUAL(reader.number<GC::Text_number>().value(), GC::parse_number<Q>(word));
-      BOOST_CHECK_EQUAL(reader.number<GC::Text_number>().is_decimal(), GC::Text_number(word).is_decimal());
+      BOOST_CHECK_EQUAL(reader.number<GC::Decimal>().value(), GC::parse_number<Q>(word));
+      BOOST_CHECK_EQUAL(reader.number<GC::Decimal>().is_decimal(), GC::Decimal(word).is_decimal());
       BOOST_CHECK_EQUAL(reader.number<Q>(), GC::parse_number<Q>(word));
       if (word != "1e400") BOOST_CHECK_EQUAL(reader.number<double>(), GC::parse_number<double>(word));
     }
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE(numbers) {
     std::istream is(&parts);
     GC::internal::Token_reader<> reader(is, "f.g2");
     BOOST_REQUIRE(reader.advance() && reader.advance());
-    BOOST_CHECK_THROW(reader.number<GC::Text_number>(), GC::internal::Number_error);
+    BOOST_CHECK_THROW(reader.number<GC::Decimal>(), GC::internal::Number_error);
     BOOST_CHECK_THROW(reader.number<Q>(), GC::internal::Number_error);
   }
 }

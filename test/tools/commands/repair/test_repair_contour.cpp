@@ -10,7 +10,7 @@
 
 #include "commands/repair/repair_contour.h"
 
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ typedef std::vector<Vector> Points;
 
 namespace {
 
-const GC::Kink_bound bound;
+const GC::Corner_threshold bound;
 
 Grid_contour contour(const std::vector<Points>& curves, bool closed) {
   Grid_contour c;
@@ -108,13 +108,13 @@ BOOST_AUTO_TEST_CASE(nothing_is_harmed) {
       std::size_t left = 0;
       for (std::size_t j = 0; j < given.number_of_joins(); ++j) {
         const auto before = *grade(given, j, bound), after = *grade(repaired, j, bound);
-        BOOST_CHECK(after >= (std::min)(before, GC::Join_grade::g1));
-        BOOST_CHECK((before == GC::Join_grade::corner) == (after == GC::Join_grade::corner));
-        kinks += before == GC::Join_grade::kink;
-        mended += before == GC::Join_grade::kink && after >= GC::Join_grade::g1;
-        if (before == GC::Join_grade::g2 && after == GC::Join_grade::g1) lost.push_back(j);
-        left += after == GC::Join_grade::kink;
-        if (after == GC::Join_grade::kink)
+        BOOST_CHECK(after >= (std::min)(before, GC::Visual_class::g1));
+        BOOST_CHECK((before == GC::Visual_class::corner) == (after == GC::Visual_class::corner));
+        kinks += before == GC::Visual_class::kink;
+        mended += before == GC::Visual_class::kink && after >= GC::Visual_class::g1;
+        if (before == GC::Visual_class::g2 && after == GC::Visual_class::g1) lost.push_back(j);
+        left += after == GC::Visual_class::kink;
+        if (after == GC::Visual_class::kink)
           BOOST_CHECK(std::any_of(done.unrepaired.begin(), done.unrepaired.end(),
                                   [&](const Unrepaired_join& u) { return u.join == j && !u.reason.empty(); }));
       }
@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_harmed) {
         const std::size_t n = given.curves.size(), left = (m.curve + n - 1) % n;
         double off = 0;
         for (const std::size_t j : {left, m.curve})
-          if (grade(given, j, bound) == GC::Join_grade::kink)
+          if (grade(given, j, bound) == GC::Visual_class::kink)
             off = (std::max)(
                 off, GC::kink_size(grid_bezier(given.curves[j].points), grid_bezier(given.curves[given.next(j)].points))
                          ->handle_offset.upper);
@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(least_change) {
         b{a.x + static_cast<int>(random() % 9) - 4, a.y + static_cast<int>(random() % 3) - 1};
     const Grid_contour given =
         contour({{{-60, 30}, {-50, 20}, -1 * a, {0, 0}}, {{0, 0}, b, {50, 20}, {60, -30}}}, false);
-    if (grade(given, 0, bound) != GC::Join_grade::kink) continue;
+    if (grade(given, 0, bound) != GC::Visual_class::kink) continue;
     if (a.y == -b.y && a.x == b.x) continue; // mirror images stay so
     const double off = GC::kink_size(grid_bezier(given.curves[0].points), grid_bezier(given.curves[1].points))
                            ->handle_offset.lower,
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(least_change) {
 
 BOOST_AUTO_TEST_CASE(symmetric_handles_stay_so) {
   Grid_contour c = contour({{{-60, 0}, {-60, 20}, {-21, 50}, {0, 52}}, {{0, 52}, {21, 50}, {60, 20}, {60, 0}}}, false);
-  const Contour_repair done = repair(c, {GC::Kink_bound(12), std::nullopt, false});
+  const Contour_repair done = repair(c, {GC::Corner_threshold(12), std::nullopt, false});
   BOOST_CHECK(done.unrepaired.empty());
   BOOST_CHECK(c.curves[0].points[2] == (Vector{-21, 52}) && c.curves[1].points[1] == (Vector{21, 52}));
 }
@@ -221,8 +221,8 @@ BOOST_AUTO_TEST_CASE(kinks_that_harmonising_mends_are_not_left) {
                             {{231, 29}, {290, 29}, {288, 168}, {288, 168}},
                             {{288, 168}, {288, 188}, {301, 189}, {310, 189}}},
                            false);
-  BOOST_CHECK(grade(c, 1, bound) == GC::Join_grade::kink);
+  BOOST_CHECK(grade(c, 1, bound) == GC::Visual_class::kink);
   const Contour_repair done = repair(c, {bound, std::nullopt, true});
-  BOOST_CHECK(grade(c, 1, bound) >= GC::Join_grade::g1);
+  BOOST_CHECK(grade(c, 1, bound) >= GC::Visual_class::g1);
   BOOST_CHECK(done.unrepaired.empty());
 }

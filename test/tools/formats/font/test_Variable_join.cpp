@@ -23,7 +23,7 @@ BOOST_AUTO_TEST_CASE(corners_at_instances) {
       outgoing{Vector{FT(1), FT(0)}, {Vector{FT(0), FT(1)}}}, vanishing{Vector{FT(-1), FT(0)}, {Vector{FT(1), FT(0)}}};
   const auto scalars = [&](const FT& x) { return region_scalars(regions, {x}); };
   const GC::Variable_join join{incoming, outgoing};
-  const GC::Kink_bound bound(FT(5));
+  const GC::Corner_threshold bound(FT(5));
   BOOST_CHECK(is_corner(join, scalars(FT(-1)), bound) == false);
   BOOST_CHECK(is_corner(join, scalars(FT(0)), bound) == false);
   BOOST_CHECK(is_corner(join, scalars(FT(1)), bound) == true);

@@ -35,7 +35,7 @@ std::mt19937 engine(seed);
 
 int number(int low, int high) { return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1)); }
 
-GC::Kink_bound degrees(const Q& x) { return GC::Kink_bound(x); }
+GC::Corner_threshold degrees(const Q& x) { return GC::Corner_threshold(x); }
 
 // Axes from -1 to 1, of which the first ones are from 0.
 std::vector<GC::Variation_range> axes(std::size_t count, std::size_t from_zero = 0) {

@@ -220,8 +220,8 @@ BOOST_AUTO_TEST_CASE(joins_of_a_font) {
   BOOST_REQUIRE_EQUAL(joins.size(), 3u); // at 0, 2 and 5, which is 4
   BOOST_CHECK(joins[0].point == 0 && joins[1].point == 2 && joins[2].point == 5);
   const std::vector<Q> initial{Q(0)};
-  BOOST_CHECK(*GC::is_corner(joins[0].join, initial, GC::Kink_bound()));
-  BOOST_CHECK(!*GC::is_corner(joins[1].join, initial, GC::Kink_bound()));
+  BOOST_CHECK(*GC::is_corner(joins[0].join, initial, GC::Corner_threshold()));
+  BOOST_CHECK(!*GC::is_corner(joins[1].join, initial, GC::Corner_threshold()));
   for (int i = 0; i <= 4; ++i) { // the legs (100, 20 t) and (100 + 200 t, 60 t)
     const Q t = Q(i) / 4;
     const std::pair<Q, Q> expected{Q(100 * 60 * t - 20 * t * (100 + 200 * t)), Q(100 * (100 + 200 * t) + 1200 * t * t)};
@@ -232,7 +232,7 @@ BOOST_AUTO_TEST_CASE(joins_of_a_font) {
   const std::string round = w.font();
   const GC::Variable_outline closed = GC::Variable_font(GC::Font_tables(round)).glyph(0);
   BOOST_REQUIRE_EQUAL(GC::outline_joins(closed).size(), 3u);
-  BOOST_CHECK(*GC::is_corner(GC::outline_joins(closed)[0].join, {}, GC::Kink_bound()));
+  BOOST_CHECK(*GC::is_corner(GC::outline_joins(closed)[0].join, {}, GC::Corner_threshold()));
   // of one cubic curve they are not: there is no point on the curve between them
   GC::Variable_outline cubic{true, {{0, 0, true}, {50, 50, false}, {50, 50, false}, {100, 0, true}}, {4}};
   BOOST_REQUIRE_EQUAL(GC::outline_joins(cubic).size(), 2u);
@@ -243,8 +243,8 @@ BOOST_AUTO_TEST_CASE(joins_of_a_font) {
   // a leg without length at one instance only
   GC::Variable_join join = joins[1].join;
   join.incoming.constant = {0, 0};
-  BOOST_CHECK(!GC::is_corner(join, initial, GC::Kink_bound()));
-  BOOST_CHECK(GC::is_corner(join, {Q(1)}, GC::Kink_bound()).has_value());
+  BOOST_CHECK(!GC::is_corner(join, initial, GC::Corner_threshold()));
+  BOOST_CHECK(GC::is_corner(join, {Q(1)}, GC::Corner_threshold()).has_value());
 }
 
 namespace {

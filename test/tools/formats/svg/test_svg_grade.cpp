@@ -30,9 +30,9 @@ const double degree = std::acos(-1.) / 180;
 
 // The join of the first two segments.
 template <class Traits = Exact>
-std::string grade(const std::string& path, const GC::Kink_bound& bound = GC::Kink_bound()) {
+std::string grade(const std::string& path, const GC::Corner_threshold& bound = GC::Corner_threshold()) {
   const GC::Svg_subpath<Traits> s = GC::read_svg_path<Traits>(path).at(0);
-  const std::optional<GC::Join_grade> g = GC::join_grade(s.segments.at(0), s.segments.at(1), bound);
+  const std::optional<GC::Visual_class> g = GC::visual_class(s.segments.at(0), s.segments.at(1), bound);
   return g ? to_string(*g) : "undefined";
 }
 std::optional<GC::Enclosure> angle(const std::string& path) {
@@ -42,7 +42,7 @@ std::optional<GC::Enclosure> angle(const std::string& path) {
 
 BOOST_AUTO_TEST_CASE(curves) {
   BOOST_CHECK_EQUAL(grade("M0 0h1v1"), "corner");
-  BOOST_CHECK_EQUAL(grade("M0 0h1v1", GC::Kink_bound(90)), "kink");
+  BOOST_CHECK_EQUAL(grade("M0 0h1v1", GC::Corner_threshold(90)), "kink");
   BOOST_CHECK_EQUAL(grade("M0 0h1l100 1"), "kink");
   BOOST_CHECK_EQUAL(grade("M0 0h1c1 0 2 1 3 3"), "G1");
   BOOST_CHECK_EQUAL(grade("M0 0h1c1 0 2 0 3 3"), "G2");
@@ -57,8 +57,8 @@ BOOST_AUTO_TEST_CASE(curves) {
   BOOST_CHECK_CLOSE(angle("M0 0h1c0 0 0 2 3 3")->lower, 90 * degree, 1e-12);
   const GC::Svg_subpath<Exact> x = GC::read_svg_path<Exact>("M0 0h1v1").at(0),
                                y = GC::read_svg_path<Exact>("M5 5A1 1 0 0 1 6 6").at(0);
-  BOOST_CHECK(GC::join_grade(x.segments[0], y.segments[0]) == GC::Join_grade::gap);
-  BOOST_CHECK(GC::join_grade(x.segments[1], x.segments[0]) == GC::Join_grade::gap);
+  BOOST_CHECK(GC::visual_class(x.segments[0], y.segments[0]) == GC::Visual_class::gap);
+  BOOST_CHECK(GC::visual_class(x.segments[1], x.segments[0]) == GC::Visual_class::gap);
 }
 
 BOOST_AUTO_TEST_CASE(arcs) {
@@ -76,12 +76,12 @@ BOOST_AUTO_TEST_CASE(arcs) {
   BOOST_CHECK_CLOSE(angle("M0 0a3 4 30 0 1 1 1h1")->lower, 61.62596896642784 * degree, 1e-12);
   // with one square root and with two: a sixth of a circle, 30 degrees from its chord on both sides
   const Q little = Q(1) / Q(1e60);
-  BOOST_CHECK_EQUAL(grade("M0 0h1a1 1 0 0 1 1 0", GC::Kink_bound(30)), "kink");
-  BOOST_CHECK_EQUAL(grade("M0 0h1a1 1 0 0 1 1 0", GC::Kink_bound(30 - little)), "corner");
-  BOOST_CHECK_EQUAL(grade("M0 0a1 1 0 0 1 1 0a1 1 0 0 1 1 0", GC::Kink_bound(60)), "kink");
-  BOOST_CHECK_EQUAL(grade("M0 0a1 1 0 0 1 1 0a1 1 0 0 1 1 0", GC::Kink_bound(60 - little)), "corner");
+  BOOST_CHECK_EQUAL(grade("M0 0h1a1 1 0 0 1 1 0", GC::Corner_threshold(30)), "kink");
+  BOOST_CHECK_EQUAL(grade("M0 0h1a1 1 0 0 1 1 0", GC::Corner_threshold(30 - little)), "corner");
+  BOOST_CHECK_EQUAL(grade("M0 0a1 1 0 0 1 1 0a1 1 0 0 1 1 0", GC::Corner_threshold(60)), "kink");
+  BOOST_CHECK_EQUAL(grade("M0 0a1 1 0 0 1 1 0a1 1 0 0 1 1 0", GC::Corner_threshold(60 - little)), "corner");
   BOOST_CHECK_EQUAL(grade("M0 0a1 1 0 0 1 1 0a1 1 0 0 0 1 0"), "G1");
-  BOOST_CHECK_EQUAL(grade("M0 0a1 1 0 0 1 1 0a1 1 0 0 1 0 1", GC::Kink_bound(150)), "kink");
+  BOOST_CHECK_EQUAL(grade("M0 0a1 1 0 0 1 1 0a1 1 0 0 1 0 1", GC::Corner_threshold(150)), "kink");
   BOOST_CHECK_EQUAL(grade("M0 0a5 5 0 0 1 1 0a7 7 0 0 0 1 0"), "kink");
   BOOST_CHECK_EQUAL(grade<Double>("M0 0a5 5 0 0 1 1 0a7 7 0 0 0 1 0"), "kink");
   BOOST_CHECK_EQUAL(grade<Double>("M0 0a5 5 0 0 1 1 0h9"), "corner");

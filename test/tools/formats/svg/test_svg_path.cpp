@@ -323,8 +323,8 @@ BOOST_AUTO_TEST_CASE(tangents_of_rotated_ellipses) {
                                 text << ": " << degrees << " instead of " << size);
             const auto rounded = GC::tangent_angle<Exact>(path.segments[i].rounded(), path.segments[i + 1].rounded());
             BOOST_CHECK_SMALL(GC::in_degrees(*rounded).lower - degrees.lower, 1e-6);
-            const auto grade = GC::join_grade(path.segments[i], path.segments[i + 1]);
-            BOOST_CHECK(grade == (size > 5 ? GC::Join_grade::corner : GC::Join_grade::kink));
+            const auto grade = GC::visual_class(path.segments[i], path.segments[i + 1]);
+            BOOST_CHECK(grade == (size > 5 ? GC::Visual_class::corner : GC::Visual_class::kink));
           }
           ++arcs;
         }
@@ -361,7 +361,7 @@ BOOST_AUTO_TEST_CASE(joins_of_rotated_ellipses) {
   // a curve with a handle at the node has no tangent
   const Subpath retracted = GC::read_svg_path<Exact>("M0 0A2 1 30 0 1 4 2C4 2 5 3 6 5")[0];
   BOOST_CHECK(!GC::continuity<Exact>(retracted.segments[0], retracted.segments[1])->regular);
-  BOOST_CHECK(GC::join_grade<Exact>(retracted.segments[0], retracted.segments[1]) == GC::Join_grade::corner);
+  BOOST_CHECK(GC::visual_class<Exact>(retracted.segments[0], retracted.segments[1]) == GC::Visual_class::corner);
   const Subpath path = GC::read_svg_path<Exact>("M0 0A2 1 30 0 1 4 2A2 1 30 0 1 0 0")[0];
   const GC::Svg_transform<Exact> skew({Q(3), Q(1), Q(-2), Q(5), Q(7), Q(11)});
   BOOST_CHECK_EQUAL(GC::continuity<Exact>(path.segments[0].transform(skew), path.segments[1].transform(skew))->g_order,

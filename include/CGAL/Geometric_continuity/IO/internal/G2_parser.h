@@ -277,7 +277,7 @@ private:
   }
 
   // In which the coordinates of lines and planes are computed.
-  typedef std::conditional_t<std::is_same_v<FT, Text_number>, Exact_rational, typename Exact_field<FT>::type>
+  typedef std::conditional_t<std::is_same_v<FT, Decimal>, Exact_rational, typename Exact_field<FT>::type>
       Elementary_number;
 
   // The location, the direction, 1 for a line with ends, and the parameters of these.

@@ -61,7 +61,7 @@ public:
 };
 
 // Knots of floating-point type as they are, others as they stand in the text, which takes less memory.
-template <class FT> using G2_knot = std::conditional_t<std::is_floating_point_v<FT>, FT, Text_number>;
+template <class FT> using G2_knot = std::conditional_t<std::is_floating_point_v<FT>, FT, Decimal>;
 
 // A part of a B-spline curve: a curve of these knots and control points, which has one span or, if it is the whole curve, more.
 template <class FT> struct G2_spline_part {
@@ -160,7 +160,7 @@ private:
 
 // The number of a part as a number of a curve: as it is, from the text, or the nearest one.
 template <class FT, class Number> FT curve_number(const Number& x) {
-  if constexpr (std::is_same_v<Number, Text_number>)
+  if constexpr (std::is_same_v<Number, Decimal>)
     return nearest_number<FT>(x.value());
   else
     return nearest_number<FT>(x);

@@ -242,7 +242,7 @@ public:
   // The number that the current word is. Throws Number_error.
   template <class FT> FT number() const {
     const Short_decimal& decimal = word_->decimal;
-    if constexpr (std::is_same_v<FT, Text_number>)
+    if constexpr (std::is_same_v<FT, Decimal>)
       return decimal.exists() ? FT(decimal.digits, decimal.exponent) : FT(number_value<Exact_rational>(token()));
     else
       return number_value<FT>(token());

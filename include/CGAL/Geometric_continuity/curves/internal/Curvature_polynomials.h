@@ -130,7 +130,7 @@ public:
     if (!(NT(0) < v.first)) return std::nullopt;
     const NT least = s.first < NT(0) ? NT(0) : NT(s.first * fourth_power(v.first) / (g.second * g.second * g.second)),
              greatest = s.second * fourth_power(v.second) / (g.first * g.first * g.first);
-    const double low = root_enclosure(least).lower, high = root_enclosure(greatest).upper;
+    const double low = sqrt_enclosure(least).lower, high = sqrt_enclosure(greatest).upper;
     if (std::isinf(high)) throw Error(Error_code::not_finite, "curvature_extrema: a curvature is too large");
     if (!is_planar()) return Enclosure{low, high};
     const std::pair<NT, NT> w = range(w_[0], from, to);

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_ENCLOSED_ARC_H
 
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
 
 #include <CGAL/Fraction_traits.h>
@@ -82,7 +82,7 @@ template <class FT> struct Enclosed_products {
   }
 
   // Returns whether the angle is larger than the bound, if all of these are, or none.
-  std::optional<bool> exceed(const Kink_bound& bound) const {
+  std::optional<bool> exceed(const Corner_threshold& bound) const {
     const auto exceeds = [&](const std::pair<FT, FT>& x) { return bound.is_exceeded(x.first, x.second); };
     const std::pair<FT, FT> a = least(), b = largest();
     for (const std::pair<FT, FT>& x : {a, b})

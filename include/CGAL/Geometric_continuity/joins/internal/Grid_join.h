@@ -278,7 +278,7 @@ private:
     return true;
   }
 
-  // Numbers that know by exponent() and on_grid() of which power of ten they are multiples, such as Text_number.
+  // Numbers that know by exponent() and on_grid() of which power of ten they are multiples, such as Decimal.
   template <class Number> bool bring_on_grid(const Number* const* numbers, const Number* const* parameters) {
     std::int64_t integers[8 * N], ends[4];
     if (!integers_on_grid<8 * N>(numbers, integers, exponent_) ||

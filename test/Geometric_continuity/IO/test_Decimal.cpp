@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-BOOST_AUTO_TEST_SUITE(Text_number)
+BOOST_AUTO_TEST_SUITE(Decimal)
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -78,7 +78,7 @@ Q power_of_ten(int exponent) { return GC::parse_number<Q>("1e" + std::to_string(
 
 // What becomes of a text: an error, or nothing.
 std::string refusal_of_text_number(const std::string& text) {
-  return error_of([&] { GC::Text_number{text}; });
+  return error_of([&] { GC::Decimal{text}; });
 }
 std::string refusal_of_number(const std::string& text) {
   return error_of([&] { GC::parse_number<Q>(text); });
@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(values_are_those_that_are_parsed) {
   int short_ones = 0;
   for (int i = 0; i < 4000; ++i) {
     const auto [text, size] = random_decimal();
-    const GC::Text_number x{text};
+    const GC::Decimal x{text};
     BOOST_CHECK_MESSAGE(x.value() == GC::parse_number<Q>(text), text);
     BOOST_CHECK_MESSAGE(x.is_decimal() == (size <= 18), text << " has " << size << " digits");
     short_ones += x.is_decimal();
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(values_are_those_that_are_parsed) {
   BOOST_CHECK_LT(short_ones, 3500);
   for (int i = 0; i < 500; ++i) {
     const std::string text = random_fraction();
-    const GC::Text_number x{text};
+    const GC::Decimal x{text};
     BOOST_CHECK_MESSAGE(x.value() == GC::parse_number<Q>(text) && !x.is_decimal(), text);
   }
   const std::string zeros(4000, '0');
@@ -110,16 +110,16 @@ BOOST_AUTO_TEST_CASE(values_are_those_that_are_parsed) {
         std::string("-1E-4096"), "." + zeros + "1", zeros + "1", '.' + zeros + "1e-4096", "1." + zeros + "e4096",
         std::string("999999999999999999"), std::string("-.999999999999999999e-4096"),
         std::string("000123456789.123456789000")}) {
-    const GC::Text_number x{text};
+    const GC::Decimal x{text};
     BOOST_CHECK_MESSAGE(x.is_decimal() && x.value() == GC::parse_number<Q>(text), text);
   }
   for (const char* text : {"1000000000000000000", "-.1234567890123456789", "1234567890.123456789", "1/1", "0/5"}) {
-    const GC::Text_number x{text};
+    const GC::Decimal x{text};
     BOOST_CHECK_MESSAGE(!x.is_decimal() && x.value() == GC::parse_number<Q>(text), text);
   }
-  BOOST_CHECK(GC::Text_number().value() == 0 && GC::Text_number().is_decimal());
-  BOOST_CHECK(GC::Text_number(-15, -1).value() == Q(-3) / 2);
-  BOOST_CHECK(GC::Text_number(Q(-3) / 2).value() == Q(-3) / 2);
+  BOOST_CHECK(GC::Decimal().value() == 0 && GC::Decimal().is_decimal());
+  BOOST_CHECK(GC::Decimal(-15, -1).value() == Q(-3) / 2);
+  BOOST_CHECK(GC::Decimal(Q(-3) / 2).value() == Q(-3) / 2);
 }
 
 // Also of numbers that are equal but written in different ways.
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(order) {
   for (int i = 0; i < 20; ++i) texts.push_back(std::to_string(below(5) - 2) + (i % 2 == 0 ? ".0" : "e-1"));
   for (const std::string& s : texts)
     for (const std::string& t : texts) {
-      const GC::Text_number x{s}, y{t};
+      const GC::Decimal x{s}, y{t};
       const Q a = GC::parse_number<Q>(s), b = GC::parse_number<Q>(t);
       BOOST_CHECK_MESSAGE((x == y) == (a == b) && (x != y) == (a != b) && (x < y) == (a < b), s << " and " << t);
     }
@@ -158,7 +158,7 @@ BOOST_AUTO_TEST_CASE(integers_on_grids) {
   int found = 0, too_large = 0;
   for (int i = 0; i < 2000; ++i) {
     const auto [text, size] = random_decimal(i % 10 == 0);
-    const GC::Text_number number{text};
+    const GC::Decimal number{text};
     const int exponent = number.exponent() - below(22);
     const std::int64_t before = -7;
     std::int64_t x = before;
@@ -179,8 +179,8 @@ BOOST_AUTO_TEST_CASE(integers_on_grids) {
   // at the bound 2^60 = 1152921504606846976, on both sides of zero
   const auto on_grid = [](const char* text, int exponent) {
     std::int64_t x = 0, y = 0;
-    const bool exists = GC::Text_number{text}.on_grid(exponent, x),
-               opposite = GC::Text_number{std::string("-") + text}.on_grid(exponent, y);
+    const bool exists = GC::Decimal{text}.on_grid(exponent, x),
+               opposite = GC::Decimal{std::string("-") + text}.on_grid(exponent, y);
     BOOST_CHECK_EQUAL(exists, opposite);
     BOOST_CHECK_EQUAL(x, -y);
     return x;
@@ -196,7 +196,7 @@ BOOST_AUTO_TEST_CASE(integers_on_grids) {
   // zero is on every grid
   for (int exponent : {-5000, -1, 0, 3, 5000}) {
     std::int64_t x = 1;
-    BOOST_CHECK(GC::Text_number{"-0.000e7"}.on_grid(exponent, x) && x == 0);
+    BOOST_CHECK(GC::Decimal{"-0.000e7"}.on_grid(exponent, x) && x == 0);
   }
 }
 
@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE(refused_as_numbers_are) {
     const std::string expected = refusal_of_number(text);
     BOOST_REQUIRE_EQUAL(refusal_of_text_number(text), expected);
     if (expected == "no error")
-      BOOST_REQUIRE_MESSAGE(GC::Text_number{text}.value() == GC::parse_number<Q>(text), text);
+      BOOST_REQUIRE_MESSAGE(GC::Decimal{text}.value() == GC::parse_number<Q>(text), text);
     else
       ++refused;
   }
@@ -268,7 +268,7 @@ BOOST_AUTO_TEST_CASE(enclosures) {
   for (const char* text :
        {"0", "1", "-7", "0.1", "-0.1", "123456789012345678", "-999999999999999999e-9", "7e17", "3e-40", "-5e90",
         "1234567890123456.78e-300", "1/3", "-22/7", "12345678901234567890.5", "1e300", "1e-400", "-1e400", "1e4000"}) {
-    const GC::Text_number x{text};
+    const GC::Decimal x{text};
     const CGAL::Interval_nt<false> i = x.enclosure();
     const Q value = x.value();
     BOOST_CHECK_MESSAGE(std::isinf(i.inf()) || Q(i.inf()) <= value, text);
@@ -276,7 +276,7 @@ BOOST_AUTO_TEST_CASE(enclosures) {
     if (std::isfinite(i.inf()) && std::isfinite(i.sup())) // close
       BOOST_CHECK_MESSAGE(i.sup() - i.inf() <= 1e-14 * std::abs(i.sup()) + 1e-300, text);
   }
-  BOOST_CHECK(GC::Text_number("0.5").enclosure().is_point() && GC::Text_number("-12e3").enclosure().is_point());
+  BOOST_CHECK(GC::Decimal("0.5").enclosure().is_point() && GC::Decimal("-12e3").enclosure().is_point());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

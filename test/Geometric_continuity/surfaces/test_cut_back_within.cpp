@@ -9,7 +9,7 @@
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
-#include <CGAL/Geometric_continuity/surfaces/trim_back.h>
+#include <CGAL/Geometric_continuity/surfaces/cut_back.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -45,7 +45,7 @@ template <class Surface> void check(Random_surfaces& random) {
     const Surface s = surface_with_knots<Surface>(random, 1);
     Q last(-1);
     for (const Q& tolerance : {Q(10000000000.0), Q(1000000000), Q(500000000)}) {
-      const auto r = trim_back_within(s, v1, f, tolerance);
+      const auto r = cut_back_within(s, v1, f, tolerance);
       const Surface& t = r.surface;
       BOOST_CHECK(Q(0) < r.squared_deviation && r.squared_deviation <= tolerance * tolerance);
       BOOST_CHECK(last < Q(0) || r.squared_deviation <= last);
@@ -66,7 +66,7 @@ template <class Surface> void check(Random_surfaces& random) {
       const auto parts = t.split_v(start);
       BOOST_CHECK_EQUAL(whole_edge_order(parts.first, v1, parts.second, v0), 2);
     }
-    CHECK_ERROR(trim_back_within(s, v1, f, Q(1000)), unreachable_tolerance);
+    CHECK_ERROR(cut_back_within(s, v1, f, Q(1000)), unreachable_tolerance);
   }
 }
 
@@ -84,9 +84,9 @@ BOOST_AUTO_TEST_CASE(edges) {
   const Function f{fraction(1, 2), fraction(5, 2)};
   const Q tolerance(5000000000.0);
   const Bspline<Exact> s = surface_with_knots<Bspline<Exact>>(random, 1);
-  const auto r = trim_back_within(s, v1, f, tolerance), lower = trim_back_within(s.reverse_v(), v0, f, tolerance),
-             right = trim_back_within(s.swap_parameters(), u1, f, tolerance),
-             left = trim_back_within(s.swap_parameters().reverse_u(), u0, f, tolerance);
+  const auto r = cut_back_within(s, v1, f, tolerance), lower = cut_back_within(s.reverse_v(), v0, f, tolerance),
+             right = cut_back_within(s.swap_parameters(), u1, f, tolerance),
+             left = cut_back_within(s.swap_parameters().reverse_u(), u0, f, tolerance);
   BOOST_CHECK(lower.surface.reverse_v() == r.surface && lower.squared_deviation == r.squared_deviation);
   BOOST_CHECK(right.surface.swap_parameters() == r.surface && right.squared_deviation == r.squared_deviation);
   BOOST_CHECK(left.surface.reverse_u().swap_parameters() == r.surface && left.squared_deviation == r.squared_deviation);
@@ -97,19 +97,19 @@ BOOST_AUTO_TEST_CASE(exact) {
   Random_surfaces random;
   const Function f{fraction(1, 2), fraction(2, 3)}, across_knots{fraction(1, 2), fraction(5, 2)};
   const Bspline<Exact> s = surface_with_knots<Bspline<Exact>>(random, 1);
-  const auto r = trim_back_within(s, v1, f, Q(1));
-  BOOST_CHECK(r.surface == trim_back(s, v1, f));
+  const auto r = cut_back_within(s, v1, f, Q(1));
+  BOOST_CHECK(r.surface == cut_back(s, v1, f));
   BOOST_CHECK(r.squared_deviation == Q(0));
   const Spline<Exact> cubic = Spline<Exact>(Bspline<Exact>(random.surface<Bezier<Exact>>().with_domain({0, 1}, {0, 8})))
                                   .insert_v(Q(6))
                                   .insert_v(Q(7), 2);
-  const auto q = trim_back_within(cubic, v1, across_knots, Q(1));
+  const auto q = cut_back_within(cubic, v1, across_knots, Q(1));
   BOOST_CHECK(q.squared_deviation == Q(0));
   for (const Q& u : {Q(0), fraction(2, 7), Q(1)})
     BOOST_CHECK(q.surface(u, Q(8)) == cubic(u, Q(Q(8) - across_knots(u))));
   // from the opposite edge on, where the strip has no room before the curve
   const Function nearly_all{Q(1), fraction(79, 10)};
-  const auto t = trim_back_within(s, v1, nearly_all, Q(100000000000.0));
+  const auto t = cut_back_within(s, v1, nearly_all, Q(100000000000.0));
   for (const Q& u : {Q(0), fraction(2, 7), Q(1)}) BOOST_CHECK(t.surface(u, Q(0)) == s(u, Q(0)));
 }
 
@@ -120,7 +120,7 @@ BOOST_AUTO_TEST_CASE(other_curves) {
   const Q tolerance(100000000000.0);
   for (const Function& f : {Function{fraction(5, 2)}, Function{fraction(5, 2), fraction(5, 2)},
                             Function{fraction(1, 2), fraction(21, 5)}, Function{Q(2), fraction(-1, 2), Q(2)}}) {
-    const auto r = trim_back_within(s, v1, f, tolerance);
+    const auto r = cut_back_within(s, v1, f, tolerance);
     BOOST_CHECK(Q(0) <= r.squared_deviation && r.squared_deviation <= tolerance * tolerance);
     for (const Q& u : {Q(0), fraction(2, 7), Q(1)}) {
       BOOST_CHECK(square_of_distance(r.surface(u, Q(8)), s(u, Q(Q(8) - f(u)))) <= r.squared_deviation);
@@ -128,7 +128,7 @@ BOOST_AUTO_TEST_CASE(other_curves) {
     }
   }
   // the strip begins at the last knot below the curve
-  const auto r = trim_back_within(s, v1, Function{fraction(1, 2), fraction(21, 5)}, tolerance);
+  const auto r = cut_back_within(s, v1, Function{fraction(1, 2), fraction(21, 5)}, tolerance);
   BOOST_CHECK(start_of_strip(r.surface.knots_v()) == Q(3));
 }
 
@@ -137,15 +137,15 @@ BOOST_AUTO_TEST_CASE(errors) {
   const Function f{fraction(1, 2), fraction(5, 2)};
   const Bspline<Exact> s = surface_with_knots<Bspline<Exact>>(random, 1),
                        jump = surface_with_knots<Bspline<Exact>>(random, 4);
-  for (const Q& tolerance : {Q(0), Q(-1)}) CHECK_ERROR(trim_back_within(s, v1, f, tolerance), unreachable_tolerance);
-  CHECK_ERROR(trim_back_within(jump, v1, Function{Q(2), Q(4)}, Q(1000000)), unreachable_tolerance);
+  for (const Q& tolerance : {Q(0), Q(-1)}) CHECK_ERROR(cut_back_within(s, v1, f, tolerance), unreachable_tolerance);
+  CHECK_ERROR(cut_back_within(jump, v1, Function{Q(2), Q(4)}, Q(1000000)), unreachable_tolerance);
   // a denominator that is positive, but not by its coefficients
   const Knots u(2, Q(0), Q(1)), v(1, Q(0), Q(2), {{Q(1), 1}});
   const Exact::Point o(0, 0, 0), x(1, 0, 0), y(0, 1, 0);
   const Spline<Exact> deep({{o, y, o}, {x, y, x}, {o, x, y}}, {{4, 4, 4}, {-1, -1, -1}, {4, 4, 4}}, u, v);
-  CHECK_ERROR(trim_back_within(deep, v1, Function{fraction(1, 2), fraction(3, 2)}, Q(1000000)), unreachable_tolerance);
+  CHECK_ERROR(cut_back_within(deep, v1, Function{fraction(1, 2), fraction(3, 2)}, Q(1000000)), unreachable_tolerance);
   for (const Function& bad : {Function{Q(0), Q(1)}, Function{Q(1), Q(8)}, Function{Q(1), Q(-1)}})
-    CHECK_ERROR(trim_back_within(s, v1, bad, Q(1)), parameter_outside_domain);
+    CHECK_ERROR(cut_back_within(s, v1, bad, Q(1)), parameter_outside_domain);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
@@ -156,7 +156,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
                            {P(8, 0, 0), P(8, 2, 0), P(8, 5, 2), P(8, 7, 3), P(8, 8, 5)}},
                           u, v);
   const GC::Bernstein_polynomial<FT> f{FT(FT(1) / FT(2)), FT(FT(3) / FT(2))};
-  const auto r = trim_back_within(s, v1, f, FT(FT(1) / FT(8)));
+  const auto r = cut_back_within(s, v1, f, FT(FT(1) / FT(8)));
   BOOST_CHECK(FT(0) < r.squared_deviation && r.squared_deviation <= FT(FT(1) / FT(64)));
   const P p = r.surface(FT(1), FT(4)), q = s(FT(1), FT(FT(5) / FT(2)));
   FT square(0);

@@ -9,7 +9,7 @@
 #include "support/nets.h"
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
 #include <cstddef>
@@ -32,27 +32,27 @@ BOOST_AUTO_TEST_CASE(near_edges_of_a_model) {
                               patch(0, 1, 0, 4 * unit).reverse_u(), patch(100, 0, 0, 0)};
   const auto exact = GC::model_continuity(model);
   BOOST_CHECK_EQUAL(exact.summary.g0 + exact.summary.g1 + exact.summary.g2, 1);
-  BOOST_CHECK(GC::near_edges(model, exact, {1, 0}).empty());
-  BOOST_CHECK(GC::near_edges(model, exact, {1, unit / 2}).empty());
-  const auto one_pair = GC::near_edges(model, exact, {0, unit});
+  BOOST_CHECK(GC::nearly_coincident_edges(model, exact, {1, 0}).empty());
+  BOOST_CHECK(GC::nearly_coincident_edges(model, exact, {1, unit / 2}).empty());
+  const auto one_pair = GC::nearly_coincident_edges(model, exact, {0, unit});
   BOOST_REQUIRE_EQUAL(one_pair.size(), 1);
   BOOST_CHECK(one_pair[0].patch_a == 0 && one_pair[0].edge_a == u1 && one_pair[0].patch_b == 1 &&
               one_pair[0].edge_b == u0);
   BOOST_CHECK_EQUAL(one_pair[0].within.deviation.gap, (GC::Enclosure{unit, unit}));
   BOOST_CHECK_EQUAL(one_pair[0].within.proved_order(), 1);
-  const auto pairs = GC::near_edges(model, exact, {0, 4 * unit});
+  const auto pairs = GC::nearly_coincident_edges(model, exact, {0, 4 * unit});
   BOOST_REQUIRE_EQUAL(pairs.size(), 2);
   BOOST_CHECK(pairs[0].edge_a == u1 && pairs[1].edge_a == v1 && pairs[1].patch_b == 3 && pairs[1].edge_b == v0);
   BOOST_CHECK(pairs[1].within.deviation.reversed);
   BOOST_CHECK_EQUAL(pairs[1].within.deviation.gap, (GC::Enclosure{4 * unit, 4 * unit}));
   BOOST_CHECK_EQUAL(pairs[1].within(0), Verdict::proved);
   BOOST_CHECK_EQUAL(pairs[1].within(1), Verdict::refuted); // tilted by arctan(4 unit)
-  BOOST_CHECK_EQUAL(GC::near_edges(model, exact, {5 * unit, 4 * unit})[1].within(1), Verdict::proved);
+  BOOST_CHECK_EQUAL(GC::nearly_coincident_edges(model, exact, {5 * unit, 4 * unit})[1].within(1), Verdict::proved);
   std::ostringstream os;
   os << pairs[1];
   os << "; " << pairs[0];
   BOOST_CHECK_EQUAL(os.str(), "0 v1 - 3 v0: near, reversed; 0 u1 - 1 u0: near");
-  CHECK_ERROR((GC::near_edges(model, exact, {0, std::numeric_limits<double>::infinity()})), not_finite);
+  CHECK_ERROR((GC::nearly_coincident_edges(model, exact, {0, std::numeric_limits<double>::infinity()})), not_finite);
 
   // the same functions of surfaces
   const GC::Edge_order_within kink = GC::order_within(model[1], u1, model[2], u0, {0.1243549945467615, 0});
@@ -81,7 +81,7 @@ BOOST_AUTO_TEST_CASE(progress_is_told) {
   BOOST_CHECK_EQUAL(model.knot_lines.size(), 4);
   BOOST_CHECK(told == (std::vector<std::size_t>{1, 2, 3, 4, 5, 6}));
   told.clear();
-  GC::near_edges(strips, model, {1, 0.5}, tell);
+  GC::nearly_coincident_edges(strips, model, {1, 0.5}, tell);
   BOOST_CHECK_EQUAL(told.size(), model.summary.boundary);
   BOOST_CHECK_EQUAL(told.back(), model.summary.boundary);
 }

@@ -5,7 +5,7 @@
 // Corners, kinks, G1 and G2: the angle is compared exactly, handles at the node and lines drawn as cubics are seen as they are drawn.
 
 #define BOOST_TEST_DYN_LINK
-#define BOOST_TEST_MODULE Join_grade
+#define BOOST_TEST_MODULE Visual_class
 #include <boost/test/unit_test.hpp>
 
 #include "support/enclosures.h"
@@ -15,7 +15,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Sqrt_extension.h>
@@ -35,8 +35,8 @@
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
-typedef GC::Kink_bound Bound;
-using GC::Join_grade;
+typedef GC::Corner_threshold Bound;
+using GC::Visual_class;
 
 typedef boost::mpl::list<GC::Traits_2<CGAL::Epick>, GC::Traits_2<CGAL::Simple_cartesian<double>>,
                          GC::Traits_2<CGAL::Simple_cartesian<Q>>, GC::Traits_2<CGAL::Epeck>>
@@ -54,14 +54,14 @@ GC::Bezier_curve<Traits, Degree> curve(const std::vector<std::vector<double>>& r
 template <class Traits>
 std::string grade(const std::vector<std::vector<double>>& left, const std::vector<std::vector<double>>& right,
                   const Bound& bound = Bound(), double scale = 1) {
-  const auto name = [](const std::optional<Join_grade>& g) { return g ? to_string(*g) : "undefined"; };
+  const auto name = [](const std::optional<Visual_class>& g) { return g ? to_string(*g) : "undefined"; };
   const auto x = curve<Traits>(left, scale), y = curve<Traits>(right, scale);
-  const std::string s = name(join_grade(x, y, bound));
+  const std::string s = name(visual_class(x, y, bound));
   const auto reversed = [](const std::vector<std::vector<double>>& v) {
     return std::vector<std::vector<double>>(v.rbegin(), v.rend());
   };
   BOOST_CHECK_EQUAL(
-      s, name(join_grade(curve<Traits>(reversed(right), scale), curve<Traits>(reversed(left), scale), bound)));
+      s, name(visual_class(curve<Traits>(reversed(right), scale), curve<Traits>(reversed(left), scale), bound)));
   return s;
 }
 
@@ -263,18 +263,18 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(curves_of_no_length, Traits, Kernels) {
   BOOST_CHECK(!kink_size(curve<Traits>({{0, 0}, {0, 0}}), curve<Traits>({{0, 0}, {1, 0}})));
   // the bound that is not given is five degrees
   const auto usual = [](double y) {
-    return join_grade(curve<Traits>({{-1, 0}, {0, 0}}), curve<Traits>({{0, 0}, {1, y}}));
+    return visual_class(curve<Traits>({{-1, 0}, {0, 0}}), curve<Traits>({{0, 0}, {1, y}}));
   };
-  BOOST_CHECK(usual(0.0874) == GC::Join_grade::kink && usual(0.0875) == GC::Join_grade::corner);
+  BOOST_CHECK(usual(0.0874) == GC::Visual_class::kink && usual(0.0875) == GC::Visual_class::corner);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite) {
   typedef GC::Traits_2<CGAL::Epick> Traits;
   const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
   for (double x : {infinity, -infinity, nan}) {
-    CHECK_ERROR(join_grade(curve<Traits>({{0, 0}, {x, 0}}), curve<Traits>({{x, 0}, {2, 0}})), not_finite);
-    CHECK_ERROR(join_grade(curve<Traits>({{x, 0}, {0, 0}}), curve<Traits>({{0, 0}, {2, 0}})), not_finite);
-    CHECK_ERROR(join_grade(curve<Traits>({{-1, 0}, {0, 0}}), curve<Traits>({{0, 0}, {2, x}})), not_finite);
+    CHECK_ERROR(visual_class(curve<Traits>({{0, 0}, {x, 0}}), curve<Traits>({{x, 0}, {2, 0}})), not_finite);
+    CHECK_ERROR(visual_class(curve<Traits>({{x, 0}, {0, 0}}), curve<Traits>({{0, 0}, {2, 0}})), not_finite);
+    CHECK_ERROR(visual_class(curve<Traits>({{-1, 0}, {0, 0}}), curve<Traits>({{0, 0}, {2, x}})), not_finite);
     CHECK_ERROR(kink_size(curve<Traits>({{-1, 0}, {0, 0}}), curve<Traits>({{0, 0}, {2, x}})), not_finite);
   }
 }
@@ -364,7 +364,8 @@ BOOST_AUTO_TEST_CASE(degrees_enclose) {
 
 BOOST_AUTO_TEST_CASE(names) {
   std::ostringstream text;
-  for (Join_grade g : {Join_grade::gap, Join_grade::corner, Join_grade::kink, Join_grade::g1, Join_grade::g2})
+  for (Visual_class g :
+       {Visual_class::gap, Visual_class::corner, Visual_class::kink, Visual_class::g1, Visual_class::g2})
     text << g << ' ';
   BOOST_CHECK_EQUAL(text.str(), "gap corner kink G1 G2 ");
 }

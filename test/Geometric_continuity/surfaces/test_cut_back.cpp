@@ -9,7 +9,7 @@
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
-#include <CGAL/Geometric_continuity/surfaces/trim_back.h>
+#include <CGAL/Geometric_continuity/surfaces/cut_back.h>
 
 #include <algorithm>
 #include <limits>
@@ -42,7 +42,7 @@ template <class Surface> void check_trimmed(Random_surfaces& random) {
     for (Patch_edge edge : GC::patch_edges) {
       const std::pair<Q, Q> domain = across(s, edge);
       const Q length = domain.second - domain.first, distance = length * fraction(random.integer(1, 999), 1000);
-      const Surface t = trim_back(s, edge, distance);
+      const Surface t = cut_back(s, edge, distance);
       check_parts(s, t, random);
       BOOST_CHECK(runs_along_u(edge) ? t.domain_u() == s.domain_u() : t.domain_v() == s.domain_v());
       BOOST_CHECK(across(t, edge) == (at_upper_end(edge) ? std::make_pair(domain.first, Q(domain.second - distance))
@@ -50,11 +50,11 @@ template <class Surface> void check_trimmed(Random_surfaces& random) {
       BOOST_CHECK(t.degree_u() == s.degree_u() && t.degree_v() == s.degree_v());
       // the strip: it continues the rest
       const Patch_edge other = edge == u0 ? u1 : edge == u1 ? u0 : edge == v0 ? v1 : v0;
-      const Surface strip = trim_back(s, other, Q(length - distance));
+      const Surface strip = cut_back(s, other, Q(length - distance));
       check_parts(s, strip, random);
       BOOST_CHECK_EQUAL(whole_edge_order(t, edge, strip, other), 2);
       for (const Q& bad : {Q(0), Q(-distance), length, Q(length + distance)})
-        CHECK_ERROR(trim_back(s, edge, bad), parameter_outside_domain);
+        CHECK_ERROR(cut_back(s, edge, bad), parameter_outside_domain);
     }
   }
 }
@@ -85,7 +85,7 @@ template <class Surface> void check_along_curve(Random_surfaces& random, int deg
     std::vector<Q> c;
     for (int i = 0; i <= degree; ++i) c.push_back(span * fraction(random.integer(1, 99), 100));
     const Function f(c);
-    const Surface t = trim_back(s, edge, f);
+    const Surface t = cut_back(s, edge, f);
     BOOST_CHECK(t.domain_u() == s.domain_u() && t.domain_v() == s.domain_v());
     const bool along_u = runs_along_u(edge);
     BOOST_CHECK_EQUAL(t.degree_u(), s.degree_u() + (along_u ? degree * s.degree_v() : 0));
@@ -100,7 +100,7 @@ template <class Surface> void check_along_curve(Random_surfaces& random, int deg
     }
     for (const Q& bad : {Q(0), Q(-1), span, length}) {
       c.back() = bad;
-      CHECK_ERROR(trim_back(s, edge, Function(c)), parameter_outside_domain);
+      CHECK_ERROR(cut_back(s, edge, Function(c)), parameter_outside_domain);
     }
   }
 }
@@ -123,7 +123,7 @@ BOOST_AUTO_TEST_CASE(at_knots) {
     u.insert(u.begin() + 3, static_cast<std::size_t>(multiplicity), Q(3));
     const Knots knots(2, u), v(2, Q(0), Q(1));
     const Bspline<Exact> s(random.net(knots.number_of_coefficients(), 3), knots, v);
-    const Bspline<Exact> left = trim_back(s, u1, Q(4)), right = trim_back(s, u0, Q(3));
+    const Bspline<Exact> left = cut_back(s, u1, Q(4)), right = cut_back(s, u0, Q(3));
     BOOST_CHECK(left.knots_u() == Knots(2, {-2, -1, 0, 3, 3, 3}));
     BOOST_CHECK(right.knots_u() == Knots(2, {3, 3, 3, 7, 8, 8}));
     BOOST_CHECK_EQUAL(whole_edge_order(left, u1, right, u0), multiplicity == 0   ? 2
@@ -146,16 +146,16 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
                          {FT(1), FT(3)});
   const Bezier<Traits> t({{P(0, 0, 0), P(0, 2, 0), P(0, 4, 2)}, {P(8, 0, 0), P(8, 2, 0), P(8, 4, 4)}}, {FT(0), FT(2)},
                          {FT(1), FT(2)});
-  BOOST_CHECK(trim_back(s, v1, FT(1)) == t);
-  BOOST_CHECK(trim_back(Bspline<Traits>(s), v1, FT(1)) == Bspline<Traits>(t));
-  BOOST_CHECK(trim_back(Patch<Traits>(s), v1, FT(1)) == Patch<Traits>(t));
-  BOOST_CHECK(trim_back(Spline<Traits>(Bspline<Traits>(s)), v1, FT(1)) == Spline<Traits>(Bspline<Traits>(t)));
-  BOOST_CHECK_EQUAL(error_of([&] { trim_back(s, u0, FT(2)); }),
-                    "parameter_outside_domain: trim_back: the distance from the edge u0 does not lie between 0 and the "
+  BOOST_CHECK(cut_back(s, v1, FT(1)) == t);
+  BOOST_CHECK(cut_back(Bspline<Traits>(s), v1, FT(1)) == Bspline<Traits>(t));
+  BOOST_CHECK(cut_back(Patch<Traits>(s), v1, FT(1)) == Patch<Traits>(t));
+  BOOST_CHECK(cut_back(Spline<Traits>(Bspline<Traits>(s)), v1, FT(1)) == Spline<Traits>(Bspline<Traits>(t)));
+  BOOST_CHECK_EQUAL(error_of([&] { cut_back(s, u0, FT(2)); }),
+                    "parameter_outside_domain: cut_back: the distance from the edge u0 does not lie between 0 and the "
                     "other edge");
   if constexpr (std::is_floating_point_v<FT>) {
-    CHECK_ERROR(trim_back(s, v1, std::numeric_limits<FT>::quiet_NaN()), parameter_outside_domain);
-    CHECK_ERROR(trim_back(s, v1, FT(1e-300)), parameter_outside_domain); // nothing that can be told from 0
+    CHECK_ERROR(cut_back(s, v1, std::numeric_limits<FT>::quiet_NaN()), parameter_outside_domain);
+    CHECK_ERROR(cut_back(s, v1, FT(1e-300)), parameter_outside_domain); // nothing that can be told from 0
   }
 }
 
@@ -165,7 +165,7 @@ BOOST_AUTO_TEST_CASE(along_curves_behind_knots) {
   const GC::Bernstein_polynomial<Q> f{fraction(1, 2), fraction(1, 3)};
   for (int multiplicity = 1; multiplicity <= 3; ++multiplicity) {
     const Knots u(1, Q(0), Q(1)), v(2, Q(0), Q(3), {{Q(2), multiplicity}});
-    const Bspline<Exact> s(random.net(2, v.number_of_coefficients()), u, v), t = trim_back(s, v1, f);
+    const Bspline<Exact> s(random.net(2, v.number_of_coefficients()), u, v), t = cut_back(s, v1, f);
     BOOST_CHECK(t.knots_v() == Knots(2, Q(0), Q(3), {{Q(2), (std::max)(multiplicity, 2)}}));
     for (const Q& x : {Q(0), fraction(1, 5), Q(1)}) {
       BOOST_CHECK(t(x, fraction(3, 2)) == s(x, fraction(3, 2)));

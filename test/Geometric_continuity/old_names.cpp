@@ -1,0 +1,29 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+// Names of the release before compile, with a warning, and mean what they meant.
+
+#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/joins/Join_grade.h>
+#include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/surfaces/trim_back.h>
+#include <CGAL/Simple_cartesian.h>
+
+namespace GC = CGAL::Geometric_continuity;
+
+typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Plane;
+typedef GC::Bezier_curve<Plane> Curve;
+typedef GC::Bezier_patch<GC::Traits_3<CGAL::Simple_cartesian<double>>> Patch;
+
+std::optional<GC::Join_grade> grade(const Curve& a, const Curve& b, const GC::Kink_bound& bound) {
+  return GC::join_grade(a, b, bound);
+}
+GC::Chain_analysis<Curve> chain() { return GC::Chain_analysis<Curve>(2); }
+GC::Enclosure root(const GC::Text_number& x) { return GC::root_enclosure(x.value()); }
+Patch strip(const Patch& p) { return GC::trim_back(p, GC::Patch_edge::v1, 0.5); }
+std::vector<GC::Near_edges> near(const std::vector<Patch>& model, const GC::Edge_tolerance& tolerance) {
+  return GC::near_edges(model, GC::model_continuity(model), tolerance);
+}
