@@ -53,7 +53,7 @@ BOOST_AUTO_TEST_CASE(jets) {
     const std::vector<GC::Rational_bezier_curve<Double>> pieces = c.bezier_pieces();
     for (double u : random_parameters(c)) {
       const GC::Curve_jet<Exact> x = e.jet(Q(u), 3);
-      const Rounding_bound bound(c.degree(), length_of_span(c.knots(), u));
+      const Peer_bound bound(c.degree(), length_of_span(c.knots(), u));
       const auto compare = [&](Largest_error& error, auto coordinate) {
         for (int k = 0; k <= 3; ++k)
           for (int l = 0; l < 3; ++l) error.compare(coordinate(k, l), x[k][l], bound(k));
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(knot_insertion) {
     const int times = 1 + below(c.degree());
     const Curve<Exact> e = exact(c).insert(Q(u), times);
     // convex combinations, and their quotients
-    const Rounding_bound bound(c.degree(), 1);
+    const Peer_bound bound(c.degree(), 1);
     const auto compare = [&](Largest_error& error, int n, auto point, auto weight) {
       BOOST_REQUIRE_EQUAL(n, e.number_of_points());
       for (int j = 0; j < n; ++j) {

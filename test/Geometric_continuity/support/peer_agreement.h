@@ -69,7 +69,7 @@ double length_of_span(const GC::Knot_vector<double>& knots, double u) {
 // Each of the at most p+q+2 levels of de Boor's triangles makes fewer than 9 roundings on the way to a homogeneous coordinate;
 // the quotient reads two of them and the denominator once more, and adds 4 roundings for each of its at most k+l+1 terms, which
 // happens k+l+1 times one after the other. The result is off by as many times 2^-53 X_kl, but for terms with 2^-106.
-class Rounding_bound {
+class Peer_bound {
   static constexpr int most = 3;
   double x_[most + 1][most + 1];
   int levels_;
@@ -82,7 +82,7 @@ class Rounding_bound {
   static double binomial(int n, int k) { return k == 0 ? 1 : binomial(n - 1, k - 1) * n / k; }
 
 public:
-  Rounding_bound(int p, double h_u, int q, double h_v) : levels_(p + q + 2) {
+  Peer_bound(int p, double h_u, int q, double h_v) : levels_(p + q + 2) {
     for (int k = 0; k <= most; ++k)
       for (int l = 0; l <= most; ++l) {
         x_[k][l] = 0;
@@ -95,7 +95,7 @@ public:
         x_[k][l] *= 4;
       }
   }
-  Rounding_bound(int p, double h) : Rounding_bound(p, h, 0, 1) {}
+  Peer_bound(int p, double h) : Peer_bound(p, h, 0, 1) {}
 
   double operator()(int k, int l = 0) const {
     const int n = k + l + 1;

@@ -55,8 +55,8 @@ BOOST_AUTO_TEST_CASE(jets) {
     for (int repeat = 0; repeat < 2; ++repeat) {
       const double u = random_parameter(s.domain_u()), v = random_parameter(s.domain_v());
       const GC::Surface_jet<Exact> x = e.jet(Q(u), Q(v), 2);
-      const Rounding_bound bound(s.degree_u(), length_of_span(s.knots_u(), u), s.degree_v(),
-                                 length_of_span(s.knots_v(), v));
+      const Peer_bound bound(s.degree_u(), length_of_span(s.knots_u(), u), s.degree_v(),
+                             length_of_span(s.knots_v(), v));
       const auto compare = [&](Largest_error& error, auto coordinate) {
         for (int i = 0; i <= 2; ++i)
           for (int j = 0; i + j <= 2; ++j)
@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(knot_insertion) {
     const Surface<Double> s = random_surface(number);
     double u = random_parameter(s.domain_u()), v = random_parameter(s.domain_v());
     const Surface<Exact> e = exact(s).insert_u(Q(u)).insert_v(Q(v));
-    const Rounding_bound bound(s.degree_u(), 1, s.degree_v(), 1); // convex combinations, and their quotients
+    const Peer_bound bound(s.degree_u(), 1, s.degree_v(), 1); // convex combinations, and their quotients
     const auto compare = [&](Largest_error& error, int m, int n, auto point, auto weight) {
       BOOST_REQUIRE_EQUAL(m, e.number_of_points_u());
       BOOST_REQUIRE_EQUAL(n, e.number_of_points_v());

@@ -37,7 +37,7 @@ namespace internal {
 
 template <Join_question question, class Left, class Right>
 Join_answer join_answer(const Left& left, const Right& right) {
-  const All_join_stages stages;
+  const All_stages stages;
   return decide_join<question>(left, right, stages);
 }
 

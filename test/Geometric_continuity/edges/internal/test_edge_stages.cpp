@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_SUITE(filtered_edges)
 
 namespace GC = CGAL::Geometric_continuity;
 using GC::Patch_edge;
-using GC::internal::Edge_stage;
+using GC::internal::Stage;
 constexpr Patch_edge u0 = Patch_edge::u0, u1 = Patch_edge::u1, v0 = Patch_edge::v0, v1 = Patch_edge::v1;
 
 typedef CGAL::Exact_rational Q;
@@ -47,24 +47,25 @@ namespace {
 // Stages switched on one by one; multi-precision is always there.
 struct Stages {
   unsigned used;
-  std::array<long, 5> count{};
-  bool uses(Edge_stage s) const { return (used >> static_cast<int>(s)) & 1; }
-  void decided(Edge_stage s, bool) { ++count[static_cast<int>(s)]; }
+  std::array<long, GC::internal::number_of_stages> count{};
+  bool uses(Stage s) const { return (used >> static_cast<int>(s)) & 1; }
+  void decided(Stage s, bool) { ++count[static_cast<int>(s)]; }
 };
-constexpr unsigned stage(Edge_stage s) { return 1u << static_cast<int>(s); }
-const unsigned combinations[] = {stage(Edge_stage::comparison),
-                                 stage(Edge_stage::floating_point),
-                                 stage(Edge_stage::simple_ratio),
-                                 stage(Edge_stage::fixed_integer),
+constexpr unsigned stage(Stage s) { return 1u << static_cast<int>(s); }
+constexpr unsigned all_stages = (1u << GC::internal::number_of_stages) - 1;
+const unsigned combinations[] = {stage(Stage::comparison),
+                                 stage(Stage::floating_point),
+                                 stage(Stage::simple_ratio),
+                                 stage(Stage::fixed_integer),
                                  0,
-                                 31};
+                                 all_stages};
 
 struct Counter {
-  std::array<std::array<long, 5>, 3> stages{}; // [order][stage], with all stages
+  std::array<std::array<long, GC::internal::number_of_stages>, 3> stages{}; // [order][stage], with all stages
   std::array<std::array<long, 2>, 3> answers{};
   long mismatches = 0;
 
-  long of(int order, Edge_stage s) const { return stages[order][static_cast<int>(s)]; }
+  long of(int order, Stage s) const { return stages[order][static_cast<int>(s)]; }
 };
 
 // ---------------------------------------------------------------- the reference
@@ -102,9 +103,10 @@ void check_order(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge e
   for (const unsigned used : combinations) {
     Stages stages{used};
     agree = agree && GC::internal::edge_has_order<order>(a, edge_a, b, edge_b, stages) == (order <= truth);
-    for (int s = 0; s < 4; ++s) agree = agree && (stages.count[s] == 0 || stages.uses(static_cast<Edge_stage>(s)));
-    if (used == 31)
-      for (int s = 0; s < 5; ++s) counter.stages[order][s] += stages.count[s];
+    for (int s = 0; s + 1 < GC::internal::number_of_stages; ++s)
+      agree = agree && (stages.count[s] == 0 || stages.uses(static_cast<Stage>(s)));
+    if (used == all_stages)
+      for (int s = 0; s < GC::internal::number_of_stages; ++s) counter.stages[order][s] += stages.count[s];
   }
   if (!agree && counter.mismatches++ < 5)
     BOOST_ERROR("order " << order << ", expected " << truth << "\n" << a << "\n" << b);
@@ -346,7 +348,7 @@ BOOST_AUTO_TEST_CASE(smooth_edges) {
   for (const Counter& c : {counter, full})
     for (int order : {1, 2}) {
       BOOST_CHECK_EQUAL(c.answers[order][1], edges_of_a_class());
-      BOOST_CHECK_GT(c.of(order, Edge_stage::simple_ratio), edges_of_a_class() / 2);
+      BOOST_CHECK_GT(c.of(order, Stage::simple_ratio), edges_of_a_class() / 2);
     }
 }
 
@@ -364,7 +366,7 @@ BOOST_AUTO_TEST_CASE(curvature_differs) {
   report("curvature differs", r, counter);
   BOOST_CHECK_EQUAL(counter.answers[1][1], edges_of_a_class());
   BOOST_CHECK_LT(counter.answers[2][1], edges_of_a_class() / 4);
-  BOOST_CHECK_GT(counter.of(2, Edge_stage::floating_point), 0);
+  BOOST_CHECK_GT(counter.of(2, Stage::floating_point), 0);
 }
 
 // One coordinate of a control point moved by a unit in the last place, in each layer.
@@ -384,10 +386,10 @@ BOOST_AUTO_TEST_CASE(one_unit_in_the_last_place) {
     BOOST_CHECK_EQUAL(counters[layer].answers[layer][1], 0);
     if (layer > 0) BOOST_CHECK_EQUAL(counters[layer].answers[layer - 1][1], edges_of_a_class());
     if (layer > 0)
-      BOOST_CHECK_GT(counters[layer].of(layer, layer == 1 ? Edge_stage::fixed_integer : Edge_stage::simple_ratio),
+      BOOST_CHECK_GT(counters[layer].of(layer, layer == 1 ? Stage::fixed_integer : Stage::simple_ratio),
                      edges_of_a_class() / 2);
   }
-  BOOST_CHECK_EQUAL(counters[0].of(1, Edge_stage::comparison), edges_of_a_class());
+  BOOST_CHECK_EQUAL(counters[0].of(1, Stage::comparison), edges_of_a_class());
 }
 
 BOOST_AUTO_TEST_CASE(grossly_off) {
@@ -407,7 +409,7 @@ BOOST_AUTO_TEST_CASE(grossly_off) {
   }
   report("grossly off", r, counter);
   BOOST_CHECK_EQUAL(counter.answers[1][1], 0);
-  BOOST_CHECK_GT(counter.of(1, Edge_stage::floating_point), edges_of_a_class() * 9 / 10);
+  BOOST_CHECK_GT(counter.of(1, Stage::floating_point), edges_of_a_class() * 9 / 10);
 }
 
 // Scaled by powers of two, the same for all coordinates or not; smoothness along an edge does not change under affine maps.
@@ -436,9 +438,8 @@ BOOST_AUTO_TEST_CASE(tiny_huge_and_mixed) {
     BOOST_CHECK_GE(c.answers[1][1], edges_of_a_class() * 3 / 4);
     BOOST_CHECK_GE(c.answers[2][1], edges_of_a_class() / 2);
   }
-  BOOST_CHECK_EQUAL(tiny_huge.of(1, Edge_stage::comparison) + tiny_huge.of(1, Edge_stage::multiprecision),
-                    edges_of_a_class());
-  BOOST_CHECK_GT(mixed.of(1, Edge_stage::multiprecision), 0);
+  BOOST_CHECK_EQUAL(tiny_huge.of(1, Stage::comparison) + tiny_huge.of(1, Stage::multiprecision), edges_of_a_class());
+  BOOST_CHECK_GT(mixed.of(1, Stage::multiprecision), 0);
 }
 
 BOOST_AUTO_TEST_CASE(degenerate_edges) {
@@ -475,8 +476,8 @@ BOOST_AUTO_TEST_CASE(degenerate_edges) {
     check_edges(r, edges(r, s), as_given, counter);
   }
   report("degenerate", r, counter);
-  BOOST_CHECK_GT(counter.of(1, Edge_stage::multiprecision), 0);
-  BOOST_CHECK_GT(counter.of(1, Edge_stage::comparison), 0);
+  BOOST_CHECK_GT(counter.of(1, Stage::multiprecision), 0);
+  BOOST_CHECK_GT(counter.of(1, Stage::comparison), 0);
 }
 
 // Degrees that differ along the edge, or are too large for integers of fixed length, and surfaces that are not patches.
@@ -507,7 +508,7 @@ BOOST_AUTO_TEST_CASE(other_degrees) {
   }
   report("other degrees", r, counter);
   BOOST_CHECK_EQUAL(counter.answers[2][0], 0);
-  BOOST_CHECK_GT(counter.of(2, Edge_stage::multiprecision), 0);
+  BOOST_CHECK_GT(counter.of(2, Stage::multiprecision), 0);
 }
 
 BOOST_AUTO_TEST_CASE(not_finite) {
@@ -520,7 +521,7 @@ BOOST_AUTO_TEST_CASE(not_finite) {
   // the stages of fixed length leave to others what surfaces refuse
   GC::internal::Edge_layers x, y;
   BOOST_REQUIRE((GC::internal::edge_layers(patch(0), v0, patch(1), v0, 2, x, y)));
-  Stages all{31}, none{0};
+  Stages all{all_stages}, none{0};
   BOOST_CHECK(GC::internal::decide_on_same_edge<0>(x, y, all) == true);
   BOOST_CHECK(!GC::internal::decide_on_same_edge<0>(x, y, none));
   for (double z : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
@@ -552,7 +553,7 @@ BOOST_AUTO_TEST_CASE(ratios_that_become_long) {
     BOOST_CHECK(GC::is_g1_edge(a, v0, b, v0) && GC::is_g2_edge(a, v0, b, v0)); // in one plane
     GC::internal::Edge_layers x, y;
     BOOST_REQUIRE((GC::internal::edge_layers(a, v0, b, v0, 2, x, y)));
-    Stages ratio{stage(Edge_stage::simple_ratio)};
+    Stages ratio{stage(Stage::simple_ratio)};
     BOOST_CHECK_EQUAL(GC::internal::decide_on_same_edge<2>(x, y, ratio).has_value(), c.length == 1 && c.a == 1);
   }
 }
@@ -635,8 +636,8 @@ void check_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, P
       Stages stages{used};
       counter.mismatches +=
           GC::internal::edge_has_order<decltype(order)::value>(a, edge_a, b, edge_b, stages) != expected;
-      if (used == 31)
-        for (int s = 0; s < 5; ++s) counter.stages[order][s] += stages.count[s];
+      if (used == all_stages)
+        for (int s = 0; s < GC::internal::number_of_stages; ++s) counter.stages[order][s] += stages.count[s];
     }
     ++counter.answers[order][expected];
   };
@@ -703,11 +704,11 @@ BOOST_AUTO_TEST_CASE(rational_numbers_and_spans, *boost::unit_test::label("long"
   report("rough rational edges", r, rough);
   for (const Counter& c : {rationals, spans, doubles})
     for (int order : {1, 2}) {
-      BOOST_CHECK_GT(c.of(order, Edge_stage::simple_ratio), c.answers[order][1] / 2);
-      BOOST_CHECK_GT(c.of(order, Edge_stage::floating_point), 0);
+      BOOST_CHECK_GT(c.of(order, Stage::simple_ratio), c.answers[order][1] / 2);
+      BOOST_CHECK_GT(c.of(order, Stage::floating_point), 0);
       BOOST_CHECK_GT(c.answers[order][0], 0);
     }
-  BOOST_CHECK_GT(rough.of(1, Edge_stage::multiprecision), 0);
+  BOOST_CHECK_GT(rough.of(1, Stage::multiprecision), 0);
 }
 
 // Rational numbers have all stages if they are short over one denominator.

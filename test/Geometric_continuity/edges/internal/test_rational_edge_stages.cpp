@@ -25,13 +25,13 @@ BOOST_AUTO_TEST_SUITE(rational_edge_stages)
 
 namespace {
 
-using GC::internal::Edge_stage;
+using GC::internal::Stage;
 
 struct Stages {
   bool fixed_length;
-  std::array<int, 5> count{};
-  bool uses(Edge_stage) const { return fixed_length; }
-  void decided(Edge_stage s, bool) { ++count[static_cast<int>(s)]; }
+  std::array<int, GC::internal::number_of_stages> count{};
+  bool uses(Stage) const { return fixed_length; }
+  void decided(Stage s, bool) { ++count[static_cast<int>(s)]; }
 };
 
 // How many orders of an edge have been decided in integers of fixed length, or by comparison.
@@ -41,8 +41,8 @@ template <int order, class A, class B> bool has_order(const A& a, Patch_edge ea,
   Stages all{true, {}}, exact{false, {}};
   const bool answer = GC::internal::edge_has_order<order>(a, ea, b, eb, all);
   BOOST_CHECK_EQUAL(answer, (GC::internal::edge_has_order<order>(a, ea, b, eb, exact)));
-  multiprecision += all.count[static_cast<int>(Edge_stage::multiprecision)];
-  fixed += all.count[static_cast<int>(Edge_stage::fixed_integer)] + all.count[static_cast<int>(Edge_stage::comparison)];
+  multiprecision += all.count[static_cast<int>(Stage::multiprecision)];
+  fixed += all.count[static_cast<int>(Stage::fixed_integer)] + all.count[static_cast<int>(Stage::comparison)];
   return answer;
 }
 

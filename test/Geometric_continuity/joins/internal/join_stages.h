@@ -12,16 +12,16 @@
 // The stages of the decision of a join, switched on one by one, and how many answers each gave.
 
 using CGAL::Geometric_continuity::internal::Join_answer;
-using CGAL::Geometric_continuity::internal::Join_stage;
+using CGAL::Geometric_continuity::internal::Stage;
 
-constexpr int number_of_stages = 5;
+using CGAL::Geometric_continuity::internal::number_of_stages;
 struct Stages {
   unsigned used;
   std::array<long, number_of_stages> count{};
-  bool uses(Join_stage s) const { return (used >> static_cast<int>(s)) & 1; }
-  void decided(Join_stage s, Join_answer) { ++count[static_cast<int>(s)]; }
+  bool uses(Stage s) const { return (used >> static_cast<int>(s)) & 1; }
+  void decided(Stage s, Join_answer) { ++count[static_cast<int>(s)]; }
 };
-constexpr unsigned stage(Join_stage s) { return 1u << static_cast<int>(s); }
+constexpr unsigned stage(Stage s) { return 1u << static_cast<int>(s); }
 
 // By the ladder, with weights if they are asked for; and, where it does not tell, by numbers of any length.
 template <CGAL::Geometric_continuity::internal::Join_question question, int N, bool weighted, class Left, class Right>

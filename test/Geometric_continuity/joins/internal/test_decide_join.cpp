@@ -41,7 +41,7 @@
 namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Join_answer;
 using GC::internal::Join_question;
-using GC::internal::Join_stage;
+using GC::internal::Stage;
 
 typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Exact_predicates_inexact_constructions_kernel> Plane;
@@ -50,8 +50,8 @@ typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_space;
 template <class Traits> using Curve = GC::Bezier_curve<Traits>;
 template <class Traits> constexpr int dimension = GC::dimension_v<Traits>;
 
-const unsigned combinations[] = {stage(Join_stage::floating_point),
-                                 stage(Join_stage::floating_point) | stage(Join_stage::bounded_residue),
+const unsigned combinations[] = {stage(Stage::floating_point),
+                                 stage(Stage::floating_point) | stage(Stage::fixed_integer),
                                  (1u << number_of_stages) - 1};
 
 // ---------------------------------------------------------------- the reference
@@ -108,7 +108,7 @@ void check_kind(const Curve<Traits>& left, const Curve<Traits>& right, const GC:
       count(some);
     }
   if constexpr (kind != Join_question::c0)
-    for (const unsigned used : {0u, stage(Join_stage::residue)}) { // without the ladder
+    for (const unsigned used : {0u, stage(Stage::residue)}) { // without the ladder
       if (decided_before) break;
       Stages last{used};
       right_answers = right_answers && decide_all_the_way<kind, dimension<Traits>, false>(x, y, last) == truth;
@@ -521,7 +521,7 @@ BOOST_AUTO_TEST_CASE(tangents_along_an_axis) {
     Stages stages{(1u << number_of_stages) - 1};
     const Join_answer g1 = GC::internal::decide_join<Join_question::g1>(left, right, stages);
     BOOST_CHECK(g1 == answer(holds));
-    BOOST_CHECK_EQUAL(stages.count[static_cast<int>(Join_stage::comparison)], holds);
+    BOOST_CHECK_EQUAL(stages.count[static_cast<int>(Stage::comparison)], holds);
     Counter counter;
     check(left, right, counter);
     BOOST_CHECK_EQUAL(counter.mismatches, 0);
@@ -677,9 +677,9 @@ BOOST_AUTO_TEST_CASE(every_stage_decides) {
   for (const Join_question kind :
        {Join_question::c1, Join_question::c2, Join_question::c3, Join_question::g1, Join_question::g2,
         Join_question::g3, Join_question::f3, Join_question::curvature_vector, Join_question::torsion})
-    for (const Join_stage s : {Join_stage::comparison, Join_stage::floating_point, Join_stage::bounded_residue,
-                               Join_stage::residue, Join_stage::multiprecision}) {
-      if (s == Join_stage::comparison && !(kind <= Join_question::f3)) continue;
+    for (const Stage s :
+         {Stage::comparison, Stage::floating_point, Stage::fixed_integer, Stage::residue, Stage::multiprecision}) {
+      if (s == Stage::comparison && !(kind <= Join_question::f3)) continue;
       BOOST_CHECK_MESSAGE(counts[static_cast<int>(kind)][static_cast<int>(s)] > 0,
                           kind_names[static_cast<int>(kind)] << ": stage " << static_cast<int>(s));
     }

@@ -34,7 +34,7 @@ BOOST_AUTO_TEST_SUITE(rational_joins_on_doubles)
 namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Join_answer;
 using GC::internal::Join_question;
-using GC::internal::Join_stage;
+using GC::internal::Stage;
 
 typedef CGAL::Exact_rational Q;
 template <int N>
@@ -107,13 +107,13 @@ void check_question(const Curve<N>& left, const Curve<N>& right, const GC::Join_
   ++counter.answers[q][static_cast<int>(truth)];
   bool right_answers = true;
   for (const unsigned used :
-       {stage(Join_stage::floating_point), stage(Join_stage::floating_point) | stage(Join_stage::bounded_residue)}) {
+       {stage(Stage::floating_point), stage(Stage::floating_point) | stage(Stage::fixed_integer)}) {
     Stages some{used};
     const Join_answer partial = decide_by_ladder<question, N, true>(x, y, some);
     right_answers = right_answers && (partial == truth || partial == Join_answer::unknown);
     count(some);
   }
-  for (const unsigned used : {0u, stage(Join_stage::residue)}) {
+  for (const unsigned used : {0u, stage(Stage::residue)}) {
     Stages some{used};
     right_answers = right_answers && decide_all_the_way<question, N, true>(x, y, some) == truth;
     count(some);
@@ -339,24 +339,24 @@ template <int N> void all_classes(Counter& counter) {
 
 // Each stage decides, and each answer occurs.
 template <int N> void check_counts(const Counter& counter) {
-  const auto at_least = [&](Join_question q, Join_stage s, long n) {
+  const auto at_least = [&](Join_question q, Stage s, long n) {
     BOOST_CHECK_MESSAGE(counter.stages[static_cast<int>(q)][static_cast<int>(s)] >= n,
                         "question " << static_cast<int>(q) << ", stage " << static_cast<int>(s) << ": "
                                     << counter.stages[static_cast<int>(q)][static_cast<int>(s)]);
   };
   BOOST_CHECK(counter.answers[static_cast<int>(Join_question::c1)][true] >= 4 * joins);
-  at_least(Join_question::c1, Join_stage::floating_point, joins);
-  at_least(Join_question::c1, Join_stage::multiprecision, 4 * joins);
+  at_least(Join_question::c1, Stage::floating_point, joins);
+  at_least(Join_question::c1, Stage::multiprecision, 4 * joins);
   for (Join_question q : {Join_question::g2, Join_question::g3, Join_question::f3, Join_question::curvature_vector,
                           Join_question::torsion}) {
     if (N == 2 && (q == Join_question::f3 || q == Join_question::torsion)) continue;
     const std::array<long, 4>& answers = counter.answers[static_cast<int>(q)];
     BOOST_CHECK(answers[static_cast<int>(Join_answer::yes)] >= 4 * joins);
     BOOST_CHECK(answers[static_cast<int>(Join_answer::no)] >= 4 * joins);
-    at_least(q, Join_stage::floating_point, joins);
-    at_least(q, Join_stage::bounded_residue, 4 * joins);
-    at_least(q, Join_stage::residue, 4 * joins);
-    at_least(q, Join_stage::multiprecision, 4 * joins);
+    at_least(q, Stage::floating_point, joins);
+    at_least(q, Stage::fixed_integer, 4 * joins);
+    at_least(q, Stage::residue, 4 * joins);
+    at_least(q, Stage::multiprecision, 4 * joins);
     if (!is_geometric(q)) BOOST_CHECK(answers[static_cast<int>(Join_answer::undefined)] >= joins);
   }
 }

@@ -138,10 +138,10 @@ Edge_continuity<Field> decide_rough_edge(const Edge_rows<Field, N>& a, const Edg
 // The decision on rows with the same edge, in one direction.
 template <class Field, int N>
 Edge_continuity<Field> decide_edge(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b) {
-  if constexpr (Edge_rungs<N>::exist) {
-    typename Edge_rungs<N>::Layers x, y;
+  if constexpr (Fixed_length_stages<N>::exist) {
+    typename Fixed_length_stages<N>::Layers x, y;
     if (edge_layers(a, b, x, y)) {
-      typename Edge_rungs<N>::Ladder ladder(x, y);
+      typename Fixed_length_stages<N>::Ladder ladder(x, y);
       if (const std::optional<int> order = smooth_order(ladder))
         return smooth_continuity<Field>(*order, {Field(0), Field(1)});
       if constexpr (N == 3)

@@ -8,9 +8,9 @@
 #include <CGAL/Geometric_continuity/algebra/internal/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_input.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
-#include <CGAL/Geometric_continuity/joins/internal/Join_filter.h>
 #include <CGAL/Geometric_continuity/joins/internal/join_forms.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Rounding_bound.h>
 #include <CGAL/Geometric_continuity/numbers/internal/number_words.h>
 
 #include <algorithm>

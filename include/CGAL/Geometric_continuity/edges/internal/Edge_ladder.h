@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Stage.h>
 
 #include <CGAL/number_utils.h>
 
@@ -29,21 +30,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
-
-// Where a decision on an edge was made.
-enum class Edge_stage {
-  comparison,     // equality of the control points as given
-  floating_point, // a condition is farther from zero than its rounding error
-  simple_ratio,   // integers of fixed length, where the tangent planes agree by short numbers
-  fixed_integer,  // integers of fixed length
-  multiprecision
-};
-
-// Which stages are taken, and who is told of the decision. By default all are, and nobody is.
-struct All_edge_stages {
-  static constexpr bool uses(Edge_stage) { return true; }
-  void decided(Edge_stage, bool) const {}
-};
 
 // Tells whether the lower orders are told apart when an edge has not the highest one that is asked for.
 enum class Lower_orders { as_one, told_apart };
@@ -73,24 +59,23 @@ public:
   // do not find it.
   template <int highest, class Stages> std::optional<int> order(Lower_orders lower, Stages& stages) {
     static_assert(1 <= highest && highest <= 2);
-    const auto decided = [&](Edge_stage stage, int found) {
+    const auto decided = [&](Stage stage, int found) {
       stages.decided(stage, found == highest);
       return std::optional<int>(found);
     };
-    if (is_collapsed()) return stages.uses(Edge_stage::comparison) ? decided(Edge_stage::comparison, 0) : std::nullopt;
+    if (is_collapsed()) return stages.uses(Stage::comparison) ? decided(Stage::comparison, 0) : std::nullopt;
     int most = highest;
-    if (stages.uses(Edge_stage::floating_point)) {
+    if (stages.uses(Stage::floating_point)) {
       most = not_refuted<highest>(lower);
-      if (most == 0 || (most < highest && lower == Lower_orders::as_one))
-        return decided(Edge_stage::floating_point, most);
+      if (most == 0 || (most < highest && lower == Lower_orders::as_one)) return decided(Stage::floating_point, most);
     }
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
     const On_grid* const edge = on_grid();
     if (!edge) return std::nullopt;
-    if (stages.uses(Edge_stage::simple_ratio))
-      if (const std::optional<int> found = edge->order_by_ratio(most)) return decided(Edge_stage::simple_ratio, *found);
-    if (stages.uses(Edge_stage::fixed_integer))
-      if (const std::optional<int> found = edge->order(most)) return decided(Edge_stage::fixed_integer, *found);
+    if (stages.uses(Stage::simple_ratio))
+      if (const std::optional<int> found = edge->order_by_ratio(most)) return decided(Stage::simple_ratio, *found);
+    if (stages.uses(Stage::fixed_integer))
+      if (const std::optional<int> found = edge->order(most)) return decided(Stage::fixed_integer, *found);
 #endif
     return std::nullopt;
   }
@@ -141,18 +126,18 @@ public:
   bool is_collapsed() const { return internal::is_collapsed(a_); }
 
   template <int highest, class Stages> std::optional<int> order(Lower_orders, Stages& stages) const {
-    const auto decided = [&](Edge_stage stage, int found) {
+    const auto decided = [&](Stage stage, int found) {
       stages.decided(stage, found == highest);
       return std::optional<int>(found);
     };
-    if (is_collapsed()) return stages.uses(Edge_stage::comparison) ? decided(Edge_stage::comparison, 0) : std::nullopt;
-    if (!stages.uses(Edge_stage::fixed_integer)) return std::nullopt;
+    if (is_collapsed()) return stages.uses(Stage::comparison) ? decided(Stage::comparison, 0) : std::nullopt;
+    if (!stages.uses(Stage::fixed_integer)) return std::nullopt;
     typedef Edge_on_grid<4, 53, 53> Short;
     typedef Edge_on_grid<4, 106, 53> Long;
     typename Short::Layers x, y;
     const std::optional<int> found =
         shorten(a_, x) && shorten(b_, y) ? Short(x, y, scale_).order(highest) : Long(a_, b_, scale_).order(highest);
-    return found ? decided(Edge_stage::fixed_integer, *found) : std::nullopt;
+    return found ? decided(Stage::fixed_integer, *found) : std::nullopt;
   }
 
 private:
@@ -176,19 +161,19 @@ private:
 
 // The order 1 or 2, if numbers of fixed length prove it. Otherwise the edge may be anything.
 template <class Ladder> std::optional<int> smooth_order(Ladder& ladder) {
-  const All_edge_stages stages;
+  const All_stages stages;
   const std::optional<int> found = ladder.template order<2>(Lower_orders::told_apart, stages);
   return found.value_or(0) > 0 ? found : std::nullopt;
 }
 
 // What the stages of fixed length read of edges of points with N coordinates, and their ladder.
-template <int N> struct Edge_rungs {
+template <int N> struct Fixed_length_stages {
   typedef Edge_layers Layers;
   typedef Edge_ladder Ladder;
   static constexpr bool exist = N == 3;
 };
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-template <> struct Edge_rungs<4> {
+template <> struct Fixed_length_stages<4> {
   typedef Homogeneous_layers Layers;
   typedef Homogeneous_ladder Ladder;
   static constexpr bool exist = true;
@@ -200,11 +185,11 @@ template <> struct Edge_rungs<4> {
 template <int order, class T, int N, class Stages>
 std::optional<bool> decide_on_same_edge(const Edge_points<T, N>& a, const Edge_points<T, N>& b, Stages& stages) {
   if constexpr (order == 0) { // infinite coordinates are refused elsewhere
-    if (!is_finite(a) || !is_finite(b) || !stages.uses(Edge_stage::comparison)) return std::nullopt;
-    stages.decided(Edge_stage::comparison, true);
+    if (!is_finite(a) || !is_finite(b) || !stages.uses(Stage::comparison)) return std::nullopt;
+    stages.decided(Stage::comparison, true);
     return true;
   } else {
-    typename Edge_rungs<N>::Ladder ladder(a, b);
+    typename Fixed_length_stages<N>::Ladder ladder(a, b);
     const std::optional<int> found = ladder.template order<order>(Lower_orders::as_one, stages);
     return found ? std::optional<bool>(*found == order) : std::nullopt;
   }
@@ -218,8 +203,8 @@ CGAL_GC_FORCEINLINE std::optional<bool> decide_on_layers(const Edge_points<T, N>
   const std::optional<Edge_direction> direction = common_direction(a, b);
   if (!direction) {
     if (N == 4 && is_collapsed(a) && is_collapsed(b)) return std::nullopt; // perhaps one point with other weights
-    if (!stages.uses(Edge_stage::comparison)) return std::nullopt;
-    stages.decided(Edge_stage::comparison, false);
+    if (!stages.uses(Stage::comparison)) return std::nullopt;
+    stages.decided(Stage::comparison, false);
     return false;
   }
   if (*direction == Edge_direction::opposite) b.reverse();

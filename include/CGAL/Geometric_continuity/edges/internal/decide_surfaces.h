@@ -99,13 +99,13 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
       return decide_surfaces(without_weights(a), edge_a, without_weights(b), edge_b, find_match, angles);
   const Work_guard work("edge_continuity");
   std::optional<Edge_direction> direction;
-  if constexpr (Edge_rungs<N>::exist) {
-    typename Edge_rungs<N>::Layers x, y;
+  if constexpr (Fixed_length_stages<N>::exist) {
+    typename Fixed_length_stages<N>::Layers x, y;
     if (edge_layers(a, edge_a, b, edge_b, 2, x, y)) direction = common_direction(x, y);
     if (direction) {
       if (*direction == Edge_direction::opposite) y.reverse();
       const std::pair<Field, Field> domain_a = edge_domain<Field>(a, edge_a), domain_b = edge_domain<Field>(b, edge_b);
-      typename Edge_rungs<N>::Ladder ladder(x, y);
+      typename Fixed_length_stages<N>::Ladder ladder(x, y);
       if (const std::optional<int> order = smooth_order(ladder))
         return verdict_on_whole_edge(smooth_continuity<Field>(*order, domain_a), *direction, domain_a, domain_b);
       if constexpr (N == 3)
@@ -173,14 +173,14 @@ template <int order> constexpr int order_on_layers = (std::min)(order, 2);
 // Along rows with the same edge, in one direction.
 template <int order, class Field, int N, class Stages>
 bool rows_have_order(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Stages& stages) {
-  if constexpr (Edge_rungs<N>::exist) {
-    typename Edge_rungs<N>::Layers x, y;
+  if constexpr (Fixed_length_stages<N>::exist) {
+    typename Fixed_length_stages<N>::Layers x, y;
     if (edge_layers(a, b, x, y))
       if (const std::optional<bool> answer = decide_on_same_edge<order_on_layers<order>>(x, y, stages))
         if (order <= 2 || !*answer) return *answer;
   }
   const bool answer = sides_have_order<order>(Edge_sides<Field, N>(a, b));
-  stages.decided(Edge_stage::multiprecision, answer);
+  stages.decided(Stage::multiprecision, answer);
   return answer;
 }
 
@@ -192,8 +192,8 @@ bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, P
   if constexpr (N == 4)
     if (has_equal_weights(a) && has_equal_weights(b))
       return edge_has_order<order>(without_weights(a), edge_a, without_weights(b), edge_b, stages);
-  if constexpr (Edge_rungs<N>::exist) {
-    typename Edge_rungs<N>::Layers x, y;
+  if constexpr (Fixed_length_stages<N>::exist) {
+    typename Fixed_length_stages<N>::Layers x, y;
     if (edge_layers(a, edge_a, b, edge_b, order_on_layers<order>, x, y))
       if (const std::optional<bool> answer = decide_on_layers<order_on_layers<order>>(x, y, stages))
         if (order <= 2 || !*answer) return *answer;
@@ -206,12 +206,12 @@ bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, P
     if (is_one_patch(a) && is_one_patch(b)) {
       Edge_sides<Field> sides(pieces_a[0].rows, pieces_b[0].rows);
       const bool answer = sides.align() && (order == 0 || sides_have_order<order>(sides));
-      stages.decided(Edge_stage::multiprecision, answer);
+      stages.decided(Stage::multiprecision, answer);
       return answer;
     }
   const std::optional<Edge_match<Field>> match = Common_edge_part<Field, N>(pieces_a, pieces_b).whole();
   if (!match || order == 0) {
-    stages.decided(Edge_stage::multiprecision, match.has_value());
+    stages.decided(Stage::multiprecision, match.has_value());
     return match.has_value();
   }
   return std::all_of(match->spans.begin(), match->spans.end(), [&](const Common_span<Field>& span) {
@@ -222,7 +222,7 @@ bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, P
 
 template <int order, class Surface_a, class Surface_b>
 bool edge_has_order(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
-  const All_edge_stages stages;
+  const All_stages stages;
   return edge_has_order<order>(a, edge_a, b, edge_b, stages);
 }
 

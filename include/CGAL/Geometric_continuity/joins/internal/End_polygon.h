@@ -47,12 +47,12 @@ template <int k, int N, class Points> CGAL_GC_FORCEINLINE End_polygon<double, N>
     return {point(0), point((std::min)(m, 1)), point((std::min)(m, 2)), point((std::min)(m, 3))};
 }
 
-// The legs x_1 - x_0, x_2 - x_1, x_3 - x_2 of such a polygon.
-template <class T, int N> using Legs = std::array<std::array<T, N>, 3>;
+// The first differences x_1 - x_0, x_2 - x_1, x_3 - x_2 of such a polygon.
+template <class T, int N> using First_differences = std::array<std::array<T, N>, 3>;
 
-// As many legs as the order k needs.
+// As many first differences as the order k needs.
 template <int k, class T, std::size_t N>
-CGAL_GC_FORCEINLINE Legs<T, N> first_differences(const std::array<std::array<T, N>, 4>& x) {
+CGAL_GC_FORCEINLINE First_differences<T, N> first_differences(const std::array<std::array<T, N>, 4>& x) {
   if constexpr (k == 1)
     return {internal::minus(x[1], x[0])};
   else if constexpr (k == 2)
@@ -61,17 +61,17 @@ CGAL_GC_FORCEINLINE Legs<T, N> first_differences(const std::array<std::array<T, 
     return {internal::minus(x[1], x[0]), internal::minus(x[2], x[1]), internal::minus(x[3], x[2])};
 }
 
-// The differences a_k (left) or b_k (right) from the legs: from the join inwards, those of odd order point backwards on the
+// The differences a_k (left) or b_k (right) from the first differences: from the join inwards, those of odd order point backwards on the
 // left.
 template <int k, bool left, class T, std::size_t N>
-CGAL_GC_FORCEINLINE Differences<T, N> differences_of(const std::array<std::array<T, N>, 3>& legs, int degree) {
+CGAL_GC_FORCEINLINE Differences<T, N> differences_of(const std::array<std::array<T, N>, 3>& differences, int degree) {
   const std::array<T, N> zero = zero_vector<T, N>();
   Differences<T, N> d{};
-  d[0] = left ? internal::minus(zero, legs[0]) : legs[0];
+  d[0] = left ? internal::minus(zero, differences[0]) : differences[0];
   if constexpr (k >= 2) {
-    d[1] = internal::minus(legs[1], legs[0]);
+    d[1] = internal::minus(differences[1], differences[0]);
     if constexpr (k >= 3) {
-      const std::array<T, N> second = internal::minus(legs[2], legs[1]);
+      const std::array<T, N> second = internal::minus(differences[2], differences[1]);
       d[2] = left ? internal::minus(d[1], second) : internal::minus(second, d[1]);
       if (degree < 3) d[2] = zero;
     }
@@ -89,13 +89,13 @@ template <class T> CGAL_GC_FORCEINLINE std::array<T, 3> rotated(const std::array
   return {x[first], x[second], x[3 - first - second]};
 }
 template <int k, class T, std::size_t N>
-CGAL_GC_FORCEINLINE Legs<T, N> rotated(const std::array<std::array<T, N>, 3>& legs, int first) {
+CGAL_GC_FORCEINLINE First_differences<T, N> rotated(const std::array<std::array<T, N>, 3>& differences, int first) {
   if constexpr (k == 1)
-    return {rotated(legs[0], first)};
+    return {rotated(differences[0], first)};
   else if constexpr (k == 2)
-    return {rotated(legs[0], first), rotated(legs[1], first)};
+    return {rotated(differences[0], first), rotated(differences[1], first)};
   else
-    return {rotated(legs[0], first), rotated(legs[1], first), rotated(legs[2], first)};
+    return {rotated(differences[0], first), rotated(differences[1], first), rotated(differences[2], first)};
 }
 
 // The index of the first coordinate with the largest absolute value.
@@ -151,11 +151,11 @@ CGAL_GC_FORCEINLINE double largest_coordinate_of(const std::array<std::array<dou
   return size;
 }
 
-// Bounds of the differences from the legs; of the second one also if it is zero.
+// Bounds of the differences from the first differences; of the second one also if it is zero.
 template <int k, std::size_t N>
-CGAL_GC_FORCEINLINE Difference_bounds bounds_of_differences(const std::array<std::array<double, N>, 3>& legs) {
-  const double first = largest(legs[0]), second = k >= 2 ? (std::max)(first, largest(legs[1])) : first,
-               third = k >= 3 ? (std::max)(second, largest(legs[2])) : second;
+CGAL_GC_FORCEINLINE Difference_bounds bounds_of_differences(const std::array<std::array<double, N>, 3>& differences) {
+  const double first = largest(differences[0]), second = k >= 2 ? (std::max)(first, largest(differences[1])) : first,
+               third = k >= 3 ? (std::max)(second, largest(differences[2])) : second;
   return {first, 2 * second, 4 * third};
 }
 
@@ -176,11 +176,11 @@ CGAL_GC_FORCEINLINE Difference_bounds bounds_of_chords(const std::array<std::arr
   return {first, second, k >= 3 ? (std::max)(second, largest(d[2])) : second};
 }
 
-// The legs of an end in units of 2^exponent, if its points lie on such a grid.
-template <int N> struct Grid_legs {
-  Legs<std::int64_t, N> legs;
+// The first differences of an end in units of 2^exponent, if its points lie on such a grid.
+template <int N> struct Grid_differences {
+  First_differences<std::int64_t, N> differences;
   int exponent;
-  int zeros; // trailing bits that are zero in all legs
+  int zeros; // trailing bits that are zero in all first differences
   bool valid;
 };
 
@@ -193,7 +193,7 @@ inline int trailing_zeros(std::int64_t x) {
   return x == 0 ? 53 : binary_exponent(static_cast<double>(x & -x));
 }
 
-// The legs without `shift` trailing zeros.
+// The first differences without `shift` trailing zeros.
 CGAL_GC_FORCEINLINE std::array<std::int64_t, 2> without_zeros(const std::array<std::int64_t, 2>& x, int shift) {
   return {x[0] >> shift, x[1] >> shift};
 }
@@ -201,8 +201,8 @@ CGAL_GC_FORCEINLINE std::array<std::int64_t, 3> without_zeros(const std::array<s
   return {x[0] >> shift, x[1] >> shift, x[2] >> shift};
 }
 template <int k, std::size_t N>
-CGAL_GC_FORCEINLINE Legs<std::int64_t, N> without_zeros(const std::array<std::array<std::int64_t, N>, 3>& x,
-                                                        int shift) {
+CGAL_GC_FORCEINLINE First_differences<std::int64_t, N>
+without_zeros(const std::array<std::array<std::int64_t, N>, 3>& x, int shift) {
   if constexpr (k == 1)
     return {without_zeros(x[0], shift)};
   else if constexpr (k == 2)
@@ -212,7 +212,7 @@ CGAL_GC_FORCEINLINE Legs<std::int64_t, N> without_zeros(const std::array<std::ar
 }
 
 template <int k, std::size_t N>
-CGAL_GC_FORCEINLINE Grid_legs<N> grid_legs_of(const std::array<std::array<double, N>, 4>& points) {
+CGAL_GC_FORCEINLINE Grid_differences<N> grid_differences_of(const std::array<std::array<double, N>, 4>& points) {
   Grid grid(largest_coordinate_of<k>(points));
   if (!grid.valid()) return {{}, 0, 0, false};
   End_polygon<std::int64_t, N> x;
@@ -220,17 +220,17 @@ CGAL_GC_FORCEINLINE Grid_legs<N> grid_legs_of(const std::array<std::array<double
   x[1] = grid(points[1]);
   if constexpr (k >= 2) x[2] = grid(points[2]);
   if constexpr (k >= 3) x[3] = grid(points[3]);
-  const Legs<std::int64_t, N> legs = first_differences<k>(x);
-  std::int64_t bits = any_bits(legs[0]);
-  if constexpr (k >= 2) bits |= any_bits(legs[1]);
-  if constexpr (k >= 3) bits |= any_bits(legs[2]);
-  return {legs, grid.exponent(), trailing_zeros(bits), grid.valid()};
+  const First_differences<std::int64_t, N> differences = first_differences<k>(x);
+  std::int64_t bits = any_bits(differences[0]);
+  if constexpr (k >= 2) bits |= any_bits(differences[1]);
+  if constexpr (k >= 3) bits |= any_bits(differences[2]);
+  return {differences, grid.exponent(), trailing_zeros(bits), grid.valid()};
 }
 
 #if defined(__GNUC__)
 
 // The largest power of two of which all coordinates of two ends are multiples, if these have at most 52 bits and no difference is longer
-// than 53: then each leg and each difference, of at most `largest`, is a multiple of the unit, hence a double, and was computed
+// than 53: then each first difference and each difference, of at most `largest`, is a multiple of the unit, hence a double, and was computed
 // without rounding.
 template <int k, std::size_t N>
 CGAL_GC_FORCEINLINE bool find_common_unit(const std::array<std::array<double, N>, 4>& p,

@@ -194,13 +194,13 @@ public:
     return has_integers_ ? left_.points[0] == right_.points[0] : double_left_.points()[0] == double_right_.points()[0];
   }
   template <Join_question question> Join_answer decide() const {
-    const All_join_stages stages;
+    const All_stages stages;
     return has_doubles_ ? decide_by_stages(Double_join<question, N>(double_left_, double_right_, lengths_), stages)
                         : decide_by_stages(Integer_join<question, N>(left_, right_), stages);
   }
   bool is_curved() const {
     return internal::is_curved(has_integers_ ? converted<2, double>(first_differences<2>(left_.points))
-                                             : double_left_.legs());
+                                             : double_left_.first_differences());
   }
   Join_answer equal_curvatures() const {
     const bool differ =

@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_equations.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
+#include <CGAL/Geometric_continuity/numbers/internal/Rounding_bound.h>
 
 #include <algorithm>
 #include <array>
@@ -16,26 +17,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
-
-// A bound of the absolute value of a number and one of the error of its floating-point approximation. The operations are
-// those of floating-point arithmetic with relative error u = 2^-52 each, in every rounding mode, with or without fused
-// multiplication and addition, provided that nothing overflows or underflows.
-struct Rounding_bound {
-  double value = 0, error = 0;
-
-  constexpr Rounding_bound() = default;
-  constexpr explicit Rounding_bound(int) : value(1) {} // a factor that is a whole number, in units of itself
-  constexpr Rounding_bound(double v, double e) : value(v), error(e) {}
-
-  static constexpr Rounding_bound rounded(double v, double e) { return {v, e + 0x1p-52 * (v + e)}; }
-  friend constexpr Rounding_bound operator+(const Rounding_bound& x, const Rounding_bound& y) {
-    return rounded(x.value + y.value, x.error + y.error);
-  }
-  friend constexpr Rounding_bound operator-(const Rounding_bound& x, const Rounding_bound& y) { return x + y; }
-  friend constexpr Rounding_bound operator*(const Rounding_bound& x, const Rounding_bound& y) {
-    return rounded(x.value * y.value, x.value * y.error + x.error * y.value + x.error * y.error);
-  }
-};
 
 constexpr int join_questions = 10;
 
@@ -46,13 +27,14 @@ constexpr int join_questions = 10;
 // error of each of the three operations is at most a multiple of the bounds of its result. The sum is therefore
 // at most the error for bounds 1 times the largest of these products.
 //
-// The differences are computed from the legs l of the polygon, each of which is rounded once: |l| <= L gives |a1| <= L,
-// |a2| <= 2 L, |a3| <= 4 L. So legs of at most 1, 1/2 and 1/4 give differences with bound 1.
+// The differences are computed from the first differences l of the polygon, each of which is rounded once: |l| <= L gives |a1| <= L,
+// |a2| <= 2 L, |a3| <= 4 L. So first differences of at most 1, 1/2 and 1/4 give differences with bound 1.
 struct Join_rounding {
   std::array<double, join_questions> error{};
 
   constexpr Join_rounding() {
-    const Rounding_bound d1 = leg(1), d2 = leg(0.5) - leg(0.5), d3 = (leg(0.25) - leg(0.25)) - (leg(0.25) - leg(0.25));
+    const Rounding_bound d1 = difference(1), d2 = difference(0.5) - difference(0.5),
+                         d3 = (difference(0.25) - difference(0.25)) - (difference(0.25) - difference(0.25));
     const Differences<Rounding_bound, 3> d{{{d1, d1, d1}, {d2, d2, d2}, {d3, d3, d3}}};
     record_geometric(d, Degree_factors<int>{1, 1, 1, 1, 1});
     const Parametric_degree_factors<int> units{1, 1, 1, 1, 1, 1};
@@ -66,7 +48,7 @@ struct Join_rounding {
 
   // For ends with weights: differences that are rounded once, and rounded factors.
   template <class Weights> constexpr explicit Join_rounding(const Weights& w) {
-    const Rounding_bound x = leg(1);
+    const Rounding_bound x = difference(1);
     record_geometric(Differences<Rounding_bound, 3>{{{x, x, x}, {x, x, x}, {x, x, x}}}, w);
     add_margin();
   }
@@ -93,7 +75,7 @@ private:
   constexpr void add_margin() {
     for (double& e : error) e *= 1 + 0x1p-20;
   }
-  static constexpr Rounding_bound leg(double bound) { return Rounding_bound(bound, 0x1p-52 * bound); }
+  static constexpr Rounding_bound difference(double bound) { return Rounding_bound(bound, 0x1p-52 * bound); }
 };
 
 // For the differences of polygons.

@@ -25,8 +25,6 @@
 /// - the filter: `left()`, `right()`, `left_bounds()`, `right_bounds()` and `rounded_factors()`, with the errors of `Rounding`;
 /// - residues: `find_unit()`, `integer_factors()`, `left_in()`, `right_in()` and `units_of_factors()`, in as many limbs as the first of `Limbs` that suffices;
 /// - the grid: `left_grid()` and `right_grid()`.
-///
-/// The constant `rounded` says whether an input has what the filter and residues need.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -75,7 +73,7 @@ template <int N> class Double_end {
   int degree_;
   std::pair<double, double> domain_;
   End_polygon<double, N> points_; // the last one repeated
-  Legs<double, N> legs_;
+  First_differences<double, N> first_differences_;
 
 public:
   Double_end() = default;
@@ -83,30 +81,31 @@ public:
   template <class Points, Join_question question>
   CGAL_GC_FORCEINLINE Double_end(const Points& end, Question<question>)
       : degree_(end.degree()), points_(points_of<highest_difference(question), N>(end)),
-        legs_(first_differences<highest_difference(question)>(points_)) {
+        first_differences_(internal::first_differences<highest_difference(question)>(points_)) {
     if constexpr (is_parametric(question)) domain_ = end.domain();
   }
   Double_end(const End_polygon<double, N>& points, int degree, const std::pair<double, double>& domain)
-      : degree_(degree), domain_(domain), points_(points), legs_(first_differences<3>(points)) {}
+      : degree_(degree), domain_(domain), points_(points), first_differences_(internal::first_differences<3>(points)) {}
 
   int degree() const { return degree_; }
   int dimension() const { return N; }
   const std::pair<double, double>& domain() const { return domain_; }
   double coordinate(int j, int i) const { return points_[j][i]; }
   const End_polygon<double, N>& points() const { return points_; }
-  const Legs<double, N>& legs() const { return legs_; } // inwards
+  const First_differences<double, N>& first_differences() const { return first_differences_; } // inwards
 };
 
-// What two ends without weights have in common: legs as doubles that are rounded once, and the factors of the degrees.
+// What two ends without weights have in common: first differences as doubles that are rounded once, and the factors of the degrees.
 template <Join_question question_, int N> class Rounded_polygons {
   static constexpr int k = highest_difference(question_);
 
 protected:
   int m_, n_;
-  const Legs<double, N>&left_legs_, &right_legs_; // inwards
+  const First_differences<double, N>&left_differences_, &right_differences_; // inwards
 
-  CGAL_GC_FORCEINLINE Rounded_polygons(const Legs<double, N>& left, int m, const Legs<double, N>& right, int n)
-      : m_(m), n_(n), left_legs_(left), right_legs_(right) {}
+  CGAL_GC_FORCEINLINE Rounded_polygons(const First_differences<double, N>& left, int m,
+                                       const First_differences<double, N>& right, int n)
+      : m_(m), n_(n), left_differences_(left), right_differences_(right) {}
 
   // For domains whose lengths are as h to l, which are at most 1024, if the question is parametric.
   CGAL_GC_FORCEINLINE bool factors_with(std::int64_t h, std::int64_t l,
@@ -126,20 +125,20 @@ public:
   static constexpr int dimension = N;
 
   CGAL_GC_FORCEINLINE std::array<double, N> first_left() const {
-    return internal::minus(zero_vector<double, N>(), left_legs_[0]);
+    return internal::minus(zero_vector<double, N>(), left_differences_[0]);
   }
-  CGAL_GC_FORCEINLINE const std::array<double, N>& first_right() const { return right_legs_[0]; }
-  CGAL_GC_FORCEINLINE int pivot() const { return largest_coordinate(left_legs_[0]); }
+  CGAL_GC_FORCEINLINE const std::array<double, N>& first_right() const { return right_differences_[0]; }
+  CGAL_GC_FORCEINLINE int pivot() const { return largest_coordinate(left_differences_[0]); }
 
   typedef Degree_factors_of<question, std::int64_t> Factors;
 
-  static constexpr bool rounded = true, weighted = false;
+  static constexpr bool weighted = false;
   typedef Rounding_of_differences Rounding;
   typedef Degree_factors_of<question, double> Rounded_factors;
-  CGAL_GC_FORCEINLINE Differences<double, N> left() const { return differences_of<k, true>(left_legs_, m_); }
-  CGAL_GC_FORCEINLINE Differences<double, N> right() const { return differences_of<k, false>(right_legs_, n_); }
-  CGAL_GC_FORCEINLINE Difference_bounds left_bounds() const { return bounds_of_differences<k>(left_legs_); }
-  CGAL_GC_FORCEINLINE Difference_bounds right_bounds() const { return bounds_of_differences<k>(right_legs_); }
+  CGAL_GC_FORCEINLINE Differences<double, N> left() const { return differences_of<k, true>(left_differences_, m_); }
+  CGAL_GC_FORCEINLINE Differences<double, N> right() const { return differences_of<k, false>(right_differences_, n_); }
+  CGAL_GC_FORCEINLINE Difference_bounds left_bounds() const { return bounds_of_differences<k>(left_differences_); }
+  CGAL_GC_FORCEINLINE Difference_bounds right_bounds() const { return bounds_of_differences<k>(right_differences_); }
   CGAL_GC_FORCEINLINE Rounded_factors rounded_factors(const Factors& w) const { return converted<double>(w); }
 
   template <int> using Integer_factors = Factors;
@@ -163,7 +162,8 @@ public:
 
   // \pre the lengths are those of the domains if the question is parametric
   CGAL_GC_FORCEINLINE Double_join(const Double_end<N>& left, const Double_end<N>& right, const Short_lengths& lengths)
-      : Base(left.legs(), left.degree(), right.legs(), right.degree()), left_(left), right_(right), lengths_(lengths) {}
+      : Base(left.first_differences(), left.degree(), right.first_differences(), right.degree()), left_(left),
+        right_(right), lengths_(lengths) {}
 
   CGAL_GC_FORCEINLINE bool find_factors(Factors& w) const {
     return lengths_.valid && this->factors_with(lengths_.left, lengths_.right, w);
@@ -209,22 +209,22 @@ template <int N> struct Integer_end {
   std::int64_t length; // of the domain, in units of both curves
 };
 
-// The legs of two such ends. They are below 2^61, the differences below 2^61, 2^62 and 2^63, and legs become doubles by one rounding, as
+// The first differences of two such ends. They are below 2^61, the differences below 2^61, 2^62 and 2^63, and first differences become doubles by one rounding, as
 // Rounding_of_differences expects.
-template <int k, int N> struct Long_legs {
-  Legs<std::int64_t, N> left_integers, right_integers;
-  Legs<double, N> rounded_left, rounded_right;
+template <int k, int N> struct Integer_differences {
+  First_differences<std::int64_t, N> left_integers, right_integers;
+  First_differences<double, N> rounded_left, rounded_right;
 
-  CGAL_GC_FORCEINLINE Long_legs(const Integer_end<N>& left, const Integer_end<N>& right)
+  CGAL_GC_FORCEINLINE Integer_differences(const Integer_end<N>& left, const Integer_end<N>& right)
       : left_integers(first_differences<k>(left.points)), right_integers(first_differences<k>(right.points)),
         rounded_left(converted<k, double>(left_integers)), rounded_right(converted<k, double>(right_integers)) {}
 };
 
 // Two such ends.
 template <Join_question question_, int N>
-class Integer_join : Long_legs<highest_difference(question_), N>, public Rounded_polygons<question_, N> {
+class Integer_join : Integer_differences<highest_difference(question_), N>, public Rounded_polygons<question_, N> {
   static constexpr int k = highest_difference(question_);
-  typedef Long_legs<k, N> Integers;
+  typedef Integer_differences<k, N> Integers;
   typedef Rounded_polygons<question_, N> Base;
   std::int64_t h_, l_;
 
@@ -349,7 +349,7 @@ public:
   }
   CGAL_GC_FORCEINLINE bool first_derivatives_differ() const { return false; }
 
-  static constexpr bool rounded = true, weighted = true;
+  static constexpr bool weighted = true;
   typedef Rounding_of_weighted_ends Rounding;
   typedef Weighted_degree_factors<question, double> Rounded_factors;
   CGAL_GC_FORCEINLINE const Differences<double, N>& left() const { return left_; }
@@ -404,39 +404,27 @@ public:
 #endif
 };
 
-// The orders C of such ends: only the first derivatives are looked at.
-template <Join_question question_, int N> class Weighted_derivatives {
-  bool differ_;
-
-public:
-  static constexpr Join_question question = question_;
-  static constexpr int dimension = N;
-  static constexpr bool rounded = false;
-
-  template <class Left, class Right> Weighted_derivatives(const Left& left, const Right& right) {
-    const auto ratio = [](const auto& end) -> double {
-      const double first = end.weight(0), second = end.weight((std::min)(1, end.degree())); // of shorter types, too
-      return second / first;
-    };
-    const auto first_derivative = [](const Legs<double, N>& d, double factor) {
-      std::array<double, N> x = d[0];
-      for (double& xi : x) xi *= factor;
-      return x;
-    };
-    const std::pair<double, double> h = left.domain(), l = right.domain();
-    const int m = left.degree(), n = right.degree();
-    const double r = ratio(left), s = ratio(right);
-    const bool in_range = 0x1p-500 <= (std::min)(r, s) && (std::max)(r, s) <= 0x1p500 &&
-                          (std::max)(m * (l.second - l.first), n * (h.second - h.first)) <= 0x1p500;
-    differ_ = in_range && internal::first_derivatives_differ(
-                              first_derivative(chords_from_end<1, true>(points_of<1, N>(left)), r), m, h,
-                              first_derivative(chords_from_end<1, false>(points_of<1, N>(right)), s), n, l);
-  }
-
-  struct Factors {};
-  bool find_factors(Factors&) const { return false; }
-  bool first_derivatives_differ() const { return differ_; }
-};
+// Returns whether the first derivatives of two ends with double coordinates and positive weights differ by more than their rounding
+// errors.
+template <int N, class Left, class Right> bool weighted_derivatives_differ(const Left& left, const Right& right) {
+  const auto ratio = [](const auto& end) -> double {
+    const double first = end.weight(0), second = end.weight((std::min)(1, end.degree())); // of shorter types, too
+    return second / first;
+  };
+  const auto first_derivative = [](const First_differences<double, N>& d, double factor) {
+    std::array<double, N> x = d[0];
+    for (double& xi : x) xi *= factor;
+    return x;
+  };
+  const std::pair<double, double> h = left.domain(), l = right.domain();
+  const int m = left.degree(), n = right.degree();
+  const double r = ratio(left), s = ratio(right);
+  const bool in_range = 0x1p-500 <= (std::min)(r, s) && (std::max)(r, s) <= 0x1p500 &&
+                        (std::max)(m * (l.second - l.first), n * (h.second - h.first)) <= 0x1p500;
+  return in_range &&
+         first_derivatives_differ(first_derivative(chords_from_end<1, true>(points_of<1, N>(left)), r), m, h,
+                                  first_derivative(chords_from_end<1, false>(points_of<1, N>(right)), s), n, l);
+}
 
 } // namespace internal
 } // namespace Geometric_continuity

@@ -95,7 +95,7 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_residues_with(const Factors& w, const 
   const Modular_zero zero;
   const Join_equations<Integer, N, Factors, const Modular_zero> equations(a, b, w, zero);
   const auto decided = [&](Join_answer answer) {
-    stages.decided(Join_stage::bounded_residue, answer);
+    stages.decided(Stage::fixed_integer, answer);
     return answer;
   };
   if constexpr (question == Join_question::torsion)
@@ -150,39 +150,36 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_stages(const Input& join, Stages& stag
     pivot = join.pivot();
     const Join_answer answer = decide_by_signs<question>(join.first_left(), join.first_right(), pivot);
     if (answer != Join_answer::unknown) {
-      stages.decided(Join_stage::comparison, answer);
+      stages.decided(Stage::comparison, answer);
       return answer;
     }
   }
   typename Input::Factors w;
   if (!join.find_factors(w)) {
-    if (!stages.uses(Join_stage::floating_point) || !join.first_derivatives_differ()) return Join_answer::unknown;
-    stages.decided(Join_stage::floating_point, Join_answer::no);
+    if (!stages.uses(Stage::floating_point) || !join.first_derivatives_differ()) return Join_answer::unknown;
+    stages.decided(Stage::floating_point, Join_answer::no);
     return Join_answer::no;
   }
-  if constexpr (Input::rounded)
-    if (stages.uses(Join_stage::floating_point)) { // with a bound of the error, then by residues
-      constexpr int N = Input::dimension;
-      typedef typename Input::Rounded_factors Factors;
-      typedef Join_filter<Factors, typename Input::Rounding> Filter;
-      const Difference_bounds A = join.left_bounds(), B = join.right_bounds();
-      const Factors rounded = join.rounded_factors(w);
-      const Filter filter{A, B, rounded};
-      if (!filter.in_range()) return Join_answer::unknown;
-      const Differences<double, N>&a = join.left(), &b = join.right();
-      const Join_equations<double, N, Factors, const Filter> equations(a, b, rounded, filter, pivot);
-      if (!all_hold<question>(equations)) {
-        stages.decided(Join_stage::floating_point, Join_answer::no);
-        return Join_answer::no;
-      }
+  if (!stages.uses(Stage::floating_point)) return Join_answer::unknown;
+  constexpr int N = Input::dimension;
+  typedef typename Input::Rounded_factors Factors;
+  typedef Join_filter<Factors, typename Input::Rounding> Filter;
+  const Difference_bounds A = join.left_bounds(), B = join.right_bounds();
+  const Factors rounded = join.rounded_factors(w);
+  const Filter filter{A, B, rounded};
+  if (!filter.in_range()) return Join_answer::unknown;
+  const Differences<double, N>&a = join.left(), &b = join.right();
+  const Join_equations<double, N, Factors, const Filter> equations(a, b, rounded, filter, pivot);
+  if (!all_hold<question>(equations)) {
+    stages.decided(Stage::floating_point, Join_answer::no);
+    return Join_answer::no;
+  }
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-      if (stages.uses(Join_stage::bounded_residue)) {
-        const Residue_width<Input, Filter> width(join, w, filter);
-        if (width.valid()) return decide_by_residues<false>(join, w, width, pivot, stages, typename Input::Limbs());
-      }
+  if (stages.uses(Stage::fixed_integer)) {
+    const Residue_width<Input, Filter> width(join, w, filter);
+    if (width.valid()) return decide_by_residues<false>(join, w, width, pivot, stages, typename Input::Limbs());
+  }
 #endif
-      return Join_answer::unknown;
-    }
   return Join_answer::unknown;
 }
 

@@ -11,12 +11,13 @@
 //   is_g2_join          join_predicates.h
 //   decide_join         decide_join.h      control points or jets?
 //   decide_polygons     decide_join.h      the ends meet: comparison of the points
-//   decide_ends         decide_join.h      doubles first, then numbers of any length
-//   decide_by_stages     Join_ladder.h      the ladder, on what Join_input.h makes of the ends:
-//     decide_by_signs                      comparison of signs and zeros
-//     all_hold                             the filter: a rounded form exceeds its error
-//     decide_by_residues                   a form below a proven bound, modulo a power of two above it
-//   decide_in_ring      decide_in_ring.h   doubles by remainders, or the numbers of an exact kernel
+//   decide_ends         decide_join.h      doubles, or the numbers of an exact kernel
+//   decide_on_doubles   decide_in_ring.h   all stages, one after the other:
+//     decide_by_stages  Join_ladder.h      on what Join_input.h makes of the ends:
+//       decide_by_signs                    comparison of signs and zeros
+//       all_hold                           the filter: a rounded form exceeds its error
+//       decide_by_residues                 a form below a proven bound, modulo a power of two above it
+//     decide_in_ring    decide_in_ring.h   doubles by remainders, or the numbers of an exact kernel
 //
 // and continuity() of join_continuity.h asks the ladder several questions (decide_all_questions.h). Ends without control
 // points and dimensions above 3 are decided by Join_decision. All stages evaluate one text, Join_equations. It is a template
@@ -29,8 +30,10 @@
 // - `Weights` are the factors of the differences by which degrees and domains enter. Parametric_degree_factors (both, for C^k) or
 //   Degree_factors (degrees, for all others), in the integers or doubles in which the stage computes. Weighted_degree_factors has the
 //   weights of rational curves besides the degrees.
-// - `Stages` says which stages are taken, and is told what each of them decides. All_join_stages takes all of them and records
+// - `Stages` says which stages are taken, and is told what each of them decides. All_stages takes all of them and records
 //   nothing; tests switch stages off and count.
+
+#include <CGAL/Geometric_continuity/numbers/internal/Stage.h>
 
 #include <type_traits>
 
@@ -77,21 +80,6 @@ template <Join_question question> struct Question : std::integral_constant<Join_
 
 // The answer to a question; `unknown` when a stage cannot tell.
 enum class Join_answer { no, yes, undefined, unknown };
-
-// Where a decision was made.
-enum class Join_stage {
-  comparison,      // equality and signs of the numbers as given
-  floating_point,  // a form is larger than its rounding error
-  bounded_residue, // a form is smaller than the modulus
-  residue,         // a form is not zero modulo 2^64
-  multiprecision   // numbers of any length, or remainders by several moduli
-};
-
-// Takes all stages and records nothing.
-struct All_join_stages {
-  static constexpr bool uses(Join_stage) { return true; }
-  void decided(Join_stage, Join_answer) const {}
-};
 
 } // namespace internal
 } // namespace Geometric_continuity

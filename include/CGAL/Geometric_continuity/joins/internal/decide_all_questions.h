@@ -22,14 +22,15 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// |a1 x a2|^2 times the square of the weight, and g = |a1|^2, from two legs of an end, or from its first two differences.
-template <class T, std::size_t N> T square_of_area(const std::array<std::array<T, N>, 3>& legs, const T& weight, T& g) {
+// |a1 x a2|^2 times the square of the weight, and g = |a1|^2, from two first differences of an end, or from its first two differences.
+template <class T, std::size_t N>
+T square_of_area(const std::array<std::array<T, N>, 3>& differences, const T& weight, T& g) {
   T area(0);
   g = T(0);
   for (std::size_t i = 0; i < N; ++i) {
-    g = T(g + T(legs[0][i] * legs[0][i]));
+    g = T(g + T(differences[0][i] * differences[0][i]));
     for (std::size_t j = 0; j < i; ++j) {
-      const T x = T(legs[0][i] * legs[1][j]) - T(legs[0][j] * legs[1][i]);
+      const T x = T(differences[0][i] * differences[1][j]) - T(differences[0][j] * differences[1][i]);
       area = T(area + T(x * x));
     }
   }
@@ -46,10 +47,10 @@ std::array<T, 2> curvature_forms(const std::array<std::array<T, N>, 3>& left,
   return {T(a * T(h * T(h * h))), T(b * T(g * T(g * g)))};
 }
 
-// Returns whether the curvatures have different magnitudes, modulo 2^64 for legs on the left in units of 2^units to those on the right. Only
+// Returns whether the curvatures have different magnitudes, modulo 2^64 for first differences on the left in units of 2^units to those on the right. Only
 // `true` is a proof, as below.
 template <int N>
-bool curvatures_differ(const Legs<std::int64_t, N>& left, const Legs<std::int64_t, N>& right,
+bool curvatures_differ(const First_differences<std::int64_t, N>& left, const First_differences<std::int64_t, N>& right,
                        const Degree_factors<std::int64_t>& w, int units) {
   typedef std::uint64_t Residue;
   const auto [a, b] = curvature_forms(converted<2, Residue>(left), converted<2, Residue>(right),
@@ -65,21 +66,22 @@ template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_
   if (!degrees_fit(left.degree(), right.degree())) return false;
   const Degree_factors<std::int64_t> w =
       Degree_factors<std::int64_t>::geometric<Join_question::g2>(left.degree(), right.degree());
-  const Grid_legs<N> x = grid_legs_of<2>(left.points()), y = grid_legs_of<2>(right.points());
-  const int units = x.exponent + x.zeros - y.exponent - y.zeros; // the left legs are in units of 2^units
+  const Grid_differences<N> x = grid_differences_of<2>(left.points()), y = grid_differences_of<2>(right.points());
+  const int units = x.exponent + x.zeros - y.exponent - y.zeros; // the left first differences are in units of 2^units
   if (x.valid && y.valid && -14 <= units && units <= 14 &&
-      curvatures_differ<N>(without_zeros<2>(x.legs, x.zeros), without_zeros<2>(y.legs, y.zeros), w, units))
+      curvatures_differ<N>(without_zeros<2>(x.differences, x.zeros), without_zeros<2>(y.differences, y.zeros), w,
+                           units))
     return true;
   typedef Interval_nt<false> Interval;
   const Interval::Protector rounding;
-  const auto legs = [](const End_polygon<double, N>& points) {
+  const auto differences = [](const End_polygon<double, N>& points) {
     End_polygon<Interval, N> intervals;
     for (int j = 0; j <= 2; ++j)
       for (int i = 0; i < N; ++i) intervals[j][i] = Interval(points[j][i]);
     return first_differences<2>(intervals);
   };
-  const auto [a, b] = curvature_forms(legs(left.points()), legs(right.points()), Interval(static_cast<double>(w.a2)),
-                                      Interval(static_cast<double>(w.b2)));
+  const auto [a, b] = curvature_forms(differences(left.points()), differences(right.points()),
+                                      Interval(static_cast<double>(w.a2)), Interval(static_cast<double>(w.b2)));
   return !a.do_overlap(b);
 }
 // By numbers of any length. \pre no tangent vanishes
@@ -96,12 +98,12 @@ template <int N> BOOST_NOINLINE bool curvatures_are_equal(const Double_end<N>& l
   return true;
 }
 
-// Returns whether a1 x a2 is not zero, from two legs in space that have been rounded once. Only `true` is a proof.
-inline bool is_curved(const Legs<double, 3>& legs) {
-  const double size = largest(legs[0]) * largest(legs[1]);
-  return 0x1p-900 <= size && size <= 0x1p900 && largest(cross_form(legs[0], legs[1])) > 0x1p-49 * size;
+// Returns whether a1 x a2 is not zero, from two first differences in space that have been rounded once. Only `true` is a proof.
+inline bool is_curved(const First_differences<double, 3>& differences) {
+  const double size = largest(differences[0]) * largest(differences[1]);
+  return 0x1p-900 <= size && size <= 0x1p900 && largest(cross_form(differences[0], differences[1])) > 0x1p-49 * size;
 }
-inline bool is_curved(const Legs<double, 2>&) { return false; }
+inline bool is_curved(const First_differences<double, 2>&) { return false; }
 
 // Everything that Join_continuity says but the shape parameters, for a join in the plane or in space and orders up to 3; if only the
 // orders are wanted, the flags are left as they are where they are not decided by the way. `Questions` answers questions about the two
@@ -193,22 +195,19 @@ public:
   bool regular() const { return left_.points()[0] != left_.points()[1] && right_.points()[0] != right_.points()[1]; }
   bool ends_meet() const { return meet_; }
   template <Join_question question> Join_answer decide() const {
-    const All_join_stages stages;
-    const Join_answer answer = decide_by_stages(Double_join<question, N>(left_, right_, lengths_), stages);
-    return answer != Join_answer::unknown
-               ? answer
-               : decide_in_ring<question, N, false, Join_scale_of_doubles>(left_, right_, stages);
+    const All_stages stages;
+    return decide_on_doubles(Double_join<question, N>(left_, right_, lengths_), left_, right_, stages);
   }
   Join_answer equal_curvatures() const {
     return !curvatures_differ<N>(left_, right_) && curvatures_are_equal<N>(left_, right_) ? Join_answer::yes
                                                                                           : Join_answer::no;
   }
-  bool is_curved() const { return internal::is_curved(left_.legs()); }
+  bool is_curved() const { return internal::is_curved(left_.first_differences()); }
 };
 
 // The shape parameters of such a join, which are to be computed when someone asks for them.
 template <class FT, int N> Join_parameters<FT> parameters_of(const Double_end<N>& left, const Double_end<N>& right) {
-  const int i = largest_coordinate(left.legs()[0]);
+  const int i = largest_coordinate(left.first_differences()[0]);
   const auto along = [i](const Double_end<N>& end) {
     const auto& x = end.points();
     return Parameter_end{{x[0][i], x[1][i], x[2][i], x[3][i]}, end.domain().first, end.domain().second, end.degree()};

@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/joins/internal/Degree_factors.h>
 #include <CGAL/Geometric_continuity/joins/internal/End_polygon.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_equations.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_ladder.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Common_denominator.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Remainder.h>
 #include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
@@ -47,9 +48,9 @@ BOOST_NOINLINE std::array<T, 3> differences_along(const std::array<T, 4>& x, int
     if (k >= 2) d[1] = T(x[2] - x[0]);
     if (k >= 3) d[2] = T(x[3] - x[0]);
   } else if (k >= 2 && degree >= 2) {
-    const T leg(x[2] - x[1]);
-    d[1] = T(leg - d[0]);
-    if (k >= 3 && degree >= 3) d[2] = T(T(T(x[3] - x[2]) - leg) - d[1]);
+    const T difference(x[2] - x[1]);
+    d[1] = T(difference - d[0]);
+    if (k >= 3 && degree >= 3) d[2] = T(T(T(x[3] - x[2]) - difference) - d[1]);
   }
   if (left) {
     d[0] = T(T(0) - d[0]);
@@ -214,13 +215,13 @@ Join_answer answer_in(const Join& join, std::array<bool, 2>& curved) {
 template <Join_question question, int N, bool weighted, class Scale, class Left, class Right, class Stages>
 BOOST_NOINLINE Join_answer decide_in_ring(const Left& left, const Right& right, Stages& stages) {
   Ring_join<N, weighted, Scale> join(question, left, right);
-  const auto decided = [&](Join_stage stage, Join_answer answer) {
+  const auto decided = [&](Stage stage, Join_answer answer) {
     stages.decided(stage, answer);
     return answer;
   };
   if constexpr (Scale::exact)
     if (join.tangents_vanish())
-      return decided(Join_stage::multiprecision, is_geometric(question) ? Join_answer::no : Join_answer::undefined);
+      return decided(Stage::multiprecision, is_geometric(question) ? Join_answer::no : Join_answer::undefined);
   std::array<bool, 2> curved{};
   bool straight_fails = false;
   const int moduli = join.template moduli<question>();
@@ -228,14 +229,23 @@ BOOST_NOINLINE Join_answer decide_in_ring(const Left& left, const Right& right, 
     join.take_modulus(i);
     const Join_answer answer = answer_in<question, N, Scale::exact>(join, curved);
     if (answer == Join_answer::no) {
-      const bool residue = !Scale::exact && i == 0 && stages.uses(Join_stage::residue);
-      return decided(residue ? Join_stage::residue : Join_stage::multiprecision, Join_answer::no);
+      const bool residue = !Scale::exact && i == 0 && stages.uses(Stage::residue);
+      return decided(residue ? Stage::residue : Stage::multiprecision, Join_answer::no);
     }
     straight_fails |= answer == Join_answer::unknown;
   }
   if constexpr (question == Join_question::torsion)
-    if (!curved[0] || !curved[1]) return decided(Join_stage::multiprecision, Join_answer::undefined);
-  return decided(Join_stage::multiprecision, straight_fails && !curved[0] ? Join_answer::no : Join_answer::yes);
+    if (!curved[0] || !curved[1]) return decided(Stage::multiprecision, Join_answer::undefined);
+  return decided(Stage::multiprecision, straight_fails && !curved[0] ? Join_answer::no : Join_answer::yes);
+}
+
+// The answer on two ends with double coordinates: by all stages, of which the last one reads the ends again. \pre as above
+template <class Input, class Left, class Right, class Stages>
+CGAL_GC_FORCEINLINE Join_answer decide_on_doubles(const Input& join, const Left& left, const Right& right,
+                                                  Stages& stages) {
+  const Join_answer answer = decide_by_stages(join, stages);
+  if (answer != Join_answer::unknown) return answer;
+  return decide_in_ring<Input::question, Input::dimension, Input::weighted, Join_scale_of_doubles>(left, right, stages);
 }
 
 } // namespace internal

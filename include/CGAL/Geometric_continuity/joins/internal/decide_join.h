@@ -81,7 +81,7 @@ Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages)
     else
       answer = decide_on_jets<question>(jet_of_polygon<Join_field<Left>, Curve_end::end>(left, 3),
                                         jet_of_polygon<Join_field<Right>, Curve_end::start>(right, 3));
-    stages.decided(Join_stage::multiprecision, answer);
+    stages.decided(Stage::multiprecision, answer);
     return answer;
   }
 }
@@ -97,10 +97,10 @@ BOOST_NOINLINE Join_answer decide_ends(By_value_or_ref<Left> left, By_value_or_r
   typedef typename Left::Traits Traits;
   constexpr int N = dimension_v<Traits>;
   if constexpr (is_double<typename Traits::FT> && (N == 2 || N == 3) && !planar_by_definition<question, N>) {
-    const Join_answer answer = decide_by_stages(Join_reader<question, N, weighted, Left, Right>(left, right)(), stages);
-    if (answer != Join_answer::unknown) return answer;
-  }
-  return decide_exactly<question, weighted>(left, right, stages);
+    const Join_reader<question, N, weighted, Left, Right> join(left, right);
+    return decide_on_doubles(join(), left, right, stages);
+  } else
+    return decide_exactly<question, weighted>(left, right, stages);
 }
 
 // The orders C of ends with weights, as far as their first derivatives tell. The weights are not looked at any further.
@@ -109,9 +109,11 @@ Join_answer decide_weighted_derivatives(const Left& left, const Right& right, St
   typedef typename Left::Traits Traits;
   constexpr int N = dimension_v<Traits>;
   if constexpr (is_double<typename Traits::FT> && (N == 2 || N == 3))
-    return decide_by_stages(Weighted_derivatives<question, N>(left, right), stages);
-  else
-    return Join_answer::unknown;
+    if (stages.uses(Stage::floating_point) && weighted_derivatives_differ<N>(left, right)) {
+      stages.decided(Stage::floating_point, Join_answer::no);
+      return Join_answer::no;
+    }
+  return Join_answer::unknown;
 }
 
 // The decision on two ends that are given by control points, or `unknown` where a question about ends with weights is left to the jets.
@@ -121,11 +123,11 @@ CGAL_GC_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& r
   check_dimensions(left, right);
   if constexpr (requires_coincident_ends(question))
     if (!ends_meet(left, right)) {
-      stages.decided(Join_stage::comparison, Join_answer::no);
+      stages.decided(Stage::comparison, Join_answer::no);
       return Join_answer::no;
     }
   if constexpr (question == Join_question::c0) {
-    stages.decided(Join_stage::comparison, Join_answer::yes);
+    stages.decided(Stage::comparison, Join_answer::yes);
     return Join_answer::yes;
   } else if constexpr (weighted && is_parametric(question))
     return decide_weighted_derivatives<question>(left, right, stages);
@@ -208,7 +210,7 @@ CGAL_GC_FORCEINLINE Join_answer decide_join(const Left& left, const Right& right
       typedef Join_field<Left> Field;
       answer =
           decide_on_jets<question>(jet_at<Field, Curve_end::end>(left, 3), jet_at<Field, Curve_end::start>(right, 3));
-      stages.decided(Join_stage::multiprecision, answer);
+      stages.decided(Stage::multiprecision, answer);
     }
   return answer;
 }
