@@ -5,6 +5,8 @@
 // Names of the release before compile, with a warning, and mean what they meant.
 
 #include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
+#include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
 #include <CGAL/Geometric_continuity/joins/Kink_bound.h>
