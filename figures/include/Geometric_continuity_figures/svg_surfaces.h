@@ -9,7 +9,6 @@
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
-#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 #include <Geometric_continuity_figures/Svg_panel.h>
 #include <Geometric_continuity_figures/internal/Svg_facets.h>
 #include <Geometric_continuity_figures/internal/svg_text.h>
