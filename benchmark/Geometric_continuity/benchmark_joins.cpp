@@ -13,7 +13,6 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
-#include <CGAL/Geometric_continuity/joins/failing_joins.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Mpzf.h>

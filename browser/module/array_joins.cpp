@@ -5,7 +5,6 @@
 #include "array_joins.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/joins/failing_joins.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 
 #include <cmath>

@@ -17,13 +17,13 @@ done
 LC_ALL=C sort -cu "$info/dependencies" || fails "package_info/$name/dependencies is not sorted"
 grep -qx $name "$info/dependencies" || fails "the package depends on itself"
 grep -qx "LGPL (v3 or later)" "$info/license.txt" || fails "license.txt does not name the license in CGAL's words"
-headers=$(grep -rL "SPDX-License-Identifier: LGPL-3.0-or-later" "$source/include" || true)
+headers=$(grep -rL "SPDX-License-Identifier: LGPL-3.0-or-later" "$source/include" "$source/figures" || true)
 [ -z "$headers" ] || fails "another license: $headers"
 [ "$(wc -l <"$info/description.txt")" -eq 1 ] || fails "description.txt has one line"
 
-# The tree of a branch of CGAL, CGAL_ROOT/PACKAGE/{doc,examples,include}, and what CGAL sets for each package.
+# The tree of a branch of CGAL, CGAL_ROOT/PACKAGE/{doc,examples,figures,include}, and what CGAL sets for each package.
 mkdir -p "$work/cgal/$name" "$work/tags" "$work/doc_output"
-for part in doc examples include; do ln -s "$source/$part" "$work/cgal/$name/$part"; done
+for part in doc examples figures include; do ln -s "$source/$part" "$work/cgal/$name/$part"; done
 cat >"$work/configure.cmake" <<'CMAKE'
 set(CGAL_PACKAGE_DIR ${root}/cgal/${name})
 set(CGAL_PACKAGE_DOC_DIR ${CGAL_PACKAGE_DIR}/doc/${name})

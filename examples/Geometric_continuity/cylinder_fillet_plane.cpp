@@ -8,9 +8,9 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Simple_cartesian.h>
+#include <Geometric_continuity_figures/svg_surfaces.h>
 
 #include <fstream>
 #include <iostream>

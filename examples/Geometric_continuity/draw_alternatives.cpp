@@ -7,8 +7,8 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Simple_cartesian.h>
+#include <Geometric_continuity_figures/Svg_figure.h>
 
 #include <fstream>
 #include <iostream>

@@ -7,7 +7,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
+#include <Geometric_continuity_figures/Svg_figure.h>
 
 #include <fstream>
 #include <iostream>

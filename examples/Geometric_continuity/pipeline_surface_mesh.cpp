@@ -7,7 +7,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/models/face_graph.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>

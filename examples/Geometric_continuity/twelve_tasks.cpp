@@ -7,9 +7,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Simple_cartesian.h>
+#include <Geometric_continuity_figures/Svg_figure.h>
 
 #include <iostream>
 #include <sstream>

@@ -45,12 +45,10 @@
 
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
-#include <CGAL/Geometric_continuity/joins/Join_certificate.h>
 #include <CGAL/Geometric_continuity/joins/Join_deviation.h>
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
-#include <CGAL/Geometric_continuity/joins/failing_joins.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
@@ -59,7 +57,6 @@
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
-#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/cut_back.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
@@ -94,7 +91,6 @@
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
-#include <CGAL/Geometric_continuity/models/face_graph.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 #include <CGAL/Geometric_continuity/models/round_edges.h>

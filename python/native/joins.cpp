@@ -6,7 +6,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/joins/failing_joins.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Simple_cartesian.h>

@@ -5,10 +5,16 @@
 // Names of the release before compile, with a warning, and mean what they meant.
 
 #include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
+#include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/joins/Join_certificate.h>
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
 #include <CGAL/Geometric_continuity/joins/Kink_bound.h>
+#include <CGAL/Geometric_continuity/joins/failing_joins.h>
+#include <CGAL/Geometric_continuity/models/face_graph.h>
 #include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/trim_back.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -27,3 +33,8 @@ Patch strip(const Patch& p) { return GC::trim_back(p, GC::Patch_edge::v1, 0.5); 
 std::vector<GC::Near_edges> near(const std::vector<Patch>& model, const GC::Edge_tolerance& tolerance) {
   return GC::near_edges(model, GC::model_continuity(model), tolerance);
 }
+GC::Bezier_curve<Patch::Traits> edge(const Patch& p) { return GC::boundary_curve(p, GC::Patch_edge::u0); }
+std::vector<std::size_t> failing(const std::vector<Curve>& chain) {
+  return GC::failing_joins(chain, [](const Curve& a, const Curve& b) { return GC::is_g2_join(a, b); });
+}
+GC::Svg_figure picture(const Curve& c) { return GC::Svg_figure().add(GC::Svg_panel().add(c)); }

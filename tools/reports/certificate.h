@@ -9,7 +9,7 @@
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/joins/Join_certificate.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 
 #include <cstddef>
 #include <optional>

@@ -5,8 +5,8 @@
 #include "figures.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
-#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
+#include <Geometric_continuity_figures/svg_surfaces.h>
 
 #include <cmath>
 #include <stdexcept>

@@ -10,7 +10,7 @@
 #include "support/nets.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "support/jets.h"
 
-#include <CGAL/Geometric_continuity/joins/Join_certificate.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -7,7 +7,6 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/joins/failing_joins.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Simple_cartesian.h>

@@ -11,7 +11,6 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/mesh.h>
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/models/face_graph.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
 #include <CGAL/Simple_cartesian.h>

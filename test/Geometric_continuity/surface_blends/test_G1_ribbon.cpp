@@ -10,7 +10,7 @@
 #include "support/exact_splines.h"
 
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
-#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -17,7 +17,7 @@
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
-#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -10,7 +10,6 @@
 
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
-#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 
 #include <cmath>
 #include <cstddef>

@@ -9,7 +9,7 @@
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Aff_transformation_3.h>
-#include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 #include "commands/work_limit.h"
 #include "files/output.h"
 
-#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
+#include <Geometric_continuity_figures/Svg_figure.h>
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
 #include "commands/work_limit.h"
 #include "files/output.h"
 
-#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
+#include <Geometric_continuity_figures/Svg_figure.h>
 
 #include <optional>
 #include <stdexcept>

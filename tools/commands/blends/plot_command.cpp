@@ -8,8 +8,8 @@
 #include "files/output.h"
 #include "files/progress.h"
 
-#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <Geometric_continuity_figures/Svg_figure.h>
 
 namespace {
 

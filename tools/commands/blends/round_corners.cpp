@@ -9,10 +9,10 @@
 #include "files/output.h"
 #include "formats/g2_text/curves.h"
 
-#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
+#include <Geometric_continuity_figures/Svg_figure.h>
 
 #include <algorithm>
 #include <array>

@@ -8,8 +8,8 @@
 #include "commands/chains/Chain_report.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/joins/Join_certificate.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -16,8 +16,8 @@
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/IO/text.h>
-#include <CGAL/Geometric_continuity/joins/Join_certificate.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 

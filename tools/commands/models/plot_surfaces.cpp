@@ -7,10 +7,10 @@
 #include "formats/g2_text/surfaces.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Simple_cartesian.h>
+#include <Geometric_continuity_figures/svg_surfaces.h>
 
 #include <cmath>
 #include <stdexcept>

@@ -10,11 +10,11 @@
 #include "reports/words.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/round_edges.h>
 #include <CGAL/Simple_cartesian.h>
+#include <Geometric_continuity_figures/svg_surfaces.h>
 
 #include <cstddef>
 #include <optional>

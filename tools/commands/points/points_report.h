@@ -9,7 +9,7 @@
 #include "commands/points/read_points.h"
 #include "files/output.h"
 
-#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
+#include <Geometric_continuity_figures/Svg_figure.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -5,10 +5,15 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_TESSELLATE_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_TESSELLATE_H
 
+#include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/models/internal/Model_mesh.h>
+#include <CGAL/Geometric_continuity/models/internal/Triangle_halfedges.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <boost/graph/graph_traits.hpp>
 
 #include <array>
 #include <cmath>
@@ -231,6 +236,72 @@ template <class Surface, class Mode>
 Tessellation<typename Surface::Traits> tessellate(const Surface& surface, const Mode& mode,
                                                   std::size_t max_triangles = max_tessellation_triangles) {
   return tessellate(std::array<Surface, 1>{surface}, mode, max_triangles);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Appends triangles to a mesh of \cgal: a vertex for each point, a face for each triangle, with the orientation that `tessellate()` gives
+/// it, outwards for closed solids. When it throws, the mesh has
+/// not been changed. \f$ O(n \log n) \f$ for `n` triangles
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+/// \tparam Mesh a model of the concept `MutableFaceGraph` of \cgal
+/// \tparam VertexPointMap a writable property map from the vertices of the mesh to points, to which `Traits::Point` is
+///   assigned
+/// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite orientations, or the triangles
+///   at a point are not one fan, or a triangle has one point twice or a point that does not exist
+template <class Traits, class Mesh, class VertexPointMap>
+void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh, VertexPointMap points) {
+  typedef boost::graph_traits<Mesh> Graph;
+  typedef typename Graph::vertex_descriptor Vertex;
+  typedef typename Graph::halfedge_descriptor Halfedge;
+  typedef typename Graph::face_descriptor Face;
+  const internal::Triangle_halfedges triangles(tessellation.triangles, tessellation.points.size());
+
+  std::vector<Vertex> vertices;
+  for (const typename Traits::Point& point : tessellation.points) {
+    vertices.push_back(add_vertex(mesh));
+    put(points, vertices.back(), point);
+  }
+  std::vector<Halfedge> halfedges(triangles.size(), Graph::null_halfedge());
+  for (std::size_t h = 0; h < triangles.size(); ++h) {
+    if (!triangles.on_boundary(h) && triangles.opposite(h) < h) {
+      halfedges[h] = opposite(halfedges[triangles.opposite(h)], mesh);
+      continue;
+    }
+    halfedges[h] = halfedge(add_edge(mesh), mesh);
+    set_target(halfedges[h], vertices[triangles.target(h)], mesh);
+    set_target(opposite(halfedges[h], mesh), vertices[triangles.source(h)], mesh);
+  }
+  std::vector<Halfedge> leaving(tessellation.points.size(), Graph::null_halfedge()); // along the boundary
+  for (std::size_t h = 0; h < triangles.size(); ++h) {
+    set_halfedge(vertices[triangles.target(h)], halfedges[h], mesh);
+    set_next(halfedges[h], halfedges[triangles.next(h)], mesh);
+    if (triangles.on_boundary(h)) leaving[triangles.target(h)] = opposite(halfedges[h], mesh);
+  }
+  for (std::size_t t = 0; t < tessellation.triangles.size(); ++t) {
+    const Face face = add_face(mesh);
+    set_halfedge(face, halfedges[3 * t], mesh);
+    for (int i = 0; i < 3; ++i) set_face(halfedges[3 * t + i], face, mesh);
+  }
+  for (std::size_t h = 0; h < triangles.size(); ++h)
+    if (triangles.on_boundary(h)) {
+      const Halfedge border = opposite(halfedges[h], mesh); // ends where h begins
+      set_face(border, Graph::null_face(), mesh);
+      set_next(border, leaving[triangles.source(h)], mesh);
+      set_halfedge(vertices[triangles.source(h)], border, mesh);
+    }
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Appends triangles to a mesh of \cgal, whose point map is `get(CGAL::vertex_point, mesh)`: a vertex for each point, a face
+/// for each triangle. When it throws, the mesh has not been changed. \f$ O(n \log n) \f$ for `n` triangles
+///
+/// \tparam Traits a model of `GeometricContinuityTraits`
+/// \tparam Mesh a model of the concept `MutableFaceGraph` of \cgal with a property map of points
+/// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite orientations, or the triangles
+///   at a point are not one fan, or a triangle has one point twice or a point that does not exist
+template <class Traits, class Mesh> void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh) {
+  to_face_graph(tessellation, mesh, get(CGAL::vertex_point, mesh));
 }
 
 } // namespace Geometric_continuity

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_BEZIER_PATCH_H
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/Control_net.h>
@@ -401,6 +402,16 @@ private:
     internal::check_interval(v_, "Bezier_patch: domain in v");
   }
 };
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns an edge of a patch as a Bézier curve on the domain of the edge; its control points are those of the patch
+/// along the edge. \f$ O(p) \f$ for an edge of degree `p`
+template <class Traits> Bezier_curve<Traits> boundary_curve(const Bezier_patch<Traits>& patch, Patch_edge edge) {
+  const typename Bezier_patch<Traits>::Interval domain = patch.domain(edge);
+  std::vector<typename Traits::Point> points;
+  for (int i = 0; i <= patch.degree_along(edge); ++i) points.push_back(patch.control_point(edge, i, 0));
+  return Bezier_curve<Traits>(points.begin(), points.end(), domain.first, domain.second);
+}
 
 } // namespace Geometric_continuity
 } // namespace CGAL

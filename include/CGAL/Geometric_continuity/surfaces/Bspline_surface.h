@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_BSPLINE_SURFACE_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_BSPLINE_SURFACE_H
 
+#include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/bspline_net.h>
 
@@ -295,6 +296,16 @@ private:
     return swap_parameters().along_u(operation).swap_parameters();
   }
 };
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns an edge of a B-spline surface as a curve over the knots of the surface along the edge. The knots across the
+/// edge need not be clamped. \f$ O(m q + q^2) \f$ for an edge with `m` control points, of degree `q` across the edge
+template <class Traits> Bspline_curve<Traits> boundary_curve(const Bspline_surface<Traits>& surface, Patch_edge edge) {
+  std::vector<typename Traits::Point> points;
+  const auto rows = surface.rows(edge, 0);
+  for (const Coordinates<Traits>& x : rows[0]) points.push_back(to_point<Traits>(x));
+  return Bspline_curve<Traits>(points.begin(), points.end(), surface.knots_along(edge));
+}
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_SURFACES_RATIONAL_SURFACE_H
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACES_RATIONAL_SURFACE_H
 
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/denominator.h>
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
@@ -477,6 +478,24 @@ template <class Traits> using Rational_bezier_patch = Rational_surface<Bezier_pa
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits> using Rational_bspline_surface = Rational_surface<Bspline_surface<Traits>>;
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns an edge of a rational patch as a rational curve, with the domain and the direction of the edge.
+template <class Traits>
+Rational_bezier_curve<Traits> boundary_curve(const Rational_bezier_patch<Traits>& patch, Patch_edge edge) {
+  const typename Rational_bezier_patch<Traits>::Interval domain = patch.domain(edge);
+  typedef typename Rational_bezier_curve<Traits>::Homogeneous Homogeneous;
+  return Rational_bezier_curve<Traits>(Homogeneous(patch.rows(edge, 0)[0], domain.first, domain.second));
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns an edge of a rational B-spline surface as a rational curve over the knots of the edge.
+template <class Traits>
+Rational_bspline_curve<Traits> boundary_curve(const Rational_bspline_surface<Traits>& surface, Patch_edge edge) {
+  typedef typename Rational_bspline_curve<Traits>::Homogeneous Homogeneous;
+  const auto rows = surface.rows(edge, 0);
+  return Rational_bspline_curve<Traits>(Homogeneous(rows[0].begin(), rows[0].end(), surface.knots_along(edge)));
+}
 
 } // namespace Geometric_continuity
 } // namespace CGAL

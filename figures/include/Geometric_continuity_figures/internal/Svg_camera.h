@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_CAMERA_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_CAMERA_H
+#ifndef GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_CAMERA_H
+#define GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_CAMERA_H
 
-#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_view.h>
+#include <Geometric_continuity_figures/internal/Svg_view.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,4 +67,4 @@ public:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_CAMERA_H
+#endif // GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_CAMERA_H

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_MARKUP_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_MARKUP_H
+#ifndef GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_MARKUP_H
+#define GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_MARKUP_H
 
-#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_view.h>
+#include <Geometric_continuity_figures/internal/Svg_view.h>
 
 #include <algorithm>
 #include <array>
@@ -177,4 +177,4 @@ inline std::string svg_outline(const std::vector<Svg_pixel>& polygon) {
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_MARKUP_H
+#endif // GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_MARKUP_H

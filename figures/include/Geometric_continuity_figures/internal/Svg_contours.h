@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_CONTOURS_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_CONTOURS_H
+#ifndef GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_CONTOURS_H
+#define GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_CONTOURS_H
 
-#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_view.h>
+#include <Geometric_continuity_figures/internal/Svg_view.h>
 
 #include <algorithm>
 #include <array>
@@ -123,4 +123,4 @@ inline std::vector<Svg_pixel> svg_simplified(const std::vector<Svg_pixel>& point
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_CONTOURS_H
+#endif // GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_CONTOURS_H

@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_VIEW_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_VIEW_H
+#ifndef GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_VIEW_H
+#define GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_VIEW_H
 
-#include <CGAL/Geometric_continuity/IO/figures/Svg_panel.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
+#include <Geometric_continuity_figures/Svg_panel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -273,4 +273,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_VIEW_H
+#endif // GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_VIEW_H

@@ -2,13 +2,13 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_CURVATURE_PLOTS_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_CURVATURE_PLOTS_H
+#ifndef GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_CURVATURE_PLOTS_H
+#define GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_CURVATURE_PLOTS_H
 
-#include <CGAL/Geometric_continuity/IO/figures/Svg_panel.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_view.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>
+#include <Geometric_continuity_figures/Svg_panel.h>
+#include <Geometric_continuity_figures/internal/Svg_view.h>
+#include <Geometric_continuity_figures/internal/svg_markup.h>
+#include <Geometric_continuity_figures/internal/svg_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -154,4 +154,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_CURVATURE_PLOTS_H
+#endif // GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_CURVATURE_PLOTS_H

@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_RASTER_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_RASTER_H
+#ifndef GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_RASTER_H
+#define GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_RASTER_H
 
-#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_contours.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_view.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
+#include <Geometric_continuity_figures/internal/Svg_contours.h>
+#include <Geometric_continuity_figures/internal/Svg_view.h>
+#include <Geometric_continuity_figures/internal/svg_markup.h>
 
 #include <algorithm>
 #include <array>
@@ -157,4 +157,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_RASTER_H
+#endif // GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_RASTER_H

@@ -2,17 +2,17 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_FACETS_H
-#define CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_FACETS_H
+#ifndef GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_FACETS_H
+#define GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_FACETS_H
 
-#include <CGAL/Geometric_continuity/IO/figures/Svg_panel.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_camera.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_contours.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_raster.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Simple_cartesian.h>
+#include <Geometric_continuity_figures/Svg_panel.h>
+#include <Geometric_continuity_figures/internal/Svg_camera.h>
+#include <Geometric_continuity_figures/internal/Svg_contours.h>
+#include <Geometric_continuity_figures/internal/Svg_raster.h>
+#include <Geometric_continuity_figures/internal/svg_markup.h>
 
 #include <algorithm>
 #include <array>
@@ -202,4 +202,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_IO_FIGURES_INTERNAL_SVG_FACETS_H
+#endif // GEOMETRIC_CONTINUITY_FIGURES_INTERNAL_SVG_FACETS_H

@@ -6,7 +6,7 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_facets.h>
+#include <Geometric_continuity_figures/internal/Svg_facets.h>
 
 #include <algorithm>
 #include <array>

@@ -10,8 +10,6 @@
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
-#include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
@@ -19,6 +17,8 @@
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Simple_cartesian.h>
+#include <Geometric_continuity_figures/Svg_figure.h>
+#include <Geometric_continuity_figures/svg_surfaces.h>
 
 #include <algorithm>
 #include <cctype>

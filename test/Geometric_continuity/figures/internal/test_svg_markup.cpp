@@ -6,9 +6,9 @@
 
 #include <boost/test/unit_test.hpp>
 
-#include <CGAL/Geometric_continuity/IO/figures/internal/Svg_contours.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_markup.h>
-#include <CGAL/Geometric_continuity/IO/figures/internal/svg_text.h>
+#include <Geometric_continuity_figures/internal/Svg_contours.h>
+#include <Geometric_continuity_figures/internal/svg_markup.h>
+#include <Geometric_continuity_figures/internal/svg_text.h>
 
 #include <cmath>
 #include <limits>
