@@ -5,28 +5,13 @@
 // Numbers as they are written: they are the rational numbers that parse_number() reads, in all forms, and so are their order and
 // their multiples of powers of ten.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
 #include <CGAL/FPU.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Interval_nt.h>
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Decimal)
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 
 namespace {
 

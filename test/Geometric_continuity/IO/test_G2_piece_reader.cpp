@@ -4,27 +4,13 @@
 
 // Curves in .g2 files that are read piece by piece.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <optional>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(G2_piece_reader)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Rounded;
 typedef std::vector<GC::Rational_bezier_curve<Exact>> Pieces;

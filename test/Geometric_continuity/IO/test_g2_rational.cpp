@@ -5,32 +5,15 @@
 // Rational curves and surfaces in .g2 files: written and read without loss, and refused where the text or the type does not allow
 // them.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/arcs.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <iostream>
-#include <random>
-#include <sstream>
-#include <string>
-#include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(g2_rational)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Q2;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Q3;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> D2;

@@ -4,17 +4,9 @@
 
 // B-spline curves in .g2 files.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-
-#include <cstddef>
-#include <sstream>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(splines_in_files, K, Kernels) {
   typedef typename K::FT FT;

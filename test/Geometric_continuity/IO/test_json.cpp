@@ -2,29 +2,17 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
 #include <iomanip>
-#include <limits>
 #include <locale>
-#include <optional>
-#include <sstream>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(json)
 
-namespace GC = CGAL::Geometric_continuity;
-
 namespace {
 
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Bezier_curve<Exact> Curve;
 typedef Exact::Point Point;

@@ -2,20 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/IO/mesh.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <sstream>
 
 BOOST_AUTO_TEST_SUITE(mesh)
-
-namespace GC = CGAL::Geometric_continuity;
 
 namespace {
 

@@ -4,23 +4,14 @@
 
 // Power polynomials: the Bernstein form and back, division, greatest common divisors; and sets of signs.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/random.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 
-#include <initializer_list>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Power_polynomial)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Power_polynomial<Q> Power;
 typedef GC::Bernstein_polynomial<Q> Bernstein;
 using GC::Sign_pattern;

@@ -4,22 +4,13 @@
 
 // Determinants of many rows, which are computed by elimination.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 
-#include <tuple>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(determinant)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef std::tuple<Q, double> Numbers; // whole numbers in this test, which doubles represent
 
 namespace {

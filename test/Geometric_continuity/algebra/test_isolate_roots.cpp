@@ -4,16 +4,9 @@
 
 // Roots of polynomials on [0, 1].
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/swept_surfaces.h"
 
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
 
 namespace {
 

@@ -5,36 +5,18 @@
 // Fair blends are as fair as they can be: compared with an optimum that shares nothing with the package. E is computed by the
 // textbook formulas of curvature and torsion, and minimised without derivatives.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Fair
-#include <boost/test/unit_test.hpp>
 
+#include "support/test.h"
 #include "support/allocations.h"
-#include "support/errors.h"
 #include "support/fairness.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <boost/config.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdlib>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <tuple>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Plane;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Space;
 typedef std::tuple<Plane, Space> Traits_classes;

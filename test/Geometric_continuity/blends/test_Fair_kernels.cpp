@@ -6,41 +6,20 @@
 // where no good blend exists.
 
 #define BOOST_TEST_MODULE Fair_kernels
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Gmpq.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <array>
 #include <cfenv>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
 typedef GC::Traits_2<CGAL::Epeck> Lazy;
 typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Gmpq>> Gmp_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
 
 namespace {
 

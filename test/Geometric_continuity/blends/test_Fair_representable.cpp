@@ -4,21 +4,12 @@
 
 // Representable blends that aim at the fair one: exactly G2, and almost as fair.
 
-#include <boost/test/unit_test.hpp>
-
+#include "support/test.h"
 #include "support/fairness.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Fair_representable)
 

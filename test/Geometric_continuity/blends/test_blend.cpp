@@ -4,16 +4,11 @@
 
 // Blends of splines.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-
-#include <cstddef>
-#include <vector>
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(splines_are_blended_and_joined, K, Kernels) {
   typedef typename K::FT FT;

@@ -5,35 +5,20 @@
 // Blends of rational numbers are computed on unreduced fractions, blends of lazy numbers as one lazy construction: the same
 // numbers as the formulas give with the operators of the number type.
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #include <CGAL/Quotient.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/gmp.hpp>
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
+#include "support/test.h"
 #include "support/fractions.h"
-
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(exact_blends)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Exact;
 typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
 typedef Lazy_kernel::FT Lazy;

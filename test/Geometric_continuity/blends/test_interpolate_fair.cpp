@@ -4,22 +4,12 @@
 
 // Fair splines through points: joins are decided exactly, and fairness is compared with that of cubic splines.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/exact_splines.h"
 
 #include <CGAL/Geometric_continuity/blends/interpolate_fair.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(fair_interpolation)
 

@@ -4,27 +4,15 @@
 
 // Blends whose control points are floating-point numbers and whose joins are exactly G2.
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
+#include "support/test.h"
 #include "support/rounding_modes.h"
-
-#include <cmath>
-#include <cstdint>
-#include <iostream>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(representable_blend)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Traits_2<CGAL::Epick> Plane;
 typedef GC::Traits_3<CGAL::Epick> Space;
 typedef GC::Bezier_curve<Space> Curve;

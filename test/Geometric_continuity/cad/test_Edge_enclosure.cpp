@@ -4,27 +4,13 @@
 
 // Enclosures over whole edges: of shapes with known answers, and of random ones against samples.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Edge_enclosure
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
 #include "support/random.h"
 #include "support/sampled_edges.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
-#include <tuple>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 typedef GC::Cad_point<3> P3;

@@ -4,26 +4,13 @@
 
 // Exact verdicts along whole edges: what continues each other exactly, what is off by one unit in the last place, and what is not decided.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE cad_edge_continuity
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
 #include "support/limited.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 typedef GC::Cad_point<3> P3;

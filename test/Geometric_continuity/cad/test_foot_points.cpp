@@ -4,27 +4,14 @@
 
 // Curves in space and the faces that they belong to: distances and foot points that are known.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE foot_points
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
-#include <tuple>
-#include <utility>
 #include <variant>
-#include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 

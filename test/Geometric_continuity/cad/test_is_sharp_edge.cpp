@@ -4,23 +4,13 @@
 
 // Tells whether edges are sharp everywhere: with angles that are known along the edge.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE is_sharp_edge
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
 #include <variant>
 
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 

@@ -4,26 +4,13 @@
 
 // What belongs to the poles of surfaces: lengths that are known, and what is no pole; foot points next to poles.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE range_at_pole
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <random>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 typedef std::optional<std::pair<double, double>> Found;

@@ -5,15 +5,11 @@
 // Verdicts along edges of rational patches against exact normals at many parameters: the surfaces are G1 exactly where all normals
 // of both sides have the same direction.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE sampled_normals
-#include <boost/test/unit_test.hpp>
 
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-
-#include <array>
 
 namespace {
 

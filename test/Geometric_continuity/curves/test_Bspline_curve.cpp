@@ -4,23 +4,14 @@
 
 // B-spline curves.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/archetype.h"
 #include "support/splines.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
-
-#include <cstddef>
-#include <limits>
-#include <sstream>
-#include <utility>
-#include <vector>
 
 // The i-th coordinate as a function.
 template <class Traits> Function<typename Traits::FT> coordinate(const GC::Bspline_curve<Traits>& c, int i) {

@@ -4,20 +4,11 @@
 
 // Segmented curves.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/composite_curves.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
-
-#include <algorithm>
-#include <initializer_list>
-#include <limits>
-#include <utility>
-#include <vector>
 
 // --------------------------------------------------------------------------------------------- Hagen, definition 3.1
 

@@ -4,32 +4,12 @@
 
 // Extrema of curvature and inflections: of curves where they are known, and of random ones, where dense sampling finds them.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <array>
-#include <cmath>
-#include <random>
-#include <sstream>
-#include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(curvature_extrema)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
-typedef GC::Traits_d<CGAL::Cartesian_d<double>> Double_d;
 typedef std::tuple<GC::Traits_2<CGAL::Simple_cartesian<Q>>, GC::Traits_2<CGAL::Epeck>, GC::Traits_2<CGAL::Epick>,
                    GC::Traits_2<CGAL::Simple_cartesian<double>>, Exact_d, Double_d>
     Planar_traits;

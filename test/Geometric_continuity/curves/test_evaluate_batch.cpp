@@ -4,22 +4,11 @@
 
 // Many jets at once: the same numbers as one by one, exactly with rational numbers, and within rounding with doubles.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_points.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 namespace {
 

@@ -4,21 +4,12 @@
 
 // Curves near polylines. Joins are decided exactly on the control points; distances are compared with those of many points.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/exact_splines.h"
 #include "support/plain_traits.h"
 
 #include <CGAL/Geometric_continuity/curves/fit.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(fit)
 

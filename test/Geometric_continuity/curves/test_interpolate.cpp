@@ -4,20 +4,10 @@
 
 // Cubic splines through points. With exact numbers all is compared with ==.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/exact_splines.h"
 
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(interpolation)
 

@@ -5,20 +5,9 @@
 // Polylines and boxes of curves. That they are near enough, or contain the curve, is checked in rational numbers without any
 // square root, on curves with `double` coordinates as well: a double is a rational number.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
-#include "support/kernels.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/curves/polyline.h>
-
-#include <cmath>
-#include <initializer_list>
-#include <iterator>
-#include <limits>
-#include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(polylines)
 

@@ -5,31 +5,13 @@
 // Rational Bezier and B-spline curves and arcs of conics: on random curves with big rational numbers, where an identity that holds
 // is one, on doubles within the bound of their roundings, and where weights are negative or zero.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/random.h"
 
 #include <CGAL/Aff_transformation_2.h>
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <random>
-#include <string>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(rational_curves)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Q2;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Q3;
 typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Qd;

@@ -6,15 +6,11 @@
 // points and jets allocate no memory.
 
 #define BOOST_TEST_MODULE run_time_degree
-#include <boost/test/unit_test.hpp>
 
 #include "support/allocations.h"
 #include "support/random_points.h"
 
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
-
-#include <utility>
-#include <vector>
 
 namespace {
 

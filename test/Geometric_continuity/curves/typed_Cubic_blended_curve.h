@@ -7,9 +7,6 @@
 
 #include "support/typed.h"
 
-#include <array>
-#include <limits>
-
 BOOST_AUTO_TEST_SUITE(cubic_curves)
 
 typedef GC::Basis_matrix<FT> Matrix;

@@ -10,11 +10,6 @@
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(edge_certificates)
 
 namespace {

@@ -4,18 +4,11 @@
 
 // The order of continuity of Bezier patches along edges, degenerate edges, and the angle between the normals.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/enclosures.h"
 #include "support/nets.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
-
-#include <algorithm>
-#include <cmath>
-#include <type_traits>
-#include <vector>
 
 using enclosures::ulps;
 

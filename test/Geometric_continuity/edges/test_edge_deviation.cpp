@@ -5,30 +5,14 @@
 // The certified deviation along edges: the enclosures contain the exact value, are at most four units in the last place
 // wide on well-scaled numbers, and lead to honest verdicts.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/enclosures.h"
-#include "support/errors.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(edge_deviation)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Exact;
 typedef GC::Traits_3<CGAL::Epick> Space;
 using enclosures::angle_is;

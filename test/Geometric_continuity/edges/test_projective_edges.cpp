@@ -5,8 +5,6 @@
 // The orders G^k are those of the points in projective space: they do not change under a projective map, which makes rational
 // patches from polynomial ones that are connected in all ways.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/nets.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>

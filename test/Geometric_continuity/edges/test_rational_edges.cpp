@@ -4,8 +4,6 @@
 
 // Continuity along edges of rational surfaces, of all types and mixes.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/limited.h"
 #include "support/rational_surfaces.h"
 
@@ -13,9 +11,6 @@
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
-
-#include <sstream>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(rational_edges)
 

@@ -4,20 +4,10 @@
 
 // Continuity of B-spline surfaces along edges, parts of edges and knot lines.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/spline_surfaces.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace {
 

@@ -4,19 +4,10 @@
 
 // Where the normals of swept surfaces vanish, and how smoothly swept surfaces join.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/swept_surfaces.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-
-#include <array>
-#include <cmath>
-#include <initializer_list>
-#include <type_traits>
-#include <vector>
 
 // ---------------------------------------------------------------- where the normal vanishes
 

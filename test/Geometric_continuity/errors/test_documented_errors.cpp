@@ -6,24 +6,10 @@
 
 #define BOOST_TEST_MODULE documented_errors
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 
-#include <cmath>
-#include <initializer_list>
-#include <iterator>
-#include <limits>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> D2;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> D3;
 typedef GC::Traits_d<CGAL::Cartesian_d<double>> Dd;

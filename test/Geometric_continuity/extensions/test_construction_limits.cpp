@@ -5,13 +5,9 @@
 // Limits of the work of constructions, and of what is said about their results: ordinary input is far below the default, long
 // numbers are refused by a typed error, and floating-point numbers are never.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
+#include "support/test.h"
 #include "support/limited.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
@@ -25,17 +21,9 @@
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cstdint>
-#include <random>
 #include <thread>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(construction_limits)
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 
 namespace {
 

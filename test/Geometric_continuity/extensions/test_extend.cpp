@@ -5,24 +5,12 @@
 // What extensions refuse: numbers that are not finite, wherever they enter, and degrees without alternatives. What they make is
 // tested on every kernel, in kernels/typed/alternatives.h.
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
+#include "support/test.h"
+
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
-
-#include <limits>
-#include <optional>
 
 BOOST_AUTO_TEST_SUITE(extend)
-
-namespace GC = CGAL::Geometric_continuity;
 
 namespace {
 

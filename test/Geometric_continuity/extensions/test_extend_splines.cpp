@@ -4,15 +4,11 @@
 
 // Splines that are extended and closed.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-
-#include <vector>
 
 // Clamped or not, and with inner knots of any multiplicity: the last span decides.
 BOOST_AUTO_TEST_CASE_TEMPLATE(splines_are_extended, K, Kernels) {

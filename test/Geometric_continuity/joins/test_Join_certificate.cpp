@@ -8,11 +8,6 @@
 
 #include <CGAL/Geometric_continuity/joins/Join_certificate.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-
 BOOST_AUTO_TEST_SUITE(join_certificates)
 
 namespace {

@@ -4,22 +4,11 @@
 
 // The analysis of chains and of segmented curves.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/composite_curves.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <map>
-#include <stdexcept>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 // ------------------------------------------------------------------------------------------------------------ chains
 

@@ -5,26 +5,13 @@
 // The certified deviation of joins: the enclosures contain the exact value, are at most four units in the last place wide
 // on well-scaled numbers, and lead to honest verdicts.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/enclosures.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <iostream>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(deviation)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Exact;
 typedef GC::Traits_2<CGAL::Epick> Plane;
 typedef GC::Traits_3<CGAL::Epick> Space;

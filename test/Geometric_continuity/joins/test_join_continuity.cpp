@@ -4,20 +4,11 @@
 
 // The remarks of Hagen after 2.1: what continuity of derivatives says about that of the invariants, and conversely.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/jets.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
-
-#include <algorithm>
-#include <random>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 typedef std::tuple<Exact_3, Double_3, Epick_3> Spaces;
 typedef std::tuple<Exact_2, Exact_3> Exact_dimensions;

@@ -4,19 +4,12 @@
 
 // Continuity at the knots of splines, and of chains of them.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/splines.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <vector>
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(continuity_at_knots, K, Kernels) {
   typedef typename K::FT FT;

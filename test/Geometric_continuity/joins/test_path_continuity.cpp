@@ -4,22 +4,13 @@
 
 // Joins of segments of paths: the short way for Bezier curves of short numbers answers as the general one, and encloses the jets.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <optional>
-#include <sstream>
-#include <string>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(path_continuity)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Plane;
 typedef Plane::Point Point;
 typedef GC::Bezier_curve<Plane> Curve;

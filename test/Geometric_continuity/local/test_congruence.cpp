@@ -4,18 +4,10 @@
 
 // Hagen 1.7 (a): jets with the same invariants are moved onto each other by one isometry.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/jets.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
-
-#include <cmath>
-#include <optional>
-#include <sstream>
-#include <vector>
 
 BOOST_AUTO_TEST_CASE(a_moved_jet_gives_back_the_motion) {
   Random random;

@@ -4,17 +4,9 @@
 
 // The Frenet equations.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/jets.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
-
-#include <algorithm>
-#include <cmath>
-#include <sstream>
-#include <vector>
 
 namespace {
 

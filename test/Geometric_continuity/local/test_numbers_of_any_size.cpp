@@ -5,23 +5,13 @@
 // Curvatures, frames and congruence of jets with very large and very small coordinates, in many dimensions, and what is
 // refused: nothing returns an undefined number.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
-#include "support/kernels.h"
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/Surface_jet.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <random>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(numbers_of_any_size)
 

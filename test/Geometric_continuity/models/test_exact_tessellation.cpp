@@ -4,28 +4,12 @@
 
 // Tessellation with exact numbers: points are summed as integers and diagonals compared by intervals, and neither is seen.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost_mp.h>
 
-#include <array>
-#include <cstddef>
-#include <cstdlib>
-#include <set>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(exact_tessellation)
-
-namespace GC = CGAL::Geometric_continuity;
 
 typedef CGAL::Simple_cartesian<CGAL::Exact_rational> Rational_kernel;
 typedef std::tuple<Rational_kernel, CGAL::Simple_cartesian<boost::multiprecision::cpp_rational>, CGAL::Epeck> Kernels;

@@ -4,21 +4,12 @@
 
 // Models of Bezier patches.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/archetype.h"
 #include "support/nets.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-
-#include <cstddef>
 #include <list>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 

@@ -5,31 +5,15 @@
 // The numbers in which a model is given, and the cores that decide it, make no difference: decimals, and the same model in whole
 // numbers that are doubles, are decided alike, edge by edge.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/limited.h"
 #include "support/random.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cstddef>
-#include <sstream>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(parallel_models)
 
-namespace GC = CGAL::Geometric_continuity;
-
 namespace {
 
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_3<CGAL::Epick> Filtered;
 

@@ -4,8 +4,6 @@
 
 // Models of rational surfaces: spheres, tori, fillets; and the patches from which they are made.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/curves/arcs.h>
@@ -13,9 +11,6 @@
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
-
-#include <sstream>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(rational_models)
 

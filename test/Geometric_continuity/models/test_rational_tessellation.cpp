@@ -4,19 +4,11 @@
 
 // Triangles of rational surfaces: without cracks, on the surface, and nowhere farther from it than the tolerance.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <sstream>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(rational_tessellation)
 

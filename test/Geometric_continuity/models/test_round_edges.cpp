@@ -4,18 +4,10 @@
 
 // Models with rounded edges: boxes, also with bent faces.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/models/round_edges.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(rounded_models)
 

@@ -5,31 +5,17 @@
 // Enclosures of square roots and of angles: they hold, proved by exact numbers, in every rounding mode, and are narrow. Rational
 // square roots.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/enclosures.h"
-#include "support/errors.h"
 #include "support/rounding_modes.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Quotient.h>
-
-#include <cmath>
-#include <iostream>
-#include <limits>
 #include <locale>
-#include <random>
-#include <sstream>
-#include <string>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(Enclosure)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 using enclosures::angle_is;
 using enclosures::encloses_root;
 using enclosures::ulps;

@@ -5,28 +5,16 @@
 // Enclosures and integrals of the package against an independent library, Arb, which computes in balls of 200 bits from the definitions.
 
 #define BOOST_TEST_MODULE arb
-#include <boost/test/unit_test.hpp>
 
 #include "support/arb.h"
 #include "support/enclosures.h"
 #include "support/random.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
-#include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <iostream>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef GC::Traits_2<Kernel> Plane;
 typedef GC::Traits_3<Kernel> Space;

@@ -4,25 +4,11 @@
 
 // Parts of fractions, and sums of short ones.
 
-#include "support/errors.h"
 #include "support/random.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstdint>
-#include <sstream>
-#include <string>
-#include <type_traits>
-
 BOOST_AUTO_TEST_SUITE(rational_numbers)
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 
 namespace {
 

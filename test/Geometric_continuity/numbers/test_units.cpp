@@ -4,25 +4,13 @@
 
 // Degrees and percent: the enclosures hold, proved by exact numbers, in every rounding mode, and are narrow.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/enclosures.h"
-#include "support/errors.h"
 #include "support/rounding_modes.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
-
-#include <cmath>
-#include <iostream>
-#include <limits>
-#include <random>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(units)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 using enclosures::ulps;
 
 namespace {

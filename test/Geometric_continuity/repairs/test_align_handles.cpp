@@ -4,28 +4,13 @@
 
 // Kinks are repaired on the grid: no pair of parallel vectors is nearer, for random and for special legs.
 
-#include "support/errors.h"
+#include "support/test.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <random>
-#include <sstream>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(align_handles)
-
-namespace GC = CGAL::Geometric_continuity;
 
 namespace {
 

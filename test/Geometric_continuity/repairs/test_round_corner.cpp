@@ -5,36 +5,16 @@
 // One corner is rounded: the distance of the cuts, the parts, which are exactly parts of the given curves, the joins, and what is
 // refused.
 
-#include "support/errors.h"
+#include "support/test.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(round_corner)
 
-namespace GC = CGAL::Geometric_continuity;
-
 namespace {
 
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
 typedef GC::Traits_2<CGAL::Epeck> Lazy;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
 template <class Traits> using Curve = GC::Bezier_curve<Traits>;

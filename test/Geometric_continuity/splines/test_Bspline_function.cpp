@@ -4,18 +4,9 @@
 
 // Spline functions: values, blossoms and derivatives, other knots, elevation, product.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
 
 // ---------------------------------------------------------------- values, blossoms, derivatives
 

@@ -4,20 +4,10 @@
 
 // Knot vectors.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
-
 #include <cfenv>
-#include <cmath>
-#include <initializer_list>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(knot_vectors, K, Kernels) {
   typedef typename K::FT FT;

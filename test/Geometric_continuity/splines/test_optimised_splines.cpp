@@ -6,20 +6,10 @@
 // rational numbers. The only test that is compiled with optimisation: rows of numbers are kept in vector registers there.
 
 #define BOOST_TEST_MODULE optimised_splines
-#include <boost/test/unit_test.hpp>
 
 #include "support/random.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 
 namespace {
 

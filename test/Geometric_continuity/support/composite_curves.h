@@ -5,22 +5,11 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_COMPOSITE_CURVES_H
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_COMPOSITE_CURVES_H
 
-#include "errors.h"
-#include "kernels.h"
 #include "random.h"
 
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <initializer_list>
-#include <sstream>
-#include <string>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 // Segmented curves of whole and random numbers. Rounded kernels run the same tests as exact ones, on dyadic numbers
 // where every intermediate result is a double.

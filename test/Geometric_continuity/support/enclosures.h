@@ -5,18 +5,15 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ENCLOSURES_H
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ENCLOSURES_H
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+#include "test.h"
 
-#include <algorithm>
-#include <cmath>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 // What certifies an enclosure, without the functions that made it.
 
 namespace enclosures {
 
 typedef CGAL::Exact_rational Exact;
-namespace GC = CGAL::Geometric_continuity;
 
 // How many floating-point numbers the upper end is beyond the lower one.
 inline int ulps(const GC::Enclosure& e) {

@@ -5,26 +5,13 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_EXACT_SPLINES_H
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_EXACT_SPLINES_H
 
-#include "errors.h"
 #include "random.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <tuple>
-#include <vector>
 
 // Random splines in space with exact numbers.
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef CGAL::Simple_cartesian<Q> Exact;
 typedef std::tuple<CGAL::Simple_cartesian<double>, CGAL::Epick> Rounded_kernels;
 

@@ -8,15 +8,10 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <random>
+#include "test.h"
 
 // The fairness E = L^3 int (d kappa/ds)^2 + kappa^2 tau^2 ds by the textbook formulas of curvature and torsion and a dense
 // quadrature, and pairs of curves to blend: what tests of fair blends share.
-
-namespace GC = CGAL::Geometric_continuity;
 
 template <int N> using Vector = std::array<double, N>;
 template <int N> double dot(const Vector<N>& x, const Vector<N>& y) {

@@ -5,20 +5,12 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_JETS_H
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_JETS_H
 
-#include "errors.h"
-#include "kernels.h"
 #include "random.h"
 
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <initializer_list>
-#include <vector>
 
 // Jets of whole and random numbers, and random isometries.
 

@@ -5,34 +5,15 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_NETS_H
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_NETS_H
 
-#include "errors.h"
 #include "random.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 // Control nets of patches that meet along an edge, in every kernel.
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef std::tuple<CGAL::Simple_cartesian<Q>, CGAL::Epeck, CGAL::Epick, CGAL::Simple_cartesian<double>> All_kernels;
 
 template <class K> using Patch = GC::Bezier_patch<GC::Traits_3<K>>;

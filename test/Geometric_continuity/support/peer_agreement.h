@@ -5,25 +5,11 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PEER_AGREEMENT_H
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PEER_AGREEMENT_H
 
+#include "test.h"
 #include "peers.h"
-
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <random>
-#include <string>
-#include <vector>
 
 // Rational splines with random doubles, the same with exact numbers, and how far a rounded result may be from the exact one.
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 

@@ -5,12 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_H
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_H
 
-#include <boost/test/unit_test.hpp>
-
-#include <cstdlib>
-#include <iostream>
-#include <random>
-#include <type_traits>
+#include "test.h"
 
 // Random integers, the same in each run. A test derives its own class from them, with what it makes of them.
 

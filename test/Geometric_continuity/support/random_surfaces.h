@@ -10,10 +10,6 @@
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
-#include <tuple>
-#include <utility>
-#include <vector>
-
 // Surfaces of all types with random numbers of 64 bits, and with one control point moved.
 
 using GC::Edge_direction;

@@ -10,15 +10,11 @@
 
 #include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 
-#include <array>
-#include <cmath>
-#include <cstdlib>
+#include "test.h"
+
 #include <variant>
-#include <vector>
 
 namespace sampled_edges {
-
-namespace GC = CGAL::Geometric_continuity;
 
 // A value and its derivatives by x, y, xx, xy, yy.
 template <class FT> struct Dual {

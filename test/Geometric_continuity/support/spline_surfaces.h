@@ -5,31 +5,13 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINE_SURFACES_H
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINE_SURFACES_H
 
-#include "errors.h"
+#include "test.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <random>
-#include <sstream>
-#include <string>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 // B-spline surfaces that are parts of one polynomial surface, or of two with a known join.
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef CGAL::Simple_cartesian<Q> Exact;
 typedef std::tuple<Exact, CGAL::Epick, CGAL::Simple_cartesian<double>> Kernels;
 

@@ -17,30 +17,9 @@
 // Exact kernels compare with ==. A rounded kernel runs the same tests on small whole or dyadic numbers where every
 // intermediate result is a double, also with ==; where that is impossible, `close` states the bound.
 
-#include "errors.h"
 #include "random.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/number_utils.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <initializer_list>
-#include <optional>
-#include <ostream>
-#include <sstream>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 
 typedef Traits2::FT FT;
 template <class Traits> using Jet = GC::Curve_jet<Traits>;

@@ -5,20 +5,10 @@
 // The G1 ribbon. With exact numbers all is compared with ==. The
 // numbers of a ribbon that are not control points are exact with every kernel, and compared with == there, too.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/exact_splines.h"
 
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <sstream>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 typedef GC::Bernstein_polynomial<Q> Polynomial;
 typedef GC::G1_ribbon<GC::Traits_3<Exact>> Ribbon;

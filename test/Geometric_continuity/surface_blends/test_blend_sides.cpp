@@ -5,19 +5,12 @@
 // Blends with given sides. Sides that fit are those of other blends of the same surfaces; that the results are G2 is decided by
 // edge_continuity().
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
-
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(blend_sides)
 

@@ -5,29 +5,15 @@
 // Blends of surfaces of all types and mixes. That they are G2 along whole edges is decided by edge_continuity(), which knows nothing
 // of how they are made.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 #include "support/translated_curves.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <sstream>
-#include <string>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(blend_surfaces)
 

@@ -4,19 +4,11 @@
 
 // Rounded edges of surfaces of all types and mixes. That they are G2 along the new edges is decided by edge_continuity().
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/surface_blends/round_edge.h>
-
-#include <limits>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(rounded_edges)
 

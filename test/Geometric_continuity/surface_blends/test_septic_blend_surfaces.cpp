@@ -5,8 +5,6 @@
 // Blends of surfaces of degree 7: G3 along whole edges. is_g3_edge() decides it. It is compared with the Taylor expansion of a surface,
 // composed with that of the reparametrisation at more parameters than polynomials that agree there can have as zeros.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 #include "support/series.h"
@@ -15,12 +13,6 @@
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
-
-#include <array>
-#include <cmath>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(septic_blend_surfaces)
 

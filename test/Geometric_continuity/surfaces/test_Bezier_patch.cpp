@@ -4,23 +4,12 @@
 
 // Bezier patches.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/nets.h"
 
 #include <CGAL/Aff_transformation_3.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
-
-#include <algorithm>
-#include <iterator>
-#include <limits>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace {
 

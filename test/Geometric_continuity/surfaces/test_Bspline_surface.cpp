@@ -4,20 +4,10 @@
 
 // Tensor product surfaces. With exact numbers all is compared with ==.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/exact_splines.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
-
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <sstream>
-#include <utility>
-#include <vector>
 
 namespace {
 

@@ -4,18 +4,10 @@
 
 // Surfaces of all types without a strip along an edge.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/surfaces/cut_back.h>
-
-#include <algorithm>
-#include <limits>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(surfaces_trimmed_back)
 

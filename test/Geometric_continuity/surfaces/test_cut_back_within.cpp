@@ -4,16 +4,10 @@
 
 // B-spline surfaces without a strip along an edge, up to curves that cross knot lines: bounds hold, and what is not promised to change stays.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/surfaces/cut_back.h>
-
-#include <algorithm>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(surfaces_trimmed_back_within)
 

@@ -4,19 +4,11 @@
 
 // Grids of points and normals: the same numbers as one by one.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_points.h"
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 namespace {
 

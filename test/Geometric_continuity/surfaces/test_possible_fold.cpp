@@ -4,15 +4,10 @@
 
 // Normals that vanish are found, and those of graphs are proved not to.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
-
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(possible_folds)
 

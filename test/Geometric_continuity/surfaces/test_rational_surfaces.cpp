@@ -4,17 +4,11 @@
 
 // Rational patches and B-spline surfaces: what they evaluate, how they are cut and refined, and which weights they refuse.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
-
-#include <algorithm>
-#include <limits>
-#include <sstream>
 
 BOOST_AUTO_TEST_SUITE(rational_surfaces)
 

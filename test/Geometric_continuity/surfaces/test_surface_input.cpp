@@ -4,18 +4,9 @@
 
 // What patches, B-spline surfaces, swept surfaces and grids refuse, with the reason.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/swept_surfaces.h"
 
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
-
-#include <cmath>
-#include <limits>
-#include <sstream>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 typedef std::tuple<Double, Exact> All_traits;
 using GC::Patch_edge;

@@ -15,9 +15,7 @@
 #include <gp_Ax1.hxx>
 #include <gp_Trsf.hxx>
 
-#include <cstdlib>
-#include <iostream>
-#include <string>
+#include "support/test.h"
 
 // What programs that write CAD models with OpenCASCADE have in common.
 

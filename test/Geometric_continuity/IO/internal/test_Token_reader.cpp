@@ -4,36 +4,17 @@
 
 // The words of a text, their lines and numbers: the same however the stream cuts it, on one core and on several.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/internal/Token_reader.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/tags.h>
-
-#include <algorithm>
 #include <cerrno>
-#include <cstddef>
-#include <functional>
 #include <istream>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <stdexcept>
 #include <streambuf>
-#include <string>
-#include <string_view>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(token_reader)
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 
 namespace {
 

@@ -5,24 +5,17 @@
 // Polynomials in integers of fixed length against the same in integers of any length, up to the bounds from which their lengths follow;
 // and their signs, by bisection in numbers that are rounded outwards.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Bounded_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Rounded_polynomial.h>
 
-#include <cstdint>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Bounded_polynomial)
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-namespace GC = CGAL::Geometric_continuity;
 namespace I = GC::internal;
 typedef CGAL::Fraction_traits<CGAL::Exact_rational>::Numerator_type Z;
 typedef GC::internal::Homogeneous_polynomial<Z> Whole;

@@ -4,14 +4,9 @@
 
 // The search for the largest value on a range, for functions of which the bounds are given: what ends it, and what is left open.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/cad/internal/Maximum_enclosure.h>
-
-#include <initializer_list>
-#include <limits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Maximum_enclosure)
 

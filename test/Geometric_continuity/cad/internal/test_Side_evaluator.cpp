@@ -5,26 +5,14 @@
 // The Taylor models of points, normals and curvatures along an edge enclose their values, also on ranges that are so wide that what the
 // polynomials leave out is large; and they are narrow on those that are not.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 #include "support/sampled_edges.h"
 
 #include <CGAL/Geometric_continuity/cad/internal/Edge_bounds.h>
 #include <CGAL/Geometric_continuity/cad/internal/Side_evaluator.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <memory>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Side_evaluator)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 typedef GC::Cad_point<3> P3;

@@ -4,23 +4,13 @@
 
 // Taylor models enclose what they are computed from: against exact numbers, at parameters of the range, in each rounding mode.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/cad/internal/Taylor_model.h>
-
-#include <algorithm>
 #include <cfenv>
-#include <cmath>
-#include <limits>
-#include <random>
 
 BOOST_AUTO_TEST_SUITE(Taylor_model)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 using GC::internal::Interval;
 using Model = GC::internal::Taylor_model;
 

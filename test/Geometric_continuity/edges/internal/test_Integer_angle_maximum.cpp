@@ -4,16 +4,10 @@
 
 // The search for the largest angle in integers of fixed length, against known largest values, and against multi-precision.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/nets.h"
 
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
 #include <CGAL/Geometric_continuity/edges/internal/Largest_measure.h>
-
-#include <cmath>
-#include <optional>
-#include <vector>
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 

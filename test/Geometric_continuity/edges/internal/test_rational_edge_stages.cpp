@@ -5,19 +5,9 @@
 // Edges of rational surfaces in integers of fixed length against the decision in integers of any length: on homogeneous points with
 // few digits and with many, where an edge holds and where a number is off by one unit, with weights that are alike, large, small and mixed.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(rational_edge_stages)
 

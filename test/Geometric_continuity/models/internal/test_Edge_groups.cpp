@@ -4,19 +4,12 @@
 
 // How the edges of a model are recognised: groups of those that are the same.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/spline_surfaces.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
-
-#include <cstddef>
-#include <random>
-#include <utility>
-#include <vector>
 
 namespace {
 

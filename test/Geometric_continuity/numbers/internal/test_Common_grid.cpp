@@ -6,14 +6,7 @@
 
 #include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <iostream>
-#include <random>
+#include "support/test.h"
 
 #if defined(__GNUC__)
 

@@ -6,24 +6,14 @@
 
 #include <CGAL/Geometric_continuity/numbers/internal/Remainder.h>
 
-#include <boost/test/unit_test.hpp>
-
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
 #include "support/random.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include <cmath>
-#include <cstdint>
-#include <iterator>
-#include <random>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Remainder)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::internal::Remainder R;
 typedef boost::multiprecision::cpp_int Integer;
 

@@ -4,30 +4,19 @@
 
 // The integers and fractions with which exact blends are computed: the same numbers as by the operators of each number type.
 
+#include "support/test.h"
 #include "support/fractions.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Unreduced_fraction.h>
 #include <CGAL/Geometric_continuity/numbers/internal/number_words.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #include <CGAL/Quotient.h>
-
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/gmp.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <cstdint>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Unreduced_fraction)
-
-namespace GC = CGAL::Geometric_continuity;
 
 namespace {
 

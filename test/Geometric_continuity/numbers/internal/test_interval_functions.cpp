@@ -4,23 +4,14 @@
 
 // Sine, cosine and exponential function of intervals, against those of long numbers.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/numbers/internal/interval_functions.h>
 #include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
-
 #include <boost/multiprecision/cpp_bin_float.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
 
 BOOST_AUTO_TEST_SUITE(interval_functions)
 
-namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Cosine_and_sine;
 using GC::internal::Interval;
 typedef boost::multiprecision::cpp_bin_float_100 Long;

@@ -6,17 +6,9 @@
 
 #include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 
-#include <cstdint>
-#include <iostream>
-#include <random>
-
 BOOST_AUTO_TEST_SUITE(zero_bits)
-
-namespace GC = CGAL::Geometric_continuity;
 
 namespace {
 

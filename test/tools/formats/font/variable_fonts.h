@@ -5,12 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_VARIABLE_FONTS_H
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_VARIABLE_FONTS_H
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
+#include "support/test.h"
 
 // A writer of small variable TrueType fonts, in the plainest form that the format allows.
 

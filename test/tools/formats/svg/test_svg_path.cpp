@@ -3,34 +3,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #define BOOST_TEST_MODULE svg_path
-#define BOOST_TEST_DYN_LINK
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include "formats/svg/Css_transform.h"
 #include "formats/svg/Svg_transform.h"
 #include "formats/svg/Svg_viewport.h"
 #include "formats/svg/read_svg_path.h"
 #include "formats/svg/svg_shapes.h"
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Sqrt_extension.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <iostream>
 #include <locale>
-#include <random>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
 typedef GC::Svg_subpath<Exact> Subpath;

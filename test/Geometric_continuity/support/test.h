@@ -1,0 +1,60 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TEST_H
+#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TEST_H
+
+// This is the preamble of the unit tests: Boost.Test, the kernels, names for them, and how errors are checked. Most of it is
+// precompiled.
+
+#include "errors.h"
+
+#include <CGAL/Cartesian_d.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <initializer_list>
+#include <iostream>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <random>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+typedef CGAL::Exact_rational Q;
+typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact_2;
+typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
+typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
+typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double_2;
+typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
+typedef GC::Traits_d<CGAL::Cartesian_d<double>> Double_d;
+typedef GC::Traits_3<CGAL::Epick> Epick_3;
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TEST_H
