@@ -13,8 +13,6 @@
 
 BOOST_AUTO_TEST_SUITE(Decimal)
 
-namespace {
-
 std::mt19937 random_bits;
 
 void seed() {
@@ -68,8 +66,6 @@ std::string refusal_of_text_number(const std::string& text) {
 std::string refusal_of_number(const std::string& text) {
   return error_of([&] { GC::parse_number<Q>(text); });
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(values_are_those_that_are_parsed) {
   seed();

@@ -20,8 +20,6 @@ typedef std::vector<GC::Bspline_surface<Exact>> Exact_surfaces;
 typedef std::vector<GC::Bspline_surface<Double>> Double_surfaces;
 typedef std::vector<GC::Rational_bspline_surface<Exact>> Rational_surfaces;
 
-namespace {
-
 // The polynomial surfaces of a file, and the others.
 struct Texts {
   std::vector<GC::G2_surface_text> texts;
@@ -49,9 +47,7 @@ Exact_surfaces read_exact(const std::string& file) {
 }
 
 template <class Surface> std::string written(const Surface& surface) {
-  std::ostringstream os;
-  GC::write_g2(os, surface);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_g2(os, surface); });
 }
 
 // Both ways to read the surfaces of a file, none of which has weights.
@@ -136,8 +132,6 @@ std::string profile(const std::string& knots, const std::vector<std::pair<std::s
     for (const auto& [x, z] : points) file += x + ' ' + y + ' ' + z + '\n';
   return file;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(read_as_exact_surfaces) {
   const unsigned seed = 20261122;

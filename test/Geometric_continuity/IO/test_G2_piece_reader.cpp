@@ -15,8 +15,6 @@ typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Rounded;
 typedef std::vector<GC::Rational_bezier_curve<Exact>> Pieces;
 
-namespace {
-
 template <class Source> Pieces read_pieces(const std::string& text) {
   std::istringstream is(text);
   GC::G2_piece_reader<Exact, Source> reader(is, "f.g2");
@@ -46,8 +44,6 @@ Pieces pieces_of_curves(const std::string& text) {
     for (const auto& piece : curve.bezier_pieces()) pieces.push_back(piece);
   return pieces;
 }
-
-} // namespace
 
 // Of all degrees, with knots of all multiplicities, also outside of the domain and at its ends. The numbers are halves of
 // integers, which are the same in floating point.

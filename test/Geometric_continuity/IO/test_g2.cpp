@@ -32,8 +32,6 @@ namespace fs = std::filesystem;
 typedef CGAL::Epeck Epeck;
 typedef GC::Traits_3<Epeck> Epeck_3;
 
-namespace {
-
 constexpr unsigned seed = 20260719;
 
 // A field with nothing but what parse_number() and write_number() ask for; nothing is converted implicitly.
@@ -68,22 +66,8 @@ public:
   ~Global_locale() { std::locale::global(old_); }
 };
 
-// The message of the error that f() throws.
-template <class F> std::string error_of(F f) {
-  try {
-    f();
-  } catch (const GC::Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 template <class FT> std::string written(const FT& x) {
-  std::ostringstream os;
-  GC::write_number(os, x);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_number(os, x); });
 }
 
 // 10^n for exact types, by another way than the reader's.
@@ -125,9 +109,7 @@ template <class Traits> std::string g2_error(const std::string& text) {
 }
 
 template <class Curve> std::string g2_text(const Curve& curve) {
-  std::ostringstream os;
-  GC::write_g2(os, curve);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_g2(os, curve); });
 }
 
 const std::string line_text = "100 1 0 0\n"
@@ -147,8 +129,6 @@ const std::string cubic_text = "100 1 0 0\n"
                                "570 705\n"
                                "388 705\n"
                                "\n";
-
-} // namespace
 
 // numbers
 

@@ -10,8 +10,6 @@
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <ios>
 
-namespace {
-
 template <class Traits = Exact_3> std::vector<GC::Bezier_patch<Traits>> read(const std::string& text) {
   std::istringstream is(text);
   return GC::read_g2_surfaces<Traits>(is, "file.g2");
@@ -31,8 +29,6 @@ void check_refused(const std::string& what, const std::string& by, const std::st
     return e.code() == GC::Error_code::malformed_input;
   });
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(g2_surfaces_are_read) {
   const std::vector<GC::Bezier_patch<Exact_3>> s = read(good + "\n" + good);

@@ -21,14 +21,10 @@ typedef GC::Traits_3<CGAL::Simple_cartesian<double>> D3;
 typedef std::tuple<Q2, D2> Planar;
 typedef std::tuple<Q3, D3> Space;
 
-namespace {
-
 constexpr unsigned seed = 2026;
 
 template <class Object> std::string text_of(const Object& object) {
-  std::ostringstream os;
-  GC::write_g2(os, object);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_g2(os, object); });
 }
 template <class Traits> std::vector<GC::Rational_bspline_curve<Traits>> curves_in(const std::string& text) {
   std::istringstream is(text);
@@ -38,8 +34,6 @@ template <class Traits> std::vector<GC::Rational_bspline_surface<Traits>> surfac
   std::istringstream is(text);
   return GC::read_g2_rational_bspline_surfaces<Traits>(is, "f.g2");
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(curves_are_kept, Traits, Planar) {
   typedef typename Traits::FT FT;

@@ -12,26 +12,13 @@
 #include <CGAL/Quotient.h>
 #include <cstring>
 
-namespace {
-
 template <class Traits> std::vector<GC::Bspline_surface<Traits>> read(const std::string& text) {
   std::istringstream is(text);
   return GC::read_g2_bspline_surfaces<Traits>(is, "f.g2");
 }
 
 template <class Surface> std::string written(const Surface& s) {
-  std::ostringstream os;
-  GC::write_g2(os, s);
-  return os.str();
-}
-
-template <class F> std::string error_of(F f) {
-  try {
-    f();
-    return "no error";
-  } catch (const GC::Error& e) {
-    return e.what();
-  }
+  return written_by([&](std::ostream& os) { GC::write_g2(os, s); });
 }
 
 // Quadratic in u with an inner knot, not clamped, and linear in v.
@@ -65,8 +52,6 @@ std::vector<std::string> words_of(const std::string& text) {
   for (std::string word; is >> word;) words.push_back(word);
   return words;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(inner_knots_are_read) {
   const std::vector<GC::Bspline_surface<Exact_3>> s = read<Exact_3>(good + "\n\n" + good);

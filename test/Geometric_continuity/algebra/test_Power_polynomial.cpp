@@ -16,8 +16,6 @@ typedef GC::Power_polynomial<Q> Power;
 typedef GC::Bernstein_polynomial<Q> Bernstein;
 using GC::Sign_pattern;
 
-namespace {
-
 Power power(std::initializer_list<int> c) { return Power(std::vector<Q>(c.begin(), c.end())); }
 
 Q value(const Power& p, const Q& t) {
@@ -48,8 +46,6 @@ Power monic(Power p) {
   p.make_monic();
   return p;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(forms) {
   BOOST_CHECK(Power().is_zero() && Power().degree() == -1);

@@ -13,8 +13,6 @@ BOOST_AUTO_TEST_SUITE(determinant)
 
 typedef std::tuple<Q, double> Numbers; // whole numbers in this test, which doubles represent
 
-namespace {
-
 template <class FT> FT determinant(const std::vector<std::vector<FT>>& a) {
   return GC::determinant<FT>(static_cast<int>(a.size()), [&](int i, int j) -> const FT& { return a[i][j]; });
 }
@@ -32,8 +30,6 @@ std::vector<std::vector<Q>> vandermonde(int n, Q& expected) {
   }
   return a;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(permutations, FT, Numbers) {
   for (int n = 3; n <= 12; ++n) { // a cycle of the rows

@@ -8,8 +8,6 @@
 
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 
-namespace {
-
 typedef std::vector<GC::Isolated_root<Q>> Roots;
 
 bool is(const GC::Isolated_root<Q>& r, const Q& x, int multiplicity) {
@@ -18,8 +16,6 @@ bool is(const GC::Isolated_root<Q>& r, const Q& x, int multiplicity) {
 bool holds(const GC::Isolated_root<Q>& r, const Q& x, int multiplicity, const Q& width = Q(Q(1) / Q(1024))) {
   return r.begin < x && x < r.end && Q(r.end - r.begin) <= width && r.multiplicity == multiplicity;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(roots_of_products_of_linear_factors) {
   const Q third = Q(Q(1) / Q(3)), half = Q(Q(1) / Q(2)), near = Q(half + Q(1) / Q(100000));

@@ -21,8 +21,6 @@ typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_2<CGAL::Epeck> Lazy;
 typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Gmpq>> Gmp_3;
 
-namespace {
-
 typedef std::vector<std::vector<double>> Numbers; // the derivatives
 
 template <class Traits> GC::Curve_jet<Traits> jet(const Numbers& d, const typename Traits::FT& scale = 1) {
@@ -78,8 +76,6 @@ template <class Traits> std::array<double, 4> check_exact(const Curves& curves) 
   for (double x : numbers(gamma)) BOOST_CHECK_EQUAL(std::ldexp(x, 20), std::floor(std::ldexp(x, 20))); // short
   return numbers(gamma);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(exact_and_the_same_on_all_kernels) {
   constexpr unsigned seed = 11;
@@ -181,8 +177,6 @@ BOOST_AUTO_TEST_CASE(invariance) {
   }
 }
 
-namespace {
-
 // What every blend must satisfy, however strange its ends are. Points stay within `reach` of the ends.
 template <class Strategy>
 auto sensible(const Numbers& phi, const Numbers& psi, const Strategy& strategy, double reach) {
@@ -193,8 +187,6 @@ auto sensible(const Numbers& phi, const Numbers& psi, const Strategy& strategy, 
     for (int i = 0; i < 2; ++i) BOOST_CHECK_LE(std::abs(gamma.control_point(j)[i]), reach);
   return gamma;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(lines) {
   // a fillet, symmetric to the line x + y = 0

@@ -4,8 +4,8 @@
 
 // Representable blends that aim at the fair one: exactly G2, and almost as fair.
 
-#include "support/test.h"
 #include "support/fairness.h"
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
@@ -16,8 +16,6 @@ BOOST_AUTO_TEST_SUITE(Fair_representable)
 typedef GC::Traits_2<CGAL::Epick> Plane;
 typedef GC::Traits_3<CGAL::Epick> Space;
 typedef std::tuple<Plane, Space> Traits_classes;
-
-namespace {
 
 // A cubic from about x = from to from + 3, on the grid.
 template <class Traits> GC::Bezier_curve<Traits> cubic(std::mt19937_64& random, double from, int grid) {
@@ -34,8 +32,6 @@ template <class Traits> GC::Bezier_curve<Traits> cubic(std::mt19937_64& random, 
   }
   return GC::Bezier_curve<Traits>(points.begin(), points.end());
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(almost_as_fair, Traits, Traits_classes) {
   double largest = 0;

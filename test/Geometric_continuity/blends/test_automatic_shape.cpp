@@ -4,8 +4,8 @@
 
 // The shape parameters by the chord: rounded exactly, the same on every kernel, and defined for every chord.
 
-#include "support/test.h"
 #include "support/rounding_modes.h"
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
@@ -18,8 +18,6 @@ BOOST_AUTO_TEST_SUITE(automatic_shape)
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_2<CGAL::Epeck> Lazy;
-
-namespace {
 
 // A jet of order 2 with a point and a tangent.
 template <class Traits, class T> GC::Curve_jet<Traits> jet(const std::vector<T>& point, const std::vector<T>& tangent) {
@@ -47,8 +45,6 @@ bool is_nearest(double b, const Q& x, const Q& y) {
   const Q low = Q(b) - Q(below) / 2, high = Q(b) + Q(unit) / 2;
   return low * low * y <= x && x < high * high * y;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(nearest_short_number) {
   constexpr unsigned seed = 41;

@@ -14,16 +14,14 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/gmp.hpp>
 
-#include "support/test.h"
 #include "support/fractions.h"
+#include "support/test.h"
 
 BOOST_AUTO_TEST_SUITE(exact_blends)
 
 typedef CGAL::Exact_rational Exact;
 typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
 typedef Lazy_kernel::FT Lazy;
-
-namespace {
 
 std::mt19937_64 engine(20);
 
@@ -153,8 +151,6 @@ template <class FT> void check_in_every_space() {
   check_every_strategy<GC::Traits_d<CGAL::Cartesian_d<FT>>>(4);
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(exact_rational) { check_in_every_space<Exact>(); }
 BOOST_AUTO_TEST_CASE(gmpq) { check_in_every_space<CGAL::Gmpq>(); }
 BOOST_AUTO_TEST_CASE(cpp_rational) {
@@ -165,8 +161,6 @@ BOOST_AUTO_TEST_CASE(mpq_rational) {
   typedef boost::multiprecision::mpq_rational FT;
   check_every_strategy<GC::Traits_3<CGAL::Simple_cartesian<FT>>>(3);
 }
-
-namespace {
 
 // A strategy of the user that knows one number type only.
 template <class FT, int N> struct Product_of_tangents {
@@ -214,15 +208,11 @@ struct Septic_of_the_user {
 // A strategy that cannot be changed: the user allows it from outside.
 struct Foreign_strategy : Slide_of_the_user<false> {};
 
-} // namespace
-
 BOOST_AUTO_TEST_SUITE_END()
 
 template <> constexpr bool CGAL::Geometric_continuity::works_in_every_field_v<exact_blends::Foreign_strategy> = true;
 
 BOOST_AUTO_TEST_SUITE(exact_blends)
-
-namespace {
 
 template <class Traits> void check_strategies_in_every_field(int dimension) {
   typedef typename Traits::FT FT;
@@ -301,8 +291,6 @@ template <class Traits> void check_all_but_strategies(int dimension) {
 typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Exact_traits;
 typedef GC::Traits_d<CGAL::Cartesian_d<Exact>> Exact_traits_d;
 typedef GC::Traits_3<Lazy_kernel> Lazy_traits;
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(strategies_of_the_user_fallbacks_and_errors) {
   check_all_but_strategies<Exact_traits>(3);
@@ -385,8 +373,6 @@ BOOST_AUTO_TEST_CASE(jets_that_are_not_finite) {
       }
 }
 
-namespace {
-
 // A curve of the user: an arc of a parabola that can be read only by its jets.
 struct Parabola {
   typedef Exact_traits Traits;
@@ -403,8 +389,6 @@ struct Parabola {
     return x;
   }
 };
-
-} // namespace
 
 // blend() reads the ends of a curve as continuity() does.
 BOOST_AUTO_TEST_CASE(ends_of_curves) {

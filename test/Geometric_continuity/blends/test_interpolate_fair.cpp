@@ -13,8 +13,6 @@
 
 BOOST_AUTO_TEST_SUITE(fair_interpolation)
 
-namespace {
-
 using GC::Closure;
 typedef GC::Traits_3<Exact> Space;
 typedef GC::Traits_2<CGAL::Epick> Plane;
@@ -47,8 +45,6 @@ std::vector<Plane::Point> circle(int n) {
   for (int i = 0; i < n; ++i) p.emplace_back(std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n));
   return p;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(random_points) {
   repeat(3, [](Random& random) {

@@ -13,19 +13,9 @@
 
 BOOST_AUTO_TEST_SUITE(up_to_rounding)
 
-namespace {
-
 typedef GC::Traits_2<CGAL::Epick> Traits;
 typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
-
-template <class Join> std::string text(const Join& join) {
-  std::ostringstream os;
-  os << join;
-  return os.str();
-}
-
-} // namespace
 
 // Not one of a hundred rounded blends has exact joins at both ends, and all of them are G2 but for some units.
 BOOST_AUTO_TEST_CASE(blends) {
@@ -142,8 +132,6 @@ BOOST_AUTO_TEST_CASE(rational_curves) {
   BOOST_CHECK_EQUAL(other.up_to_rounding()->g_order, 1);
 }
 
-namespace {
-
 // A circle that has derivatives only.
 struct Circle {
   typedef GC::Traits_2<CGAL::Epick> Traits;
@@ -157,8 +145,6 @@ struct Circle {
     return x;
   }
 };
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(curves_without_control_points) {
   const Curve line{Point(-1, 3), Point(-3, 3)};

@@ -15,8 +15,6 @@ typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 typedef GC::Cad_point<3> P3;
 
-namespace {
-
 const double pi = 3.141592653589793;
 const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}},
     mirrored{{{-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}, cyclic{{{0, 2, 0, 5}, {0, 0, 2, -7}, {2, 0, 0, 0.5}}};
@@ -93,8 +91,6 @@ GC::Cad_spline_surface turned(const GC::Cad_spline_surface& s) {
     }
   return t;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(splines_that_continue_each_other) {
   std::mt19937 random(seed());
@@ -239,14 +235,10 @@ BOOST_AUTO_TEST_CASE(factors_of_rational_edges) {
   BOOST_TEST(verdict(side(a, line(0, 0, 1, 0)), side(b, line(0, 0, 1, 0))) == "undecided");
 }
 
-namespace {
-
 // A plane and a cylinder that touches it along the axis of y: the normal of both points down.
 const GC::Cad_frame lying{{0, 0, 2}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}};
 const GC::Edge_side ground = side(plane(), line(0, 0, 0, 1), 0, true),
                     fillet = side(Elementary{Kind::cylinder, lying, 2}, line(0, 0, 0, -1));
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(planes_and_cylinders) {
   BOOST_TEST(verdict(ground, fillet, -1, 5) == "G1 curvature");

@@ -15,8 +15,6 @@
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 
-namespace {
-
 const double pi = 3.141592653589793;
 const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 const GC::Cad_placement turned{{{0, -1, 0, 5}, {1, 0, 0, 7}, {0, 0, 1, -2}}};
@@ -40,8 +38,6 @@ void check_is(const GC::Enclosure& e, double value, double error) {
   BOOST_TEST_CONTEXT("enclosure " << e << " of " << value)
   BOOST_TEST((e.lower <= value + error && value - error <= e.upper && e.upper - e.lower <= 0.01 * e.upper + 1e-9));
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(distances_of_curves) {
   const GC::Edge_side plane = side(Elementary{Kind::plane, standard}, line(0, 0, 1, 0));

@@ -14,8 +14,6 @@
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 
-namespace {
-
 const double degree = 0.017453292519943295;
 const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 const GC::Cad_frame standard{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -33,8 +31,6 @@ GC::Edge_side ramp(double start, double end) {
           1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, -1, start}, {0, 0, 0}, {1, -1, end}, {1, 0, 0}}, {}},
       {{0, 1}, {1, 0}});
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(slopes) {
   using GC::Verdict;

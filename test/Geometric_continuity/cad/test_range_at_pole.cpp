@@ -15,8 +15,6 @@ typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 typedef std::optional<std::pair<double, double>> Found;
 
-namespace {
-
 const double pi = 3.141592653589793;
 const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 const GC::Cad_placement turned{{{0, -1, 0, 5}, {1, 0, 0, 7}, {0, 0, 1, -2}}};
@@ -51,8 +49,6 @@ GC::Cad_spline_surface fan(const std::vector<GC::Cad_point<3>>& tip) {
   }
   return s;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(elementary_surfaces) {
   const unsigned seed = first_seed();

@@ -11,8 +11,6 @@
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 
-namespace {
-
 // Homogeneous points (w x, w), a row of them for each layer from the edge v = 0 into the patch.
 typedef std::array<Q, 4> Row_point;
 typedef std::vector<Row_point> Row;
@@ -67,8 +65,6 @@ template <class A, class B> bool normals_agree(const A& a, const B& b) {
   }
   return true;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(tangent_and_altered_patches) {
   Random random;

@@ -6,9 +6,7 @@
 
 #include "support/composite_curves.h"
 
-#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
-#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 
 // --------------------------------------------------------------------------------------------- Hagen, definition 3.1
 

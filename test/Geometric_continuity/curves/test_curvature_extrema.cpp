@@ -18,8 +18,6 @@ typedef std::tuple<GC::Traits_3<CGAL::Simple_cartesian<Q>>, GC::Traits_3<CGAL::E
     Space_traits;
 typedef std::vector<std::vector<double>> Rows;
 
-namespace {
-
 constexpr unsigned seed = 2026;
 
 template <class Traits> std::vector<typename Traits::Point> points(const Rows& rows) {
@@ -101,8 +99,6 @@ Rows random_rows(std::mt19937& engine, int degree, int dimension, int spread) {
   return rows;
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_parabola_has_one_extremum, Traits, Planar_traits) {
   const GC::Curvature_extrema c = measured<Traits>(parabola, 3, 5);
   BOOST_REQUIRE_EQUAL(c.extrema.size(), 1u);
@@ -141,9 +137,7 @@ BOOST_AUTO_TEST_CASE(the_cube_of_x) {
   BOOST_CHECK(holds(c.extrema[0].parameter, -x) && holds(c.extrema[1].parameter, x));
   BOOST_CHECK(holds(c.extrema[0].curvature, -kappa) && holds(c.extrema[1].curvature, kappa));
   BOOST_CHECK(c.inflections.size() == 1 && (c.inflections[0] == GC::Enclosure{0, 0}));
-  std::ostringstream os;
-  os << c;
-  BOOST_CHECK(os.str().find("2 extrema of curvature, 1 inflection, curvature from [-1.7") == 0);
+  BOOST_CHECK(text(c).find("2 extrema of curvature, 1 inflection, curvature from [-1.7") == 0);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(other_planar_curves, Traits, Planar_traits) {

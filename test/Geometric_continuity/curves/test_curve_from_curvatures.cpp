@@ -9,10 +9,7 @@
 #include "support/jets.h"
 
 #include <CGAL/Geometric_continuity/curves/curve_from_curvatures.h>
-#include <CGAL/Geometric_continuity/local/congruence.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-
-namespace {
 
 constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
 const double pi = std::acos(-1.);
@@ -106,8 +103,6 @@ std::pair<double, double> fresnel(double s, double b) {
   }
   return {static_cast<double>(x), static_cast<double>(y)};
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(circle) {
   const double r = 2;

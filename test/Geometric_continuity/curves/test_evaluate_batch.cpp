@@ -10,8 +10,6 @@
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
 
-namespace {
-
 // The same curve with exact numbers.
 template <class Curve> GC::Bezier_curve<Traits<Exact>> exact_curve(const Curve& curve) {
   std::vector<Point<Exact>> p;
@@ -116,8 +114,6 @@ template <class FT, int degree> void check_fixed_degree(const FT& a, const FT& b
     }
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(jets) {
   for (int degree : {0, 3, 4, 9, 10, 11}) {

@@ -17,8 +17,6 @@ typedef std::tuple<GC::Traits_2<CGAL::Simple_cartesian<Q>>, GC::Traits_2<CGAL::E
     Planar_traits;
 typedef std::vector<std::vector<double>> Rows;
 
-namespace {
-
 constexpr unsigned seed = 2026;
 
 template <class Traits> GC::Bezier_curve<Traits> bezier(const Rows& rows, double factor = 1, double b = 1) {
@@ -77,8 +75,6 @@ Rows random_rows(std::mt19937& engine, int degree, int dimension) {
   }
   return rows;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(circles_and_lines) {
   for (double r : {1e-3, 1., 1e5})
@@ -183,8 +179,6 @@ BOOST_AUTO_TEST_CASE(crossings_of_polygons) {
   BOOST_CHECK((!GC::Crossings{3, 2, 1}.diminished()) && (!GC::Crossings{1, 1, 2}.diminished()));
 }
 
-namespace {
-
 // (t, a sin(w t) / w), of jets up to a certain order; and (s^2, s^3) with s = t - 1/2, a cusp.
 struct Wave {
   typedef Double_2 Traits;
@@ -203,8 +197,6 @@ struct Wave {
     return GC::Curve_jet<Double_2>(Double_2::Point(t, 0), std::vector<V>(d.begin(), d.begin() + k));
   }
 };
-
-} // namespace
 
 // A curve that is no spline is asked for its jets: it may turn too often, stop in the middle, or have too few derivatives.
 BOOST_AUTO_TEST_CASE(curves_by_their_jets) {

@@ -13,8 +13,6 @@
 
 BOOST_AUTO_TEST_SUITE(fit)
 
-namespace {
-
 using GC::Closure;
 typedef GC::Traits_2<CGAL::Epick> Plane;
 typedef GC::Traits_3<Exact> Space;
@@ -112,8 +110,6 @@ int pieces(const Points& p, double tolerance, Closure closure, int order, double
   return check(GC::fit<Plane>(p.begin(), p.end(), tolerance, closure, order, corner_angle), p, tolerance, closure,
                order);
 }
-
-} // namespace
 
 // As few pieces as known constructions have, and perhaps one more at the end: quarters of a circle by cubics are wrong by 2.7e-4 of
 // the radius.

@@ -11,8 +11,6 @@
 
 BOOST_AUTO_TEST_SUITE(interpolation)
 
-namespace {
-
 using GC::Closure;
 using GC::Parametrisation;
 typedef GC::Traits_3<Exact> Traits;
@@ -45,8 +43,6 @@ void check_joins(const Curve<Exact>& curve, bool closed) {
     BOOST_CHECK_GE(continuity(pieces[i], pieces[i + 1], 2).c_order, 2);
   if (closed) BOOST_CHECK_GE(continuity(pieces.back(), pieces.front(), 2).c_order, 2);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(natural_splines) {
   repeat(12, [](Random& random) {

@@ -18,8 +18,6 @@ template <class Traits> using Column = GC::Coordinate_vector<Q, Curve<Traits>::N
 template <class Traits> constexpr bool is_exact = !std::is_floating_point_v<typename Traits::FT>;
 template <class Traits> constexpr int test_dimension = Curve<Traits>::N == 0 ? 4 : Curve<Traits>::N;
 
-namespace {
-
 template <class Traits> Column<Traits> rational(const typename Traits::Point& p) {
   return GC::coordinates<Traits, Q>(p);
 }
@@ -120,8 +118,6 @@ public:
     return Curve<Traits>(b.begin(), b.end());
   }
 };
-
-} // namespace
 
 // ---------------------------------------------------------------- polylines by tolerance
 

@@ -24,8 +24,6 @@ typedef std::tuple<Q2, Qd, Lazy3> Exact_traits;
 typedef std::tuple<Q2, D2> Planar;
 typedef std::tuple<Q3, Epick2, D2> Ellipses;
 
-namespace {
-
 std::mt19937_64 engine(first_seed());
 
 template <class Traits> constexpr bool rounded = std::is_floating_point_v<typename Traits::FT>;
@@ -97,8 +95,6 @@ template <class Traits, class X, class Y> bool same_point(const X& x, const Y& y
 }
 
 template <class Traits> typename Traits::FT square(const GC::Coordinates<Traits>& x) { return dot(x, x); }
-
-} // namespace
 
 // x w = p, derived by Leibniz' rule, on the numerator and the denominator as Bernstein polynomials.
 BOOST_AUTO_TEST_CASE_TEMPLATE(jets_are_those_of_the_quotient, Traits, All) {

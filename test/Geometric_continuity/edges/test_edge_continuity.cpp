@@ -7,12 +7,9 @@
 #include "support/enclosures.h"
 #include "support/nets.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 
 using enclosures::ulps;
-
-namespace {
 
 // The angle between the normals of two surfaces with the edge v = v_0 in one direction, by floating-point arithmetic.
 template <class K> double sampled_angle(const Patch<K>& a, const Patch<K>& b, const typename K::FT& u) {
@@ -38,8 +35,6 @@ template <class K> auto edge_along_x(const Curve& t1, const Curve& t2) {
   const std::vector<Patch<K>> s = patches<K>({net_from_rows(x_axis, t1), net_from_rows(x_axis, t2)});
   return GC::edge_continuity(s[0], v0, s[1], v0);
 }
-
-} // namespace
 
 // ---------------------------------------------------------------- order along an edge
 

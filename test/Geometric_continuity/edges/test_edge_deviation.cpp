@@ -20,8 +20,6 @@ using enclosures::encloses_root;
 using enclosures::ulps;
 using GC::Verdict;
 
-namespace {
-
 typedef GC::Bernstein_polynomial<Exact> Polynomial;
 typedef GC::Edge_rows<Exact> Rows;
 constexpr GC::Patch_edge u0 = GC::Patch_edge::u0, u1 = GC::Patch_edge::u1, v0 = GC::Patch_edge::v0,
@@ -74,8 +72,6 @@ void check_largest_angle(const Rows& a, const Rows& b, const Exact& sine_squared
   }
   BOOST_CHECK(GC::deviation(a, b.reversed()).reversed);
 }
-
-} // namespace
 
 // The slope h of the second surface has its largest value at an irrational parameter.
 BOOST_AUTO_TEST_CASE(largest_angle_along_an_edge) {
@@ -267,11 +263,6 @@ BOOST_AUTO_TEST_CASE(edges_without_a_normal) {
   const Patch a({{Point(0, 0, 0), Point(0, 1, 0)}, {Point(1, 0, 0), Point(1, 1, 0)}}),
       folded({{Point(0, 0, 0), Point(0, 0, 0), Point(0, -1, 0)}, {Point(1, 0, 0), Point(1, 0, 0), Point(1, -1, 0)}}),
       pole({{Point(0, 0, 0), Point(0, -1, 0)}, {Point(1, 0, 0), Point(0, -1, 0)}});
-  const auto text = [](const GC::Edge_deviation& d) {
-    std::ostringstream os;
-    os << d;
-    return os.str();
-  };
   BOOST_CHECK_EQUAL(text(GC::deviation(a, v0, pole, v0)), "gap 0, normal angle 0 degrees");
   for (const auto& [x, y] : {std::pair{a, folded}, std::pair{folded, a}}) {
     BOOST_CHECK_EQUAL(text(GC::deviation(x, v0, y, v0)), "gap 0, a normal vanishes");

@@ -26,8 +26,6 @@ using GC::Sign_pattern;
 constexpr GC::Patch_edge v0 = GC::Patch_edge::v0;
 const double pi = std::acos(-1.0), tolerance = 1e-6; // what the rules use
 
-namespace {
-
 // The patch C(u) + v T(u) + v^2 W(u), where the coordinates are polynomials with coefficients that every kernel can represent.
 typedef std::array<Polynomial, 3> Column;
 template <class K> Patch<K> patch(const Column& c, const Column& t, const Column& w) {
@@ -75,8 +73,6 @@ template <class K> double normal_angle(const Patch<K>& a, const Patch<K>& b, con
 
 // Angles of lines: those beyond 90 degrees are folded back, which is right for lines and wrong for tangents and normals.
 double folded(double angle) { return std::min(angle, pi - angle); }
-
-} // namespace
 
 // ---------------------------------------------------------------- angles modulo pi
 

@@ -7,11 +7,7 @@
 
 #include "support/nets.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-
 BOOST_AUTO_TEST_SUITE(projective_edges)
-
-namespace {
 
 template <class K> using Rational_patch = GC::Rational_bezier_patch<GC::Traits_3<K>>;
 
@@ -32,8 +28,6 @@ template <class K> Rational_patch<K> projected(const Patch<K>& s) {
 }
 
 typedef std::tuple<CGAL::Simple_cartesian<Q>, CGAL::Epeck> Exact_kernels;
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(orders_are_projective, K, Exact_kernels) {
   Random random;

@@ -12,8 +12,6 @@
 
 BOOST_AUTO_TEST_SUITE(extend)
 
-namespace {
-
 const double infinity = std::numeric_limits<double>::infinity();
 const double not_finite_numbers[] = {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
 
@@ -38,8 +36,6 @@ template <class Traits> void check_conversions() {
   BOOST_CHECK(copy.beta == FT(2) && copy.c0 == FT(3) && !copy.c1 && *copy.c2 == FT(FT(1) / FT(2)));
   BOOST_CHECK(none.beta == FT(1) && !none.c0 && !none.c1 && !none.c2);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(conversions) {
   check_conversions<GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>>>();

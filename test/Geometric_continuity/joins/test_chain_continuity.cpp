@@ -6,13 +6,9 @@
 
 #include "support/composite_curves.h"
 
-#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
-#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 
 // ------------------------------------------------------------------------------------------------------------ chains
-
-namespace {
 
 // Curves of which each starts where the one before it ends but for some gaps, with joins of all kinds.
 template <class Traits> std::vector<Bezier<Traits>> random_chain(Random& random, int n) {
@@ -50,8 +46,6 @@ struct Counted_curve : Bezier<Double_2> {
   ~Counted_curve() { count(-1); }
 };
 int Counted_curve::alive = 0, Counted_curve::most = 0;
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_chain_is_its_joins, Traits, All_traits) {
   typedef GC::Chain_join<Bezier<Traits>> Chain_join;

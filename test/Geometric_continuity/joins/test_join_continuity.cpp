@@ -6,14 +6,10 @@
 
 #include "support/jets.h"
 
-#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-#include <CGAL/Geometric_continuity/local/curvatures.h>
 
 typedef std::tuple<Exact_3, Double_3, Epick_3> Spaces;
 typedef std::tuple<Exact_2, Exact_3> Exact_dimensions;
-
-namespace {
 
 // Two cubics over the knots 0, 1, 1 + ratio. The second continues the first by b1 = b0 + beta p,
 // b2 = b0 + beta^2 (b_{-2} - b0) + c0 p, b3 = b0 + beta^3 (b_{-2} - b_{-3}) + c1 p + c2 r.
@@ -46,8 +42,6 @@ template <class Traits> GC::Join_continuity<GC::Predicate_FT<Traits>> join_of(co
 }
 
 template <class FT> std::vector<FT> dyadic_ratios() { return {ratio<FT>(1, 2), FT(1), FT(2), FT(4)}; }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(parametric_continuity_implies_that_of_the_invariants, Traits, Spaces) {
   typedef typename Traits::FT FT;

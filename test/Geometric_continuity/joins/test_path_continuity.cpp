@@ -7,7 +7,6 @@
 #include "support/test.h"
 
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 BOOST_AUTO_TEST_SUITE(path_continuity)
 
@@ -16,8 +15,6 @@ typedef Plane::Point Point;
 typedef GC::Bezier_curve<Plane> Curve;
 typedef GC::Path_segment<Plane> Segment;
 typedef GC::Path_join<Plane> Join;
-
-namespace {
 
 template <class FT> std::string text(const GC::Join_continuity<FT>& join) {
   std::ostringstream os;
@@ -54,8 +51,6 @@ bool has_enclosures(const Curve& left, const Curve& right) {
   BOOST_CHECK_EQUAL(calls, enclosed ? 2 : 0);
   return enclosed;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(joins_of_curves) {
   const Curve curve =

@@ -19,8 +19,6 @@ typedef std::tuple<Q2, Q3, GC::Traits_2<CGAL::Simple_cartesian<double>>, GC::Tra
                    GC::Traits_3<CGAL::Simple_cartesian<float>>>
     All;
 
-namespace {
-
 constexpr unsigned seed = 2026;
 std::mt19937 engine(seed);
 
@@ -63,8 +61,6 @@ template <class Traits, class Left, class Right> void compare(const Left& left, 
   n.curvature += join.curvature_vector_equal.value_or(false);
   n.torsion += join.torsion_equal.value_or(false);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(points_and_weights_decide_as_jets_do, Traits, All) {
   typedef typename Traits::FT FT;

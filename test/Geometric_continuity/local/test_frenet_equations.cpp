@@ -6,10 +6,6 @@
 
 #include "support/jets.h"
 
-#include <CGAL/Geometric_continuity/local/curvatures.h>
-
-namespace {
-
 // (t, t^2, t^3, ..., t^n) at t
 template <class Traits> Jet<Traits> moment_curve(int n, double t, int k) {
   Jet<Traits> x = zero_jet<Traits>(n, k);
@@ -36,8 +32,6 @@ template <class Traits> double frame_derivative_error(int n, double h) {
   }
   return error;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(derivatives_of_the_frame) {
   // Central differences have errors in h^2 times third derivatives, and 2^-53 / h by rounding: a tenth of h divides the error

@@ -17,8 +17,6 @@ BOOST_AUTO_TEST_SUITE(numbers_of_any_size)
 
 template <class Traits> using Jet = GC::Curve_jet<Traits>;
 
-namespace {
-
 const double infinity = std::numeric_limits<double>::infinity(), undefined = std::numeric_limits<double>::quiet_NaN();
 
 // A jet of order k with whole numbers, whose derivatives are independent as far as they can be.
@@ -61,8 +59,6 @@ template <class Traits> Jet<Traits> turned(Jet<Traits> x) {
 
 const int binary_sizes[] = {-500, -300, -254, -100, 100, 254, 300, 500};
 const double decimal_sizes[] = {1e-150, 1e-100, 1e-80, 1e78, 1e80, 1e100, 1e150};
-
-} // namespace
 
 // Powers of two only shift the exponent: the results are those of the jet of normal size, bit by bit.
 BOOST_AUTO_TEST_CASE(powers_of_two_change_exponents_only) {
@@ -156,8 +152,6 @@ BOOST_AUTO_TEST_CASE(what_overflows_is_refused_and_what_underflows_is_zero) {
   BOOST_CHECK_EQUAL(GC::unit_normal(s)->z(), 1);
 }
 
-namespace {
-
 template <class Traits> void check_congruence_of_any_size(unsigned seed) {
   std::mt19937 random(seed);
   const Jet<Traits> whole = whole_jet<Traits>(random, 3, 4);
@@ -181,8 +175,6 @@ template <class Traits> void check_congruence_of_any_size(unsigned seed) {
     if (a != 0) BOOST_CHECK(!GC::congruence(y, whole));
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(congruence_of_any_size) {
   check_congruence_of_any_size<Epick_3>(3);

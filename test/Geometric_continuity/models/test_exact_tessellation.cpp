@@ -14,8 +14,6 @@ BOOST_AUTO_TEST_SUITE(exact_tessellation)
 typedef CGAL::Simple_cartesian<CGAL::Exact_rational> Rational_kernel;
 typedef std::tuple<Rational_kernel, CGAL::Simple_cartesian<boost::multiprecision::cpp_rational>, CGAL::Epeck> Kernels;
 
-namespace {
-
 // Fractions whose denominators have common divisors, or none, or are large.
 template <class FT> class Random_fractions : public Random_integers<> {
 public:
@@ -52,8 +50,6 @@ template <class Patch> void check_points(const Patch& patch, int n) {
   BOOST_CHECK_EQUAL(places.size(), mesh.points.size());
   BOOST_CHECK_EQUAL(mesh.triangles.size(), 2u * n * n);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_patches, K, Kernels) {
   typedef typename K::FT FT;

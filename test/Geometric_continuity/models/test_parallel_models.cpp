@@ -12,8 +12,6 @@
 
 BOOST_AUTO_TEST_SUITE(parallel_models)
 
-namespace {
-
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_3<CGAL::Epick> Filtered;
 
@@ -174,9 +172,7 @@ std::vector<std::string> lines(const GC::Model_continuity<Q>& model) {
   };
   for (const auto& edge : model.edges) add(edge, edge.continuity);
   for (const auto& line : model.knot_lines) add(line, line.line.continuity);
-  std::ostringstream os;
-  os << model.summary;
-  result.push_back(os.str());
+  result.push_back(text(model.summary));
   return result;
 }
 
@@ -185,8 +181,6 @@ void check_equal(const std::vector<std::string>& x, const std::vector<std::strin
   for (std::size_t i = 0; i < x.size(); ++i)
     BOOST_CHECK_MESSAGE(x[i] == y[i], "seed " << seed << "\n" << x[i] << "\n" << y[i]);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(decimals_and_doubles, Class, Classes) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -320,7 +314,7 @@ BOOST_AUTO_TEST_CASE(errors_on_several_cores) {
     return std::string();
   };
   const std::string expected = message(CGAL::Sequential_tag());
-  BOOST_CHECK(expected.find("work_limit") != std::string::npos);
+  BOOST_CHECK(contains(expected, "work_limit"));
   for (int i = 0; i < 20; ++i) BOOST_CHECK_EQUAL(message(CGAL::Parallel_if_available_tag()), expected);
 }
 

@@ -28,8 +28,6 @@ typedef Patch<Exact_kernel> Exact_patch;
 typedef std::vector<Exact_patch> Exact_model;
 typedef Exact_kernel::Point_3 Exact_point;
 
-namespace {
-
 template <class K> constexpr bool is_exact = !std::is_floating_point_v<typename K::FT>;
 
 // ---------------------------------------------------------------- models, made of rationals
@@ -194,8 +192,6 @@ template <class K> void check_closed(const std::vector<Patch<K>>& model, const M
 
 GC::Uniform_grid grid(int n) { return GC::Uniform_grid{n}; }
 GC::Chord_tolerance within(double distance) { return GC::Chord_tolerance{distance}; }
-
-} // namespace
 
 // ---------------------------------------------------------------- one patch
 
@@ -796,7 +792,7 @@ BOOST_AUTO_TEST_CASE(files) {
   std::ostringstream os;
   GC::write_mesh(os, GC::tessellate(Exact_patch{{o, Exact_point(0, 1, 0)}, {third, Exact_point(1, 1, 0)}}, grid(1)),
                  GC::Mesh_format::off);
-  BOOST_CHECK(os.str().find("0.33333333333333331 0 0") != std::string::npos);
+  BOOST_CHECK(contains(os.str(), "0.33333333333333331 0 0"));
   CHECK_ERROR(GC::write_mesh(os, GC::tessellate(Exact_patch{{o, far_away}, {third, Exact_point(1, 1, 0)}}, grid(1)),
                              GC::Mesh_format::off),
               not_finite);

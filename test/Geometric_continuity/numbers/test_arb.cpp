@@ -21,8 +21,6 @@ typedef GC::Traits_3<Kernel> Space;
 using arb::Ball;
 using enclosures::ulps;
 
-namespace {
-
 typedef std::array<double, 3> Point;
 
 struct Random : Random_integers<std::mt19937_64> {
@@ -85,8 +83,6 @@ GC::Bezier_curve<Plane> plane_curve(const std::vector<Point>& p) {
   return GC::Bezier_curve<Plane>(points.begin(), points.end());
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(joins) {
   Random random;
   int wrong = 0, wide = 0, small_angles = 0;
@@ -129,8 +125,6 @@ BOOST_AUTO_TEST_CASE(kinks) {
   BOOST_CHECK_EQUAL(wrong, 0);
   BOOST_CHECK_EQUAL(wide, 0);
 }
-
-namespace {
 
 // A row of parabolas, with integers as coefficients.
 struct Row {
@@ -185,8 +179,6 @@ Ball largest_angle(const arb::Coordinates<arb::Polynomial>& m, const arb::Coordi
   }
   return largest;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(edges) {
   Random random;

@@ -10,14 +10,6 @@
 
 BOOST_AUTO_TEST_SUITE(rational_numbers)
 
-namespace {
-
-template <class T> std::string text(const T& x) {
-  std::ostringstream os;
-  os << x;
-  return os.str();
-}
-
 struct Random : Random_integers<std::mt19937_64> {
   // With a numerator and a denominator of up to 40 bits, often a power of ten.
   Q fraction() {
@@ -26,8 +18,6 @@ struct Random : Random_integers<std::mt19937_64> {
     return Q(integer(-most, most)) / Q(powers[integer(0, 4)]);
   }
 };
-
-} // namespace
 
 // The same numbers in lowest terms, short or not.
 BOOST_AUTO_TEST_CASE(sums) {

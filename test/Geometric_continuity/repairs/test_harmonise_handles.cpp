@@ -13,8 +13,6 @@
 
 BOOST_AUTO_TEST_SUITE(harmonise_handles)
 
-namespace {
-
 typedef GC::Grid_vector Vector;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Traits;
 typedef GC::Bezier_curve<Traits> Curve;
@@ -42,8 +40,6 @@ Result harmonised(const GC::Handle_side& left, const GC::Handle_side& right, std
   const Curve x = curve(left, handles->left, -1), y = curve(right, handles->right, 1);
   return {*handles, GC::is_g1_join(x, y), GC::is_g2_join(x, y), GC::deviation(x, y).curvature_jump->upper};
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(exactly_where_the_ratio_is_a_square) {
   // curvatures as 30 / m^2 and 120 / n^2: n = 2 m

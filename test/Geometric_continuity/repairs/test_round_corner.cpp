@@ -13,8 +13,6 @@
 
 BOOST_AUTO_TEST_SUITE(round_corner)
 
-namespace {
-
 typedef GC::Traits_2<CGAL::Epeck> Lazy;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
 template <class Traits> using Curve = GC::Bezier_curve<Traits>;
@@ -109,8 +107,6 @@ void check_in_every_space(const Rows& left, const Rows& right, double distance) 
 }
 
 const Rows arc = {{-3, -2}, {-2, 1}, {-0.5, 1}, {0, 0}}, hook = {{0, 0}, {1, 2}, {3, 2}, {3, -1}, {2, -2}};
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(lines) {
   for (const int degrees : {0, 10, 90, 170}) { // the angle by which the direction turns

@@ -14,8 +14,6 @@
 
 BOOST_AUTO_TEST_SUITE(round_corners)
 
-namespace {
-
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Traits;
 typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
@@ -68,8 +66,6 @@ Rounded rounded(const Chain& chain, double distance, bool closed, int order = 2)
   check_parts(chain, r);
   return r;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(closed_and_open) {
   const Rounded closed = rounded(square, 1, true), open = rounded(square, 1, false);

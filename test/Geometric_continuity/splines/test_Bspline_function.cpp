@@ -6,8 +6,6 @@
 
 #include "support/splines.h"
 
-#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
-
 // ---------------------------------------------------------------- values, blossoms, derivatives
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(basis_and_values_are_those_of_the_recursion, K, Kernels) {

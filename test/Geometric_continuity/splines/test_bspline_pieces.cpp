@@ -14,8 +14,6 @@
 
 BOOST_AUTO_TEST_SUITE(bspline_pieces)
 
-namespace {
-
 struct Random : Random_integers<> {
   template <class FT> FT fraction(int size) { return FT(FT(integer(-size, size)) / FT(integer(1, 7))); }
 };
@@ -57,8 +55,6 @@ template <class FT> GC::Knot_vector<FT> uniform(int degree) {
   for (int i = 1; i <= degree + 1; ++i) inner.push_back({FT(i), 1});
   return GC::Knot_vector<FT>(degree, FT(0), FT(degree + 2), inner);
 }
-
-} // namespace
 
 typedef boost::mpl::list<Q, boost::multiprecision::cpp_rational> Rational_numbers;
 

@@ -11,8 +11,6 @@
 
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 
-namespace {
-
 struct Random : Random_integers<> {
   // on [0, 20], with up to 5 inner knots of any multiplicity
   std::vector<int> knots(int degree) {
@@ -74,8 +72,6 @@ template <class Rounded, class Exact> void compare(const Splines& s) {
   BOOST_REQUIRE_EQUAL(rounded.size(), exact.size());
   for (std::size_t i = 0; i < exact.size(); ++i) BOOST_REQUIRE_LE(std::abs(rounded[i] - exact[i]), bound);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(products_and_elevations) {
   typedef CGAL::Simple_cartesian<CGAL::Exact_rational> Exact;

@@ -21,8 +21,6 @@ template <class Traits> using Bezier = GC::Bezier_curve<Traits>;
 template <class Traits> using Column = GC::Coordinates<Traits>;
 typedef GC::Continuity_kind Kind;
 
-namespace {
-
 template <class Traits> constexpr int test_dimension = Bezier<Traits>::N == 0 ? 4 : Bezier<Traits>::N;
 template <class Traits> constexpr bool is_exact = !std::is_floating_point_v<typename Traits::FT>;
 
@@ -103,13 +101,5 @@ template <class Traits> bool same_function(const Composite<Traits>& c, const Com
     }
   return true;
 }
-
-template <class T> std::string text(const T& x) {
-  std::ostringstream os;
-  os << x;
-  return os.str();
-}
-
-} // namespace
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_COMPOSITE_CURVES_H

@@ -21,8 +21,6 @@ typedef GC::Coordinate_vector<Q, 3> Vector;
 typedef GC::Knot_vector<Q> Knots;
 using GC::Patch_edge;
 
-namespace {
-
 // ---------------------------------------------------------------- random input
 
 inline Q ratio(int p, int q) { return Q(Q(p) / Q(q)); }
@@ -99,7 +97,5 @@ inline std::vector<Q> parameters(const Knots& knots, Random& random) {
   u.push_back(knots.domain().second);
   return u;
 }
-
-} // namespace
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_EXACT_SPLINES_H

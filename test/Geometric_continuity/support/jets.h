@@ -19,8 +19,6 @@ template <class Traits> using Column = GC::Coordinates<Traits>;
 template <class Traits> using Composite = GC::Composite_bezier_curve<Traits>;
 typedef GC::Continuity_kind Kind;
 
-namespace {
-
 template <class FT> FT ratio(int p, int q) { return FT(FT(p) / FT(q)); }
 
 template <class Traits> Column<Traits> column(int d, std::initializer_list<int> x) {
@@ -110,7 +108,5 @@ template <class Test> void in_every_exact_space(Test test) {
   test(Exact_d(), 4);
   test(Exact_d(), 5);
 }
-
-} // namespace
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_JETS_H

@@ -22,8 +22,6 @@ using GC::Patch_edge;
 using GC::Sign_pattern;
 constexpr Patch_edge u0 = Patch_edge::u0, u1 = Patch_edge::u1, v0 = Patch_edge::v0, v1 = Patch_edge::v1;
 
-namespace {
-
 template <class FT> constexpr bool is_exact = !std::is_floating_point_v<FT>;
 
 // ---------------------------------------------------------------- space curves with polynomial coordinates
@@ -154,7 +152,5 @@ template <class K> std::vector<std::pair<Patch<K>, Patch_edge>> placements(const
       }
   return result;
 }
-
-} // namespace
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_NETS_H

@@ -5,15 +5,13 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PEER_AGREEMENT_H
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PEER_AGREEMENT_H
 
-#include "test.h"
 #include "peers.h"
+#include "test.h"
 
 // Rational splines with random doubles, the same with exact numbers, and how far a rounded result may be from the exact one.
 
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
-
-namespace {
 
 constexpr unsigned seed = 2026;
 std::mt19937 engine(seed);
@@ -107,7 +105,5 @@ public:
     ++compared_;
   }
 };
-
-} // namespace
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PEER_AGREEMENT_H

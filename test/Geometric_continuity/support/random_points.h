@@ -13,8 +13,6 @@ typedef CGAL::Exact_rational Exact;
 template <class FT> using Traits = GC::Traits_3<CGAL::Simple_cartesian<FT>>;
 template <class FT> using Point = typename Traits<FT>::Point;
 
-namespace {
-
 std::mt19937 engine(2026);
 
 template <class FT> FT number() { // in [-1, 1]
@@ -38,7 +36,5 @@ template <class FT> bool same(const FT& x, const FT& y, double size) {
   else
     return x == y;
 }
-
-} // namespace
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_POINTS_H

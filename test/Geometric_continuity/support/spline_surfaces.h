@@ -23,8 +23,6 @@ using GC::Edge_defect;
 using GC::Patch_edge;
 constexpr Patch_edge u0 = Patch_edge::u0, u1 = Patch_edge::u1, v0 = Patch_edge::v0, v1 = Patch_edge::v1;
 
-namespace {
-
 // ---------------------------------------------------------------- surfaces
 
 // A polynomial surface: the coefficients of u^i v^j, i, j <= 3.
@@ -134,18 +132,10 @@ inline Knots knots(const Q& a, const Q& b, const std::vector<Q>& inner = {}) {
 
 // ---------------------------------------------------------------- results
 
-template <class T> std::string text(const T& x) {
-  std::ostringstream os;
-  os << x;
-  return os.str();
-}
-
 inline std::mt19937_64 seeded() {
   constexpr unsigned seed = 20260721;
   BOOST_TEST_MESSAGE("seed " << seed);
   return std::mt19937_64(seed);
 }
-
-} // namespace
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINE_SURFACES_H

@@ -32,8 +32,6 @@ typedef Exact::Vector Vector;
 using GC::Edge_defect;
 using GC::Sign_pattern;
 
-namespace {
-
 class Random : public Random_integers<> {
 public:
   Q rational() { return Q(Q(integer(-999999, 999999)) / Q(integer(1, 999999))); }
@@ -102,7 +100,5 @@ struct Quarter_circle {
     return jet;
   }
 };
-
-} // namespace
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SWEPT_SURFACES_H

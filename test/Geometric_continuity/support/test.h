@@ -18,8 +18,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 
-#include <boost/test/unit_test.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,5 +54,19 @@ typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double_2;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
 typedef GC::Traits_d<CGAL::Cartesian_d<double>> Double_d;
 typedef GC::Traits_3<CGAL::Epick> Epick_3;
+
+// What is written for the parts one after the other.
+template <class... T> std::string text(const T&... part) {
+  std::ostringstream os;
+  (os << ... << part);
+  return os.str();
+}
+// What f(os) writes.
+template <class F> std::string written_by(F f) {
+  std::ostringstream os;
+  f(os);
+  return os.str();
+}
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TEST_H

@@ -61,13 +61,6 @@ template <class T>
 struct Is_streamable<T, std::void_t<decltype(std::declval<std::ostream&>() << std::declval<const T&>())>>
     : std::true_type {};
 
-// What is written for the parts one after the other.
-template <class... T> std::string text(const T&... part) {
-  std::ostringstream os;
-  (os << ... << part);
-  return os.str();
-}
-
 // A number in the field in which predicates are decided.
 template <class Field, class T> Field in_field(const T& x) {
   if constexpr (std::is_same_v<Field, T>)

@@ -8,13 +8,10 @@
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 
 BOOST_AUTO_TEST_SUITE(blend_sides)
-
-namespace {
 
 typedef GC::Edge_function<Q> Function;
 typedef GC::Surface_blend_shape<Q> Shape;
@@ -129,8 +126,6 @@ template <class Given, class A, class B> void check_sides(Numbers& random, const
   refused(false, -1, 3, "incompatible_corner: blend sides: u = 0" + first + "S_uvvv: ");
   refused(true, -1, last - 3, "incompatible_corner: blend sides: u = 1" + second + "S_uvvv: ");
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   Numbers random;

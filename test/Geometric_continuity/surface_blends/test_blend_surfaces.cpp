@@ -10,14 +10,10 @@
 #include "support/translated_curves.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
-#include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 
 BOOST_AUTO_TEST_SUITE(blend_surfaces)
-
-namespace {
 
 typedef GC::Edge_function<Q> Function;
 typedef GC::Edge_reparametrisation<Q> Reparametrisation;
@@ -98,8 +94,6 @@ template <class A, class B> void check_random_blends(Numbers& random) {
   check_random_blend(random, over_knots(random.surface<A>()), random.surface<B>(),
                      {random.spline_reparametrisation(), random.spline_reparametrisation()});
 }
-
-} // namespace
 
 // With the shape of a strategy, in the direction in which the ends of the edges are nearer.
 template <class A, class B, class Strategy> void check_automatic_blend(Numbers& random, const Strategy& strategy) {

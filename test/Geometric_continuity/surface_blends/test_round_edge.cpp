@@ -12,8 +12,6 @@
 
 BOOST_AUTO_TEST_SUITE(rounded_edges)
 
-namespace {
-
 typedef std::vector<std::vector<Exact::Point>> Net;
 
 struct Numbers : Random_surfaces {
@@ -100,8 +98,6 @@ template <class A, class B> void check_random_edges(Numbers& random) {
   check_rounded(a, ea, b, eb, da == db ? Edge_direction::same : Edge_direction::opposite,
                 fraction(random.integer(1, 4), 10), fraction(random.integer(1, 4), 10));
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   Numbers random;

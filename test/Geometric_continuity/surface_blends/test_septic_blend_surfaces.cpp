@@ -11,12 +11,9 @@
 #include "support/translated_curves.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 
 BOOST_AUTO_TEST_SUITE(septic_blend_surfaces)
-
-namespace {
 
 typedef GC::Edge_function<Q> Function;
 typedef GC::Surface_blend_shape<Q> Shape;
@@ -124,8 +121,6 @@ template <class A, class B> void check_random_blend(Numbers& random) {
     BOOST_CHECK(is_g2_edge(a, ea, m, v0) && is_g2_edge(m, v1, b, eb));
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   Numbers random;

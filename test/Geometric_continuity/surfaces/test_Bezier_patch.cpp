@@ -8,10 +8,7 @@
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
-
-namespace {
 
 template <class K> Patch<K> sample_patch() { // degree 3 x 2 on [1, 3] x [-1, 1]
   typedef typename K::FT FT;
@@ -21,8 +18,6 @@ template <class K> Patch<K> sample_patch() { // degree 3 x 2 on [1, 3] x [-1, 1]
       net[i][j] = typename K::Point_3(FT(4 * i + j * j), FT(8 * j - i * j), FT((i * i * 5 + j * 3) % 7 * 2));
   return Patch<K>(net, {FT(1), FT(3)}, {FT(-1), FT(1)});
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(patch_evaluation, K, All_kernels) {
   typedef typename K::FT FT;
@@ -101,9 +96,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(patch_operations, K, All_kernels) {
   BOOST_CHECK(s.bbox() == CGAL::Bbox_3(0, 0, 0, 16, 16, 12));
   BOOST_CHECK_EQUAL(std::distance(s.begin(), s.end()), 12);
   BOOST_CHECK(*(s.begin() + 1) == s.control_point(0, 1));
-  std::ostringstream os;
-  os << s;
-  const std::string text = os.str();
+  const std::string text = text(s);
   BOOST_CHECK_EQUAL(text.substr(0, text.find('\n')), "Bezier patch of degree 3 x 2 on [1, 3] x [-1, 1]:");
   BOOST_CHECK_EQUAL(text.substr(text.rfind('\n')), "\n(12, 0, 6) (13, 5, 12) (16, 10, 4)");
   BOOST_CHECK_EQUAL(std::count(text.begin(), text.end(), '\n'), 4);

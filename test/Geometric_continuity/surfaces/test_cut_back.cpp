@@ -11,8 +11,6 @@
 
 BOOST_AUTO_TEST_SUITE(surfaces_trimmed_back)
 
-namespace {
-
 template <class Surface> std::pair<Q, Q> across(const Surface& s, Patch_edge edge) {
   return runs_along_u(edge) ? s.domain_v() : s.domain_u();
 }
@@ -96,8 +94,6 @@ template <class Surface> void check_along_curve(Random_surfaces& random, int deg
     }
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(all_types) {
   Random_surfaces random;

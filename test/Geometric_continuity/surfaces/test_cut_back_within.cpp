@@ -11,8 +11,6 @@
 
 BOOST_AUTO_TEST_SUITE(surfaces_trimmed_back_within)
 
-namespace {
-
 typedef GC::Bernstein_polynomial<Q> Function;
 
 Q square_of_distance(const Exact::Point& p, const Exact::Point& q) { return Q((q - p).squared_length()); }
@@ -63,8 +61,6 @@ template <class Surface> void check(Random_surfaces& random) {
     CHECK_ERROR(cut_back_within(s, v1, f, Q(1000)), unreachable_tolerance);
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(bounds) {
   Random_surfaces random;

@@ -10,8 +10,6 @@
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 
-namespace {
-
 template <class FT> void check_grid(int p, int q) {
   std::vector<std::vector<Point<FT>>> net;
   for (int i = 0; i <= p; ++i) net.push_back(points<FT>(q + 1));
@@ -31,8 +29,6 @@ template <class FT> void check_grid(int p, int q) {
       }
     }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(grids) {
   for (int p : {0, 1, 3, 6})

@@ -11,8 +11,6 @@
 
 BOOST_AUTO_TEST_SUITE(possible_folds)
 
-namespace {
-
 template <class FT> bool contains(const std::pair<FT, FT>& interval, const FT& x) {
   return interval.first <= x && x <= interval.second;
 }
@@ -31,8 +29,6 @@ template <class Traits> Bezier<Traits> cusp(const typename Traits::FT& a, const 
     for (int j = 0; j <= 2; ++j) net[i].push_back(P(square(a, i), square(b, j), line(a, i) * line(b, j)));
   return Bezier<Traits>(net);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(regular_and_folded, Traits, All_traits) {
   typedef typename Traits::FT FT;

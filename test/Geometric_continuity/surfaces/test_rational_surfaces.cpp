@@ -12,8 +12,6 @@
 
 BOOST_AUTO_TEST_SUITE(rational_surfaces)
 
-namespace {
-
 // S of degree 1 x 1 by hand: ((1-u)(1-v) w00 b00 + ...) / (...).
 template <class Traits> Patch<Traits> bilinear() {
   typedef typename Traits::Point P;
@@ -50,8 +48,6 @@ template <class Surface> bool is_quotient(const Surface& s, const Q& u, const Q&
   return true;
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(values_by_hand, Traits, All_traits) {
   typedef typename Traits::FT FT;
   typedef typename Traits::Point P;
@@ -67,9 +63,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(values_by_hand, Traits, All_traits) {
   BOOST_CHECK(s.degree_u() == 1 && s.degree_v() == 1 && s.dimension() == 3);
   BOOST_CHECK(s.weight(1, 0) == FT(3) && s.weight(Patch_edge::u1, 0, 0) == FT(3) && s.weights().size() == 4);
   CHECK_ERROR(s.partial(FT(0), FT(0), -1, 0), negative_count);
-  std::ostringstream os;
-  os << s;
-  BOOST_CHECK_EQUAL(os.str(),
+  BOOST_CHECK_EQUAL(text(s),
                     "Rational Bezier patch of degree 1 x 1 on [0, 1] x [0, 1]:\n(0, 0, 0) (0, 1, 0)\n(1, 0, 0) "
                     "(1, 1, 1)\nweights:\n1 2\n3 2");
 }

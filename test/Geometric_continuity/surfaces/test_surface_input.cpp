@@ -11,8 +11,6 @@
 typedef std::tuple<Double, Exact> All_traits;
 using GC::Patch_edge;
 
-namespace {
-
 constexpr int largest = (std::numeric_limits<int>::max)(), smallest = (std::numeric_limits<int>::min)();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -27,8 +25,6 @@ template <class Traits> GC::Bspline_surface<Traits> surface() {
   typedef typename Traits::FT FT;
   return GC::Bspline_surface<Traits>(patch<Traits>()).insert_u(FT(FT(1) / FT(2)), 2);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(counts_of_surfaces, Traits, All_traits) {
   typedef typename Traits::FT FT;
@@ -212,8 +208,7 @@ BOOST_AUTO_TEST_CASE(names_of_edges_and_patches) {
   BOOST_CHECK_EQUAL(GC::to_string(Patch_edge::u0) + to_string(Patch_edge::u1) + to_string(Patch_edge::v0) +
                         to_string(Patch_edge::v1),
                     "u0u1v0v1");
-  std::ostringstream os;
-  os << patch<Double>();
-  BOOST_CHECK_EQUAL(os.str(), "Bezier patch of degree 2 x 1 on [0, 1] x [0, 1]:\n(0, 0, 0) (0, 4, 1)\n(4, 0, 8) "
-                              "(4, 4, 0)\n(8, 0, 0) (8, 4, 2)");
+  BOOST_CHECK_EQUAL(text(patch<Double>()),
+                    "Bezier patch of degree 2 x 1 on [0, 1] x [0, 1]:\n(0, 0, 0) (0, 4, 1)\n(4, 0, 8) "
+                    "(4, 4, 0)\n(8, 0, 0) (8, 4, 2)");
 }

@@ -8,7 +8,6 @@
 #include "support/swept_surfaces.h"
 
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
 
 BOOST_AUTO_TEST_CASE(extrusion_is_linear) {
   Random random;

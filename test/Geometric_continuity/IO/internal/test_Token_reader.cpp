@@ -16,8 +16,6 @@
 
 BOOST_AUTO_TEST_SUITE(token_reader)
 
-namespace {
-
 constexpr std::size_t whole = std::numeric_limits<std::size_t>::max();
 
 // Delivers a text in parts of a size, and then ends, or throws. Of size 0: one character at a time without a buffer.
@@ -132,8 +130,6 @@ void check_refused(const std::string& text, const std::string& error, Words expe
   expected.error = "malformed_input: f.g2:" + error;
   check_words(text, expected);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(words_and_lines) {
   for (const char* text : {"", " ", "\n", "\n\n \t\n", "a", "a\n", "\na", " a b ", "a\nb\n\nc", "a\r\nb\r\n", "a\vb\fc",

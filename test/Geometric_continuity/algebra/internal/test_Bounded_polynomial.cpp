@@ -20,8 +20,6 @@ namespace I = GC::internal;
 typedef CGAL::Fraction_traits<CGAL::Exact_rational>::Numerator_type Z;
 typedef GC::internal::Homogeneous_polynomial<Z> Whole;
 
-namespace {
-
 template <int degree, int bits> Whole whole(const I::Bounded_polynomial<degree, bits>& p) {
   constexpr int limbs = I::Bounded_polynomial<degree, bits>::limbs;
   std::vector<Z> c;
@@ -43,8 +41,6 @@ I::Bounded_polynomial<degree, bits> random_polynomial(Random_integers<>& random,
     return sign != 0 ? sign * x : random.integer(0, 1) ? x : -x;
   });
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(sums_and_products_up_to_the_bounds) {
   Random_integers<> random;

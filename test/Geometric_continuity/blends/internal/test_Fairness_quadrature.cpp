@@ -13,8 +13,6 @@ BOOST_AUTO_TEST_SUITE(fairness_quadrature)
 
 typedef CGAL::Simple_cartesian<double> K;
 
-namespace {
-
 constexpr unsigned seed = 2026;
 std::mt19937 engine(seed);
 double number() { return (static_cast<int>(engine() % 2001) - 1000) / 1000.; }
@@ -46,8 +44,6 @@ template <GC::internal::Blend_kind kind, class Traits> void compare() {
     BOOST_CHECK(std::abs(fixed - precise) <= 1e-6 * precise);
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(quintic_blends) {
   BOOST_TEST_MESSAGE("seed " << seed);

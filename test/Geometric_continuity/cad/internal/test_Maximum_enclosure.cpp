@@ -10,8 +10,6 @@
 
 BOOST_AUTO_TEST_SUITE(Maximum_enclosure)
 
-namespace {
-
 using CGAL::Geometric_continuity::internal::Bounds_on_range;
 typedef CGAL::Geometric_continuity::internal::Maximum_enclosure Largest;
 typedef CGAL::Geometric_continuity::internal::Largest_options Options;
@@ -39,8 +37,6 @@ bool hold(const Ranges& ranges, const std::vector<double>& points, double length
   }
   return true;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(a_function_that_rises) {
   const Largest f({0, 1, 3}, options(1000), without({}), nowhere);

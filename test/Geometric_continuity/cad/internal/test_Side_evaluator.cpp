@@ -17,8 +17,6 @@ typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 typedef GC::Cad_point<3> P3;
 
-namespace {
-
 std::mt19937 random_bits;
 
 double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_bits); }
@@ -89,8 +87,6 @@ struct Outside {
     steady = longest <= 1.25L * shortest;
   }
 };
-
-} // namespace
 
 // The range of a coordinate that turns back holds its values and little else; where numbers are so large that sums of them might overflow,
 // nothing is known.

@@ -14,8 +14,6 @@ BOOST_AUTO_TEST_SUITE(Taylor_model)
 using GC::internal::Interval;
 using Model = GC::internal::Taylor_model;
 
-namespace {
-
 Q exactly(const Model& f, const Q& s) {
   Q y(0);
   for (int k = Model::size - 1; k >= 0; --k) y = y * s + Q(f.c[k]);
@@ -32,8 +30,6 @@ template <class Random> Model random_model(Random& random, double decay, double 
   f.r = r;
   return f;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(operations) {
   const unsigned seed = first_seed();

@@ -17,8 +17,6 @@ typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 
-namespace {
-
 constexpr unsigned seed = 20261127;
 std::mt19937 random_bits(seed);
 
@@ -78,8 +76,6 @@ double within(const std::pair<double, double>& range) {
 }
 
 bool contains(const Interval& x, const Q& y) { return Q(x.inf()) <= y && y <= Q(x.sup()); }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(series_of_splines) {
   BOOST_TEST_MESSAGE("seed " << seed);

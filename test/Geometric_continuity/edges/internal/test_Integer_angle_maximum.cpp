@@ -11,8 +11,6 @@
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-namespace {
-
 typedef GC::internal::Common_denominator<Q>::Ring Ring;
 typedef GC::internal::Homogeneous_polynomial<Ring> Whole;
 typedef GC::internal::Integer_angle_maximum<Q, Whole> Fixed;
@@ -46,8 +44,6 @@ std::optional<GC::Normal_deviation<Q>> search(const Whole& s, const Whole& p, GC
   const GC::internal::Work_guard work("test");
   return Fixed(s, p)();
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(known_largest_values) {
   Random random;

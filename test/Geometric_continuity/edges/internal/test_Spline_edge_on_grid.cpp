@@ -6,7 +6,6 @@
 
 #include "support/nets.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_ladder.h>
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER

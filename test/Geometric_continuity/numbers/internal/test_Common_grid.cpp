@@ -12,8 +12,6 @@
 
 BOOST_AUTO_TEST_SUITE(common_grid)
 
-namespace {
-
 template <std::size_t N> using Points = std::array<std::array<double, N>, 4>;
 
 template <int k, std::size_t N> void check(const Points<N>& x, const Points<N>& y) {
@@ -51,8 +49,6 @@ template <int k, std::size_t N> void check_random(std::mt19937_64& random, int b
   y[k][N - 1] = std::ldexp(1, exponent - static_cast<int>(random() % 60)); // finer by some bits
   check<k, N>(x, y);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(grids_of_numbers) {
   std::mt19937_64 random(2026);

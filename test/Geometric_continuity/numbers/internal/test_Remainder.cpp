@@ -17,8 +17,6 @@ BOOST_AUTO_TEST_SUITE(Remainder)
 typedef GC::internal::Remainder R;
 typedef boost::multiprecision::cpp_int Integer;
 
-namespace {
-
 const std::uint16_t (&moduli)[std::size(GC::internal::remainder_moduli)] = GC::internal::remainder_moduli;
 
 Integer modulus(std::uint64_t c) { return (Integer(1) << 64) - c; }
@@ -36,8 +34,6 @@ std::vector<std::uint64_t> samples(std::uint64_t c, std::mt19937_64& random) {
   for (int i = 0; i < 20; ++i) x.push_back(remainder(random() >> random() % 64, c));
   return x;
 }
-
-} // namespace
 
 // Each modulus is the largest below those before it that has no common divisor with any of them, so that their product is 2^28160 but for a
 // factor next to 1.

@@ -4,8 +4,8 @@
 
 // The integers and fractions with which exact blends are computed: the same numbers as by the operators of each number type.
 
-#include "support/test.h"
 #include "support/fractions.h"
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Unreduced_fraction.h>
@@ -17,8 +17,6 @@
 #include <boost/multiprecision/gmp.hpp>
 
 BOOST_AUTO_TEST_SUITE(Unreduced_fraction)
-
-namespace {
 
 template <class FT> void check_number(const FT& x, const FT& expected) {
   BOOST_CHECK(x == expected);
@@ -61,8 +59,6 @@ template <class FT> void check_fractions() {
   }
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(fractions) {
   check_fractions<CGAL::Exact_rational>();
   check_fractions<CGAL::Gmpq>();
@@ -81,8 +77,6 @@ BOOST_AUTO_TEST_CASE(single_numbers) {
   moved = std::move(same);
   BOOST_CHECK(moved == Integer(-83810205));
 }
-
-namespace {
 
 template <class FT> void check_short_numbers() {
   typedef GC::internal::Rational_parts<FT> Parts;
@@ -104,8 +98,6 @@ template <class FT> void check_short_numbers() {
       }
     }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(short_numbers) {
   check_short_numbers<CGAL::Exact_rational>();

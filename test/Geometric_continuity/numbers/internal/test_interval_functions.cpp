@@ -16,8 +16,6 @@ using GC::internal::Cosine_and_sine;
 using GC::internal::Interval;
 typedef boost::multiprecision::cpp_bin_float_100 Long;
 
-namespace {
-
 bool encloses(const Interval& i, const Long& x) { return Long(i.inf()) <= x && x <= Long(i.sup()); }
 
 // By numbers of 100 digits; they are computed when roundings are to the nearest.
@@ -51,8 +49,6 @@ struct Checks {
     wide += !(i.sup() - i.inf() <= i.sup() * 1e-15 * (8 + 8 * std::fabs(x)));
   }
 };
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(enclose_the_values) {
   const unsigned seed = first_seed();

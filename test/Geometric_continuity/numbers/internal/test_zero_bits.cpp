@@ -10,8 +10,6 @@
 
 BOOST_AUTO_TEST_SUITE(zero_bits)
 
-namespace {
-
 void check_word(std::uint64_t x) {
   int trailing = 0, leading = 0;
   while ((x >> trailing & 1) == 0) ++trailing;
@@ -21,8 +19,6 @@ void check_word(std::uint64_t x) {
   BOOST_CHECK_EQUAL(GC::internal::trailing_zero_bits_by_halves(x), trailing);
   BOOST_CHECK_EQUAL(GC::internal::leading_zero_bits_by_halves(x), leading);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(from_every_bit_to_every_bit) {
   for (int high = 0; high < 64; ++high)

@@ -13,8 +13,6 @@ BOOST_AUTO_TEST_SUITE(zeros_on_square)
 
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Traits;
 
-namespace {
-
 // Coefficients of u^i v^j.
 typedef std::vector<std::vector<Q>> Polynomial;
 
@@ -80,8 +78,6 @@ GC::Rational_bezier_patch<Traits> patch(const Polynomial& f) {
 
 const Polynomial u{{Q(0)}, {Q(1)}}, v{{Q(0), Q(1)}};
 Polynomial minus(const Polynomial& f, const Q& c) { return sum(f, constant(Q(-c))); }
-
-} // namespace
 
 // The middle of the interval of a number may be the number.
 BOOST_AUTO_TEST_CASE(rational_numbers) {

@@ -27,9 +27,7 @@ namespace {
 constexpr unsigned seed = 20261121;
 
 std::string text(const Q& x) {
-  std::ostringstream os;
-  GC::write_number(os, x);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_number(os, x); });
 }
 
 std::string text(const Point& p) { return text(p.x()) + ',' + text(p.y()); }
@@ -622,7 +620,7 @@ BOOST_AUTO_TEST_CASE(the_locale_does_not_matter) {
   std::locale::global(old);
   BOOST_CHECK_EQUAL(path, "2L 3/2,5/2 2469135/2,0; |");
   BOOST_CHECK_EQUAL(map, "3/2,2");
-  BOOST_CHECK(message.find("character 2002:") != std::string::npos);
+  BOOST_CHECK(contains(message, "character 2002:"));
 }
 
 // Random paths are written in random spellings and read back: every control point is the same.
