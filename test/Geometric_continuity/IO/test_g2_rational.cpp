@@ -35,8 +35,7 @@ template <class Traits> std::vector<GC::Rational_bspline_surface<Traits>> surfac
   return GC::read_g2_rational_bspline_surfaces<Traits>(is, "f.g2");
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(curves_are_kept, Traits, Planar) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(curves_are_kept, Traits, Planar) {
   typedef typename Traits::Point Point;
   typedef GC::Rational_bspline_curve<Traits> Curve;
   const GC::Rational_bezier_curve<Traits> arc = GC::circular_arc<Traits>(
@@ -87,8 +86,7 @@ BOOST_AUTO_TEST_CASE(doubles_are_kept) {
   BOOST_CHECK(curves_in<D2>(text_of(c)).front() == c);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(surfaces_are_kept, Traits, Space) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(surfaces_are_kept, Traits, Space) {
   typedef typename Traits::Point Point;
   std::vector<std::vector<Point>> net(3);
   std::vector<std::vector<FT>> weights(3);

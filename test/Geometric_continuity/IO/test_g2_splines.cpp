@@ -8,8 +8,7 @@
 
 #include <CGAL/Geometric_continuity/IO/g2.h>
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(splines_in_files, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(splines_in_files, K, Kernels) {
   repeat<FT>(10, [](Random<FT>& random) {
     std::vector<Curve3<K>> curves;
     for (int p = 0; p <= 4; ++p) curves.push_back(random.template curve<Traits3<K>>(random.knots(p, p + 1), 3));

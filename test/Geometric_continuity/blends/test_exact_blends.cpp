@@ -122,8 +122,7 @@ template <class FT> struct Every_strategy {
   }
 };
 
-template <class Traits> void check_every_strategy(int dimension) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> void check_every_strategy(int dimension) {
   // what the operators of cpp_rational take minutes for
   constexpr bool slow = std::is_same_v<FT, boost::multiprecision::cpp_rational>;
   for (int family = 0; family < number_of_families; ++family) {
@@ -214,8 +213,7 @@ template <> constexpr bool CGAL::Geometric_continuity::works_in_every_field_v<ex
 
 BOOST_AUTO_TEST_SUITE(exact_blends)
 
-template <class Traits> void check_strategies_in_every_field(int dimension) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> void check_strategies_in_every_field(int dimension) {
   const GC::Shape_parameters<FT> shape{FT(FT(2) / FT(3)), 2};
   for (int family : {small, mixed, doubles, zeros}) {
     const GC::Curve_jet<Traits> phi = jet<Traits>(dimension, 3, family), psi = jet<Traits>(dimension, 3, family);
@@ -237,8 +235,7 @@ template <class Traits> void check_strategies_in_every_field(int dimension) {
   }
 }
 
-template <class Traits> void check_strategies_of_the_user(int dimension) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> void check_strategies_of_the_user(int dimension) {
   const GC::Curve_jet<Traits> phi = jet<Traits>(dimension, 3, mixed), psi = jet<Traits>(dimension, 3, doubles);
   const GC::Shape_parameters<FT> shape{FT(FT(1) / FT(3)), FT(2)};
   check_blend(phi, psi, Product_of_tangents<FT, GC::dimension_v<Traits>>(), shape);
@@ -248,8 +245,7 @@ template <class Traits> void check_strategies_of_the_user(int dimension) {
 }
 
 // Two pieces of one straight line: Near_line, Sequential_f3 and Joint_g3 are not defined.
-template <class Traits> void check_fallbacks(int dimension) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> void check_fallbacks(int dimension) {
   GC::Curve_jet<Traits> phi(dimension, 3), psi(dimension, 3);
   for (int i = 0; i < dimension; ++i) {
     const FT a = number<FT>(small), d = number<FT>(mixed);
@@ -268,8 +264,7 @@ template <class Traits> void check_fallbacks(int dimension) {
   check_blend(phi, psi, GC::Joint_g3(), shape);
 }
 
-template <class Traits> void check_errors(int dimension) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> void check_errors(int dimension) {
   const GC::Curve_jet<Traits> phi = jet<Traits>(dimension, 3, mixed);
   GC::Curve_jet<Traits> standing = phi;
   for (int i = 0; i < dimension; ++i) standing[1][i] = FT(FT(FT(1) / FT(3)) * FT(3) - FT(1)); // 0, not only near it

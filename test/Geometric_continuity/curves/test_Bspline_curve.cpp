@@ -24,8 +24,8 @@ template <class Traits, class Test> void in_each_coordinate(const GC::Bspline_cu
   for (int i = 0; i < c.dimension(); ++i) test(coordinate(c, i), i);
 }
 
-template <class Traits> void check_curve_operations(Random<typename Traits::FT>& random, int d) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT>
+void check_curve_operations(Random<typename Traits::FT>& random, int d) {
   typedef GC::Bspline_curve<Traits> Curve;
   const int p = random.integer(0, 4);
   const Curve c = random.template curve<Traits>(random.knots(p, p + 1), d);
@@ -81,8 +81,7 @@ template <class Traits> void check_curve_operations(Random<typename Traits::FT>&
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(curves_are_functions_in_each_coordinate, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(curves_are_functions_in_each_coordinate, K, Kernels) {
   repeat<FT>(12, [](Random<FT>& random) {
     check_curve_operations<GC::Traits_2<K>>(random, 2);
     check_curve_operations<GC::Traits_3<K>>(random, 3);
@@ -126,8 +125,7 @@ BOOST_AUTO_TEST_CASE(curves_over_an_archetype) {
   BOOST_CHECK_EQUAL((f + f)[1] == FT(6), true);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(bezier_curves_and_back, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(bezier_curves_and_back, K, Kernels) {
   typedef Curve3<K> Curve;
   typedef Bezier3<K> Bezier;
   repeat<FT>(25, [](Random<FT>& random) {
@@ -195,8 +193,7 @@ BOOST_AUTO_TEST_CASE(bezier_curves_of_different_dimensions_do_not_join) {
               dimension_mismatch);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(refused_curves_equality_and_output, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(refused_curves_equality_and_output, K, Kernels) {
   typedef GC::Bspline_curve<GC::Traits_2<K>> Curve;
   typedef typename K::Point_2 Point;
   const std::vector<Point> points{Point(0, 0), Point(1, 2), Point(3, 4), Point(5, 6)};

@@ -238,8 +238,7 @@ BOOST_AUTO_TEST_CASE(similar_and_reversed_curves) {
 }
 
 // The counts of a curve are those of its pieces, with what is at the knots.
-BOOST_AUTO_TEST_CASE_TEMPLATE(pieces, Traits, Planar_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(pieces, Traits, Planar_traits) {
   typedef GC::Bezier_curve<Traits> Bezier;
   const auto of = [](const std::vector<Bezier>& curves) {
     return GC::curvature_extrema(GC::Composite_bezier_curve<Traits>(curves.begin(), curves.end()));
@@ -275,8 +274,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(pieces, Traits, Planar_traits) {
 }
 
 // With floating-point numbers the Bezier pieces of a B-spline curve would be rounded; it is decided as it is given.
-BOOST_AUTO_TEST_CASE_TEMPLATE(splines, Traits, Planar_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(splines, Traits, Planar_traits) {
   const std::vector<typename Traits::Point> p =
       points<Traits>({{0, 0}, {0.1, 1}, {1.3, 1.7}, {2, -1}, {3, 0.3}, {4, 0}});
   std::vector<FT> knots;

@@ -161,8 +161,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(all_orientations, K, All_kernels) {
   BOOST_CHECK_EQUAL(reversed, 3 * 32);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(unequal_degrees_and_domains, K, All_kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(unequal_degrees_and_domains, K, All_kernels) {
   typedef GC::Edge_field<GC::Traits_3<K>> Field;
   Random random;
   const Connection s(random, 2);
@@ -210,8 +209,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(folds_are_not_smooth, K, All_kernels) {
   BOOST_CHECK(conditions.coplanar() && conditions.second_order() && !conditions.g1() && !conditions.g2());
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(one_unit_in_the_last_place, K, All_kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(one_unit_in_the_last_place, K, All_kernels) {
   Random random;
   const Connection s(random, 3);
   const std::vector<Patch<K>> p = patches<K>({s.first(), s.second()});
@@ -326,8 +324,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vanishing_normals, K, All_kernels) {
 
 // ---------------------------------------------------------------- the angle between the normals
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(the_angle_is_enclosed, K, All_kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(the_angle_is_enclosed, K, All_kernels) {
   Random random;
   double widest = 0, narrowest = 4;
   for (int round = 0; round < 30; ++round) {

@@ -28,8 +28,7 @@ const double pi = std::acos(-1.0), tolerance = 1e-6; // what the rules use
 
 // The patch C(u) + v T(u) + v^2 W(u), where the coordinates are polynomials with coefficients that every kernel can represent.
 typedef std::array<Polynomial, 3> Column;
-template <class K> Patch<K> patch(const Column& c, const Column& t, const Column& w) {
-  typedef typename K::FT FT;
+template <class K, class FT = typename K::FT> Patch<K> patch(const Column& c, const Column& t, const Column& w) {
   int n = 0;
   for (const Column* x : {&c, &t, &w})
     for (const Polynomial& p : *x) n = std::max(n, p.degree());
@@ -189,8 +188,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(differences_have_no_sign, K, Kernels) {
 // ---------------------------------------------------------------- cross derivatives that are not parallel
 
 // Wrong: "T1 and T2 are parallel", or the control points across the edge collinear. Both may have a part along the edge.
-template <class K> bool parallel_cross_derivatives(const Patch<K>& a, const Patch<K>& b) {
-  typedef typename K::FT FT;
+template <class K, class FT = typename K::FT> bool parallel_cross_derivatives(const Patch<K>& a, const Patch<K>& b) {
   for (int k = 0; k <= 4; ++k) {
     const FT u = FT(FT(k) / FT(4));
     if (CGAL::cross_product(a.partial(u, FT(0), 0, 1), b.partial(u, FT(0), 0, 1)) != CGAL::NULL_VECTOR) return false;
@@ -238,8 +236,7 @@ BOOST_AUTO_TEST_CASE(ribbons_with_a_part_along_the_edge_are_smooth) {
 // ---------------------------------------------------------------- samples
 
 // Wrong: "the normals agree at n + 1 parameters". The surfaces bend away from each other between them.
-BOOST_AUTO_TEST_CASE_TEMPLATE(bumps_between_samples, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(bumps_between_samples, K, Kernels) {
   for (int samples : {5, 21}) {
     if (samples == 21 && !std::is_same_v<FT, Q>) continue; // its coefficients are no doubles
     const int n = samples - 1;

@@ -21,8 +21,7 @@ template <class Traits> GC::Bezier_curve<Traits> cubic() {
 }
 
 // Numbers of type double in the place of exact ones: a conversion of them would stop the program.
-template <class Traits> void check_conversions() {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> void check_conversions() {
   typedef GC::Extension_parameters<FT> Parameters;
   const GC::Bezier_curve<Traits> left = cubic<Traits>();
   for (const double x : not_finite_numbers) {

@@ -11,8 +11,8 @@
 // ------------------------------------------------------------------------------------------------------------ chains
 
 // Curves of which each starts where the one before it ends but for some gaps, with joins of all kinds.
-template <class Traits> std::vector<Bezier<Traits>> random_chain(Random& random, int n) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT>
+std::vector<Bezier<Traits>> random_chain(Random& random, int n) {
   std::vector<Bezier<Traits>> chain(1, random.curve<Traits>(3, 1).segment(0));
   while (static_cast<int>(chain.size()) < n) {
     const Bezier<Traits>& last = chain.back();
@@ -183,8 +183,7 @@ BOOST_AUTO_TEST_CASE(a_refused_curve_does_not_change_the_chain) {
 
 // ------------------------------------------------------------------------------------- analysis of a segmented curve
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(continuity_in_the_global_parameter, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(continuity_in_the_global_parameter, Traits, All_traits) {
   const int n = test_dimension<Traits>;
   typedef GC::Predicate_FT<Traits> Field;
   // one cubic over the knots 0, 1, 2, 4

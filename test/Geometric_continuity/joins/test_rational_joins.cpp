@@ -62,8 +62,7 @@ template <class Traits, class Left, class Right> void compare(const Left& left, 
   n.torsion += join.torsion_equal.value_or(false);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(points_and_weights_decide_as_jets_do, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(points_and_weights_decide_as_jets_do, Traits, All) {
   typedef GC::Rational_bezier_curve<Traits> Curve;
   std::cout << "seed " << seed << '\n';
   Counts n;
@@ -170,8 +169,7 @@ BOOST_AUTO_TEST_CASE(weights_below_the_normal_numbers) {
 }
 
 // A derivative with the factor 1/3, which no floating-point number is.
-BOOST_AUTO_TEST_CASE_TEMPLATE(c1_join_with_a_rounded_factor, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(c1_join_with_a_rounded_factor, Traits, All) {
   typedef GC::Rational_bezier_curve<Traits> Curve;
   const auto on_axis = [](int x) {
     GC::Coordinates<Traits> c(GC::dimension_v<Traits>);

@@ -51,8 +51,7 @@ template <class Patch> void check_points(const Patch& patch, int n) {
   BOOST_CHECK_EQUAL(mesh.triangles.size(), 2u * n * n);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_patches, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(points_of_patches, K, Kernels) {
   Random_fractions<FT> random;
   for (int n = 1; n <= 7; ++n) BOOST_TEST_CONTEXT("seed " << first_seed() << ", " << n << " cells") {
       const int p = random.integer(1, 4), q = random.integer(1, 4);
@@ -63,8 +62,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_patches, K, Kernels) {
     }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_rational_patches, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(points_of_rational_patches, K, Kernels) {
   Random_fractions<FT> random;
   for (int n = 1; n <= 7; ++n) BOOST_TEST_CONTEXT("seed " << first_seed() << ", " << n << " cells") {
       const int p = random.integer(1, 3), q = random.integer(1, 3);
@@ -77,8 +75,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_rational_patches, K, Kernels) {
 }
 
 // The denominator is positive although a weight is not.
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_weight_that_is_negative, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(a_weight_that_is_negative, K, Kernels) {
   Random_fractions<FT> random;
   const GC::Rational_bezier_patch<GC::Traits_3<K>> patch(
       random_net<K>(random, 2, 1),
@@ -88,8 +85,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_weight_that_is_negative, K, Kernels) {
 
 // The triangles of a cell have its shorter diagonal in common; if both are equal, that from the corner where the parameters
 // are least. Floating-point numbers do not tell which it is.
-BOOST_AUTO_TEST_CASE_TEMPLATE(shorter_diagonals, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(shorter_diagonals, K, Kernels) {
   typedef typename K::Point_3 Point;
   FT tiny(1);
   for (int i = 0; i < 100; ++i) tiny = FT(tiny / FT(2));

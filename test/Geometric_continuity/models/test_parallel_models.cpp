@@ -74,8 +74,7 @@ template <class Traits> std::vector<std::vector<typename Traits::Point>> net(con
   return points;
 }
 
-template <class Traits> GC::Knot_vector<typename Traits::FT> unit_knots() {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> GC::Knot_vector<typename Traits::FT> unit_knots() {
   return GC::Knot_vector<FT>(3, FT(0), FT(1));
 }
 

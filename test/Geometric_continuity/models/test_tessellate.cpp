@@ -251,8 +251,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_cells) {
 }
 
 // Dense samples of every triangle: the point of the surface and the point of the triangle with the same parameters.
-BOOST_AUTO_TEST_CASE_TEMPLATE(tolerance_is_kept, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(tolerance_is_kept, K, Kernels) {
   std::mt19937 random(42);
   const std::array<std::pair<int, int>, 7> degrees = {{{1, 1}, {1, 3}, {2, 2}, {3, 2}, {3, 3}, {5, 1}, {6, 4}}};
   for (const auto& degree : degrees) {

@@ -18,8 +18,7 @@ typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
 template <class Traits> using Curve = GC::Bezier_curve<Traits>;
 typedef std::vector<std::vector<double>> Rows;
 
-template <class Traits> Curve<Traits> curve(const Rows& rows) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> Curve<Traits> curve(const Rows& rows) {
   std::vector<typename Traits::Point> points;
   for (const std::vector<double>& row : rows) {
     const std::vector<FT> c(row.begin(), row.end());

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_COMPOSITE_CURVES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_COMPOSITE_CURVES_H
+#pragma once
 
 #include "random.h"
 
@@ -101,5 +100,3 @@ template <class Traits> bool same_function(const Composite<Traits>& c, const Com
     }
   return true;
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_COMPOSITE_CURVES_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ENCLOSURES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ENCLOSURES_H
+#pragma once
 
 #include "test.h"
 
@@ -55,5 +54,3 @@ inline bool angle_is(bool not_larger, double x, const Exact& product, const Exac
 }
 
 } // namespace enclosures
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ENCLOSURES_H

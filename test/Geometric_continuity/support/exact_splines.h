@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_EXACT_SPLINES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_EXACT_SPLINES_H
+#pragma once
 
 #include "random.h"
 
@@ -97,5 +96,3 @@ inline std::vector<Q> parameters(const Knots& knots, Random& random) {
   u.push_back(knots.domain().second);
   return u;
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_EXACT_SPLINES_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_SUPPORT_FAIRNESS_H
-#define GEOMETRIC_CONTINUITY_TEST_SUPPORT_FAIRNESS_H
+#pragma once
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
@@ -101,5 +100,3 @@ private:
     return at_end ? curve.end_jet(3) : curve.start_jet(3);
   }
 };
-
-#endif // GEOMETRIC_CONTINUITY_TEST_SUPPORT_FAIRNESS_H

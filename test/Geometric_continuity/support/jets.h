@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_JETS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_JETS_H
+#pragma once
 
 #include "random.h"
 
@@ -108,5 +107,3 @@ template <class Test> void in_every_exact_space(Test test) {
   test(Exact_d(), 4);
   test(Exact_d(), 5);
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_JETS_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_NETS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_NETS_H
+#pragma once
 
 #include "random.h"
 
@@ -71,8 +70,7 @@ inline Q denominator_of(const Q& x) {
 
 // Nets in the coordinates of a kernel. Rounded kernels take all nets times a common denominator: whole numbers, which must
 // be represented exactly.
-template <class K> std::vector<Patch<K>> patches(const std::vector<Net>& nets) {
-  typedef typename K::FT FT;
+template <class K, class FT = typename K::FT> std::vector<Patch<K>> patches(const std::vector<Net>& nets) {
   Q scale(1);
   if constexpr (!is_exact<FT>)
     for (const Net& net : nets)
@@ -152,5 +150,3 @@ template <class K> std::vector<std::pair<Patch<K>, Patch_edge>> placements(const
       }
   return result;
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_NETS_H

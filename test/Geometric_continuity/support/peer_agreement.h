@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PEER_AGREEMENT_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PEER_AGREEMENT_H
+#pragma once
 
 #include "peers.h"
 #include "test.h"
@@ -105,5 +104,3 @@ public:
     ++compared_;
   }
 };
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PEER_AGREEMENT_H

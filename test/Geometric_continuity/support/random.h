@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_H
+#pragma once
 
 #include "test.h"
 
@@ -43,5 +42,3 @@ public:
     return FT(FT(numerator) / FT(denominator));
   }
 };
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_POINTS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_POINTS_H
+#pragma once
 
 #include "test.h"
 
@@ -36,5 +35,3 @@ template <class FT> bool same(const FT& x, const FT& y, double size) {
   else
     return x == y;
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_POINTS_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_SURFACES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_SURFACES_H
+#pragma once
 
 #include "rational_surfaces.h"
 
@@ -125,5 +124,3 @@ template <class A, class B> int whole_edge_order(const A& a, Patch_edge ea, cons
   const auto edge = edge_continuity(a, ea, b, eb);
   return edge.whole_a && edge.whole_b ? edge.g_order : -2;
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_SURFACES_H

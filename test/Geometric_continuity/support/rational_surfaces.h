@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RATIONAL_SURFACES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RATIONAL_SURFACES_H
+#pragma once
 
 #include "random.h"
 
@@ -57,5 +56,3 @@ template <class Traits> Patch<Traits> with_factor(const Patch<Traits>& s, const 
     }
   return Patch<Traits>(net, weights, s.domain_u(), s.domain_v());
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RATIONAL_SURFACES_H

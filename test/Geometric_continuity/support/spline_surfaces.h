@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINE_SURFACES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINE_SURFACES_H
+#pragma once
 
 #include "test.h"
 
@@ -101,8 +100,7 @@ inline S part(const S& s, const Q& a, const Q& b) {
 }
 
 // The same in another kernel; it must be represented exactly.
-template <class K> Surface<K> in(const S& s) {
-  typedef typename K::FT FT;
+template <class K, class FT = typename K::FT> Surface<K> in(const S& s) {
   const auto number = [](const Q& x) {
     if constexpr (std::is_same_v<FT, Q>)
       return x;
@@ -137,5 +135,3 @@ inline std::mt19937_64 seeded() {
   BOOST_TEST_MESSAGE("seed " << seed);
   return std::mt19937_64(seed);
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINE_SURFACES_H

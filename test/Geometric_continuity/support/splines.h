@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINES_H
+#pragma once
 
 #include "random.h"
 
@@ -164,5 +163,3 @@ template <class FT> GC::Knot_vector<FT> finer(GC::Knot_vector<FT> knots, Random<
     knots = knots.insert(u, random.integer(0, knots.degree() + 1 - knots.multiplicity(u)));
   return knots;
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINES_H

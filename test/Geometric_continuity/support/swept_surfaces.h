@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SWEPT_SURFACES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SWEPT_SURFACES_H
+#pragma once
 
 #include "random.h"
 
@@ -100,5 +99,3 @@ struct Quarter_circle {
     return jet;
   }
 };
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SWEPT_SURFACES_H

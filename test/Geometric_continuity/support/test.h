@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TEST_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TEST_H
+#pragma once
 
 // This is the preamble of the unit tests: Boost.Test, the kernels, names for them, and how errors are checked. Most of it is
 // precompiled.
@@ -55,6 +54,12 @@ typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
 typedef GC::Traits_d<CGAL::Cartesian_d<double>> Double_d;
 typedef GC::Traits_3<CGAL::Epick> Epick_3;
 
+// A test for each of these types, which have numbers of a type FT.
+#define TEST_FOR_EACH(name, Type, types)                                                                               \
+  template <class Type, class FT = typename Type::FT> void name##_for();                                               \
+  BOOST_AUTO_TEST_CASE_TEMPLATE(name, Type, types) { name##_for<Type>(); }                                             \
+  template <class Type, class FT> void name##_for()
+
 // What is written for the parts one after the other.
 template <class... T> std::string text(const T&... part) {
   std::ostringstream os;
@@ -68,5 +73,3 @@ template <class F> std::string written_by(F f) {
   return os.str();
 }
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TEST_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TYPED_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TYPED_H
+#pragma once
 
 // What the typed tests share. The including file has defined, for one kernel:
 //
@@ -121,6 +120,22 @@ template <class Test> void with_random_input(Test test, int times = rounds) {
     BOOST_TEST_CONTEXT("dimension " << d) repeat([&](Random& random) { test(traits, d, random); }, times);
   });
 }
+
+// Tests of a traits class `Traits` in dimension `d`: in every space, and there with `random` input, `rounds` times or as often as
+// given.
+#define TEST_IN_EVERY_SPACE(name)                                                                                      \
+  template <class Traits> void name##_in(int d);                                                                       \
+  BOOST_AUTO_TEST_CASE(name) {                                                                                         \
+    in_every_space([](auto traits, int d) { name##_in<decltype(traits)>(d); });                                        \
+  }                                                                                                                    \
+  template <class Traits> void name##_in([[maybe_unused]] int d)
+#define TEST_WITH_INPUTS(name, times)                                                                                  \
+  template <class Traits> void name##_in(int d, Random& random);                                                       \
+  BOOST_AUTO_TEST_CASE(name) {                                                                                         \
+    with_random_input([](auto traits, int d, Random& random) { name##_in<decltype(traits)>(d, random); }, times);      \
+  }                                                                                                                    \
+  template <class Traits> void name##_in([[maybe_unused]] int d, [[maybe_unused]] Random& random)
+#define TEST_WITH_RANDOM_INPUT(name) TEST_WITH_INPUTS(name, rounds)
 
 // ---------------------------------------------------------------- points, jets and curves
 
@@ -432,5 +447,3 @@ template <class Traits, class Strategy> void check_blend_errors(int d, int order
   bad.shape.beta = FT(-1);
   CHECK_ERROR(bad(strategy), nonpositive_beta);
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TYPED_H

@@ -203,8 +203,7 @@ BOOST_AUTO_TEST_CASE(patches_that_join) {
 }
 
 // A neighbour of its own speed: the blend is G1 with it.
-BOOST_AUTO_TEST_CASE_TEMPLATE(neighbours, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(neighbours, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef Bezier<Traits> S;
   typedef GC::Side_of_blend<S, S> Side;

@@ -227,8 +227,7 @@ BOOST_AUTO_TEST_CASE(automatic_blends) {
 }
 
 // Where all curves u = const are the same but for a translation, the shape is that of the curves.
-BOOST_AUTO_TEST_CASE_TEMPLATE(shape_of_translated_curves, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(shape_of_translated_curves, Traits, All_traits) {
   const Translated_curves<Traits> given;
   const auto strategy = GC::Minimal_energy<3>();
   const auto shape = given.shape(strategy);
@@ -299,8 +298,7 @@ BOOST_AUTO_TEST_CASE(degrees_and_knots) {
 }
 
 // They are counted before anything is computed. A Work_scope raises the limit.
-BOOST_AUTO_TEST_CASE_TEMPLATE(too_many_knots, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(too_many_knots, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef GC::Knot_vector<FT> Knots;
   const auto surface = [](int inner, int y) {
@@ -461,8 +459,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_become_long) {
   BOOST_CHECK_EQUAL(error(slow, a), "zero_tangent: automatic_surface_shape: the first surface");
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(errors, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef GC::Edge_function<FT> Function;
   const Bezier<Traits> a({{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0)}});

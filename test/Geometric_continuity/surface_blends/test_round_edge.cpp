@@ -116,8 +116,7 @@ BOOST_AUTO_TEST_CASE(weights_along_the_edge) {
 }
 
 // Two squares at a right angle: all numbers near the planes are exact with every kernel.
-BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(kernels, Traits, All_traits) {
   typedef typename Traits::Point P;
   const Bezier<Traits> floor({{P(0, 0, 0), P(0, 8, 0)}, {P(8, 0, 0), P(8, 8, 0)}}),
       wall({{P(0, 0, 0), P(8, 0, 0)}, {P(0, 0, 8), P(8, 0, 8)}});
@@ -151,8 +150,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
     CHECK_ERROR(set_back_parameter(floor, v0, bad), parameter_outside_domain);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(errors, Traits, All_traits) {
   typedef typename Traits::Point P;
   const auto wall = [](const P& p, const P& q) {
     return Bezier<Traits>({{p, P(p.x(), p.y(), 8)}, {q, P(q.x(), q.y(), 8)}});

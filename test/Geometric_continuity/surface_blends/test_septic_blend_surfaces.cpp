@@ -128,8 +128,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
 }
 
 // A shape of order 2 has third derivatives that are 0; the part between two parts of one surface is the blend of them.
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_part_of_one_surface, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(a_part_of_one_surface, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef GC::Surface_blend_shape<FT> Given;
   std::vector<std::vector<P>> net;
@@ -201,8 +200,7 @@ BOOST_AUTO_TEST_CASE(automatic_blends) {
 }
 
 // Where all curves u = const are the same but for a translation, the shape is that of the curves.
-BOOST_AUTO_TEST_CASE_TEMPLATE(shape_of_translated_curves, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(shape_of_translated_curves, Traits, All_traits) {
   const Translated_curves<Traits> given;
   const auto check = [&](const auto& strategy, double accuracy) {
     const auto gamma = given.blend_of_curves(strategy);

@@ -19,8 +19,7 @@ template <class K> Patch<K> sample_patch() { // degree 3 x 2 on [1, 3] x [-1, 1]
   return Patch<K>(net, {FT(1), FT(3)}, {FT(-1), FT(1)});
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(patch_evaluation, K, All_kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(patch_evaluation, K, All_kernels) {
   const Patch<K> s = sample_patch<K>();
   BOOST_CHECK_EQUAL(s.degree_u(), 3);
   BOOST_CHECK_EQUAL(s.degree_v(), 2);
@@ -59,8 +58,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(patch_evaluation, K, All_kernels) {
     }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(patch_operations, K, All_kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(patch_operations, K, All_kernels) {
   const Patch<K> s = sample_patch<K>();
   const FT u = FT(FT(3) / FT(2)), v = FT(FT(1) / FT(4));
   BOOST_CHECK(s == s);
@@ -102,8 +100,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(patch_operations, K, All_kernels) {
   BOOST_CHECK_EQUAL(std::count(text.begin(), text.end(), '\n'), 4);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(patch_edges, K, All_kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(patch_edges, K, All_kernels) {
   const Patch<K> s = sample_patch<K>();
   for (Patch_edge e : GC::patch_edges) {
     const GC::Bezier_curve<GC::Traits_3<K>> c = GC::boundary_curve(s, e);

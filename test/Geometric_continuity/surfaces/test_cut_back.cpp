@@ -127,8 +127,7 @@ BOOST_AUTO_TEST_CASE(at_knots) {
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(kernels, Traits, All_traits) {
   typedef typename Traits::Point P;
   const Bezier<Traits> s({{P(0, 0, 0), P(0, 4, 0), P(0, 8, 8)}, {P(8, 0, 0), P(8, 4, 0), P(8, 8, 16)}}, {FT(0), FT(2)},
                          {FT(1), FT(3)});

@@ -138,8 +138,7 @@ BOOST_AUTO_TEST_CASE(errors) {
     CHECK_ERROR(cut_back_within(s, v1, bad, Q(1)), parameter_outside_domain);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(kernels, Traits, All_traits) {
   typedef typename Traits::Point P;
   const GC::Knot_vector<FT> u(1, FT(0), FT(1)), v(2, FT(0), FT(4), {{FT(2), 1}, {FT(3), 1}});
   const Bspline<Traits> s({{P(0, 0, 0), P(0, 2, 0), P(0, 5, 1), P(0, 7, 3), P(0, 8, 4)},

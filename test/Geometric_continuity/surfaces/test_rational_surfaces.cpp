@@ -48,8 +48,7 @@ template <class Surface> bool is_quotient(const Surface& s, const Q& u, const Q&
   return true;
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(values_by_hand, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(values_by_hand, Traits, All_traits) {
   typedef typename Traits::Point P;
   const Patch<Traits> s = bilinear<Traits>();
   const FT half = FT(FT(1) / FT(2));
@@ -123,8 +122,7 @@ BOOST_AUTO_TEST_CASE(operations_keep_the_points) {
   BOOST_CHECK(Spline<Exact>(t.homogeneous()) == t);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(polynomial_surfaces, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(polynomial_surfaces, Traits, All_traits) {
   typedef typename Traits::Point P;
   const GC::Bezier_patch<Traits> s({{P(0, 0, 0), P(0, 4, 1)}, {P(4, 0, 8), P(4, 4, 0)}, {P(8, 0, 0), P(8, 4, 2)}});
   const Patch<Traits> r = s;
@@ -140,8 +138,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(polynomial_surfaces, Traits, All_traits) {
   BOOST_CHECK(q.normal(u, v) == t.normal(u, v));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(denominators, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(denominators, Traits, All_traits) {
   typedef typename Traits::Point P;
   const auto weight = [](int p, int q) { return FT(FT(p) / FT(q)); };
   // the denominator in the middle is (12 + 4 w) / 16
@@ -259,8 +256,7 @@ BOOST_AUTO_TEST_CASE(grids) {
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(refused_input, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(refused_input, Traits, All_traits) {
   typedef typename Traits::Point P;
   const std::vector<std::vector<P>> net{{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0)}};
   typedef std::vector<std::vector<FT>> Weights;

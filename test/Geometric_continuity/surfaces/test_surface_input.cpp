@@ -21,13 +21,11 @@ template <class Traits> GC::Bezier_patch<Traits> patch() {
 }
 
 // The patch on the unit square with a knot 1/2 in u.
-template <class Traits> GC::Bspline_surface<Traits> surface() {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> GC::Bspline_surface<Traits> surface() {
   return GC::Bspline_surface<Traits>(patch<Traits>()).insert_u(FT(FT(1) / FT(2)), 2);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(counts_of_surfaces, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(counts_of_surfaces, Traits, All_traits) {
   const auto s = patch<Traits>();
   const auto t = surface<Traits>();
   const FT half = FT(FT(1) / FT(2));
@@ -69,8 +67,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(counts_of_surfaces, Traits, All_traits) {
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(nets_of_surfaces, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(nets_of_surfaces, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef GC::Bezier_patch<Traits> Patch;
   typedef std::vector<std::vector<P>> Net;
@@ -88,8 +85,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(nets_of_surfaces, Traits, All_traits) {
 }
 
 // Surfaces are equal when domains, degrees and control points are.
-BOOST_AUTO_TEST_CASE_TEMPLATE(equal_surfaces, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(equal_surfaces, Traits, All_traits) {
   typedef typename Traits::Point P;
   const auto s = patch<Traits>();
   const std::pair<FT, FT> unit(FT(0), FT(1)), longer(FT(0), FT(2));

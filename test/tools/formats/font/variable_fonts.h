@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_VARIABLE_FONTS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_VARIABLE_FONTS_H
+#pragma once
 
 #include "support/test.h"
 
@@ -257,5 +256,3 @@ struct Font_writer {
     return s + font(16);
   }
 };
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_VARIABLE_FONTS_H
