@@ -52,70 +52,64 @@ template <class Traits> void check_joins(const Blend_input<Traits>& input, const
   BOOST_CHECK(right_backwards.betas()[1] == beta2(input.psi, eta, gamma.parameters.s2));
 }
 
-BOOST_AUTO_TEST_CASE(joins, *boost::unit_test::enable_if<exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Blend_input<Traits> input = random_blend<Traits>(random, d, 2);
-    for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
-        const Blend<Traits> gamma = strategy.blend(input);
-        BOOST_CHECK(gamma.domain() == std::make_pair(FT(0), FT(1)));
-        BOOST_CHECK(!gamma.parameters.fallback_start && !gamma.parameters.fallback_end);
-        check_joins(input, gamma);
-        check_symmetry(input, random, strategy);
-      }
-    Blend_input<Traits> smooth = input;
-    smooth.shape = {};
-    const Blend<Traits> gamma = smooth(GC::Matching_second_derivative());
-    BOOST_CHECK_EQUAL(GC::continuity(input.phi, gamma.start_jet(2)).c_order, 2);
-    BOOST_CHECK_EQUAL(GC::continuity(gamma.end_jet(2), input.psi).c_order, 2);
-    smooth.shape = GC::automatic_shape(input.phi, input.psi);
-    BOOST_CHECK(same_points<Traits>(GC::blend(input.phi, input.psi), smooth(GC::Minimal_energy<3>())));
-  });
+TEST_WITH_RANDOM_INPUT_IF(joins, exact) {
+  const Blend_input<Traits> input = random_blend<Traits>(random, d, 2);
+  for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
+      const Blend<Traits> gamma = strategy.blend(input);
+      BOOST_CHECK(gamma.domain() == std::make_pair(FT(0), FT(1)));
+      BOOST_CHECK(!gamma.parameters.fallback_start && !gamma.parameters.fallback_end);
+      check_joins(input, gamma);
+      check_symmetry(input, random, strategy);
+    }
+  Blend_input<Traits> smooth = input;
+  smooth.shape = {};
+  const Blend<Traits> gamma = smooth(GC::Matching_second_derivative());
+  BOOST_CHECK_EQUAL(GC::continuity(input.phi, gamma.start_jet(2)).c_order, 2);
+  BOOST_CHECK_EQUAL(GC::continuity(gamma.end_jet(2), input.psi).c_order, 2);
+  smooth.shape = GC::automatic_shape(input.phi, input.psi);
+  BOOST_CHECK(same_points<Traits>(GC::blend(input.phi, input.psi), smooth(GC::Minimal_energy<3>())));
 }
 
-BOOST_AUTO_TEST_CASE(geometry_of_the_strategies, *boost::unit_test::enable_if<exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Blend_input<Traits> input = random_blend<Traits>(random, d, 2);
-    const FT beta = input.shape.beta, eta = input.shape.eta, delta = ratio(1, 7);
-    const Column<Traits> u = beta * input.phi[1], v = eta * input.psi[1], dn1 = offset(input.phi, beta),
-                         dn2 = offset(input.psi, eta);
+TEST_WITH_RANDOM_INPUT_IF(geometry_of_the_strategies, exact) {
+  const Blend_input<Traits> input = random_blend<Traits>(random, d, 2);
+  const FT beta = input.shape.beta, eta = input.shape.eta, delta = ratio(1, 7);
+  const Column<Traits> u = beta * input.phi[1], v = eta * input.psi[1], dn1 = offset(input.phi, beta),
+                       dn2 = offset(input.psi, eta);
 
-    const Blend<Traits> c2 = input(GC::Matching_second_derivative());
-    BOOST_CHECK(c2.start_jet(2)[2] == FT(beta * beta) * input.phi[2]);
-    BOOST_CHECK(c2.end_jet(2)[2] == FT(eta * eta) * input.psi[2]);
+  const Blend<Traits> c2 = input(GC::Matching_second_derivative());
+  BOOST_CHECK(c2.start_jet(2)[2] == FT(beta * beta) * input.phi[2]);
+  BOOST_CHECK(c2.end_jet(2)[2] == FT(eta * eta) * input.psi[2]);
 
-    const Blend<Traits> normal = input(GC::Normal_offset());
-    BOOST_CHECK(normal.coordinates(2) - normal.coordinates(1) == dn1);
-    BOOST_CHECK(normal.coordinates(3) - normal.coordinates(4) == dn2);
+  const Blend<Traits> normal = input(GC::Normal_offset());
+  BOOST_CHECK(normal.coordinates(2) - normal.coordinates(1) == dn1);
+  BOOST_CHECK(normal.coordinates(3) - normal.coordinates(4) == dn2);
 
-    const Blend<Traits> least = input(GC::Minimal_second_derivative());
-    BOOST_CHECK(least.start_jet(2)[2] == FT(20) * dn1); // no component along the tangent
-    BOOST_CHECK(least.end_jet(2)[2] == FT(20) * dn2);
-    for (const FT& s : {delta, FT(-delta)}) {
-      const Column<Traits> w = input(Given{s, s}).start_jet(2)[2], best = FT(20) * dn1;
-      BOOST_CHECK(dot(best, best) < dot(w, w));
-    }
+  const Blend<Traits> least = input(GC::Minimal_second_derivative());
+  BOOST_CHECK(least.start_jet(2)[2] == FT(20) * dn1); // no component along the tangent
+  BOOST_CHECK(least.end_jet(2)[2] == FT(20) * dn2);
+  for (const FT& s : {delta, FT(-delta)}) {
+    const Column<Traits> w = input(Given{s, s}).start_jet(2)[2], best = FT(20) * dn1;
+    BOOST_CHECK(dot(best, best) < dot(w, w));
+  }
 
-    // C nearest to the line through B1 and B2: the squared distance is quadratic in s
-    const Blend<Traits> near = input(GC::Near_line());
-    const Column<Traits> b1 = near.coordinates(1), w = near.coordinates(4) - b1;
-    const auto distance = [&](const Column<Traits>& c) -> FT {
-      return GC::gram_determinant(std::vector<Column<Traits>>{c - b1, w});
-    };
-    const std::pair<Column<Traits>, Column<Traits>> lines[] = {{near.coordinates(2), delta * u},
-                                                               {near.coordinates(3), delta * v}};
-    for (const std::pair<Column<Traits>, Column<Traits>>& line : lines) {
-      const FT up = distance(line.first + line.second), down = distance(line.first - line.second);
-      BOOST_CHECK(up == down);
-      BOOST_CHECK(distance(line.first) < up);
-    }
+  // C nearest to the line through B1 and B2: the squared distance is quadratic in s
+  const Blend<Traits> near = input(GC::Near_line());
+  const Column<Traits> b1 = near.coordinates(1), w = near.coordinates(4) - b1;
+  const auto distance = [&](const Column<Traits>& c) -> FT {
+    return GC::gram_determinant(std::vector<Column<Traits>>{c - b1, w});
+  };
+  const std::pair<Column<Traits>, Column<Traits>> lines[] = {{near.coordinates(2), delta * u},
+                                                             {near.coordinates(3), delta * v}};
+  for (const std::pair<Column<Traits>, Column<Traits>>& line : lines) {
+    const FT up = distance(line.first + line.second), down = distance(line.first - line.second);
+    BOOST_CHECK(up == down);
+    BOOST_CHECK(distance(line.first) < up);
+  }
 
-    // whatever the strategy, gamma'' = 20 (d n + s gamma')
-    const Blend<Traits> free = input(Given{random.whole(), random.whole()});
-    BOOST_CHECK(free.start_jet(2)[2] == FT(20) * (dn1 + free.parameters.s1 * u));
-    BOOST_CHECK(free.end_jet(2)[2] == FT(20) * (dn2 + free.parameters.s2 * v));
-  });
+  // whatever the strategy, gamma'' = 20 (d n + s gamma')
+  const Blend<Traits> free = input(Given{random.whole(), random.whole()});
+  BOOST_CHECK(free.start_jet(2)[2] == FT(20) * (dn1 + free.parameters.s1 * u));
+  BOOST_CHECK(free.end_jet(2)[2] == FT(20) * (dn2 + free.parameters.s2 * v));
 }
 
 // The energy is a quadratic function of (s1, s2): at the minimum the values on both sides are equal, and larger.
@@ -132,31 +126,28 @@ template <int k, class Traits> void check_minimum(const Blend_input<Traits>& inp
   }
 }
 
-BOOST_AUTO_TEST_CASE(minimal_energy, *boost::unit_test::enable_if<exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Blend_input<Traits> input = random_blend<Traits>(random, d, 2);
-    check_minimum<2>(input);
-    check_minimum<3>(input);
-    // gamma''' is orthogonal to the tangents, and no bump t^3 (1-t)^3 w makes the energy smaller
-    const Blend<Traits> gamma = input(GC::Minimal_energy<3>());
-    BOOST_CHECK(dot(gamma.start_jet(3)[3], input.phi[1]) == FT(0));
-    BOOST_CHECK(dot(gamma.end_jet(3)[3], input.psi[1]) == FT(0));
-    const FT least = gamma.energy(3);
-    for (int i = 0; i < d; ++i) {
-      FT energies[2];
-      for (int side : {0, 1}) {
-        const Curve<Traits> sextic = gamma.elevate();
-        std::vector<Point<Traits>> p(sextic.begin(), sextic.end());
-        Column<Traits> middle = sextic.coordinates(3);
-        middle[i] += FT(side == 0 ? 1 : -1);
-        p[3] = point<Traits>(middle);
-        energies[side] = Curve<Traits>(p.begin(), p.end()).energy(3);
-      }
-      BOOST_CHECK(energies[0] == energies[1]);
-      BOOST_CHECK(least < energies[0]);
+TEST_WITH_RANDOM_INPUT_IF(minimal_energy, exact) {
+  const Blend_input<Traits> input = random_blend<Traits>(random, d, 2);
+  check_minimum<2>(input);
+  check_minimum<3>(input);
+  // gamma''' is orthogonal to the tangents, and no bump t^3 (1-t)^3 w makes the energy smaller
+  const Blend<Traits> gamma = input(GC::Minimal_energy<3>());
+  BOOST_CHECK(dot(gamma.start_jet(3)[3], input.phi[1]) == FT(0));
+  BOOST_CHECK(dot(gamma.end_jet(3)[3], input.psi[1]) == FT(0));
+  const FT least = gamma.energy(3);
+  for (int i = 0; i < d; ++i) {
+    FT energies[2];
+    for (int side : {0, 1}) {
+      const Curve<Traits> sextic = gamma.elevate();
+      std::vector<Point<Traits>> p(sextic.begin(), sextic.end());
+      Column<Traits> middle = sextic.coordinates(3);
+      middle[i] += FT(side == 0 ? 1 : -1);
+      p[3] = point<Traits>(middle);
+      energies[side] = Curve<Traits>(p.begin(), p.end()).energy(3);
     }
-  });
+    BOOST_CHECK(energies[0] == energies[1]);
+    BOOST_CHECK(least < energies[0]);
+  }
 }
 
 // ---------------------------------------------------------------- degenerate input
@@ -286,36 +277,30 @@ TEST_WITH_RANDOM_INPUT(own_strategies_and_curves) {
 // With M the sum of the lengths of the six vectors that define the blend, the right sides of the linear systems are sums
 // of at most 42 M |u|, and the systems, scaled by |u| and |v|, have condition at most 2: 1000 roundings of M cover all. The
 // shift of Near_line divides by the squared sine of an angle, which multiplies its error by at most its inverse squared.
-BOOST_AUTO_TEST_CASE(rounded_blends, *boost::unit_test::enable_if<!exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    if constexpr (!exact) {
-      const Blend_input<Traits> input = random_blend<Traits>(random, d, 2, &Random::rational);
-      const Blend_input<Reference> reference{
-          rational_jet(input.phi), rational_jet(input.psi), {rational(input.shape.beta), rational(input.shape.eta)}};
-      const double beta = CGAL::to_double(input.shape.beta), eta = CGAL::to_double(input.shape.eta);
-      const double m = length(input.phi[0]) + length(input.psi[0]) + beta * length(input.phi[1]) +
-                       eta * length(input.psi[1]) + beta * beta * length(input.phi[2]) +
-                       eta * eta * length(input.psi[2]);
-      const Strategies<Reference> exactly = all_strategies<Reference>();
-      int i = 0;
-      for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
-          const Blend<Traits> gamma = strategy.blend(input);
-          const Blend<Reference> expected = exactly[i++].blend(reference);
-          double condition = 1;
-          if (strategy.name == std::string("Near_line")) {
-            const Column<Reference> w = expected.coordinates(4) - expected.coordinates(1);
-            for (const Jet<Reference>& x : {reference.phi, reference.psi})
-              condition = std::max(
-                  condition,
-                  std::pow(length(x[1]) * length(w), 4) /
-                      std::pow(CGAL::to_double(GC::gram_determinant(std::vector<Column<Reference>>{x[1], w})), 2));
-          }
-          for (int j = 0; j <= 5; ++j)
-            BOOST_CHECK(within(gamma.coordinates(j), expected.coordinates(j), 1000 * 0x1p-53 * m * condition));
-        }
+TEST_WITH_RANDOM_INPUT_IF(rounded_blends, !exact) {
+  const Blend_input<Traits> input = random_blend<Traits>(random, d, 2, &Random::rational);
+  const Blend_input<Reference> reference{
+      rational_jet(input.phi), rational_jet(input.psi), {rational(input.shape.beta), rational(input.shape.eta)}};
+  const double beta = CGAL::to_double(input.shape.beta), eta = CGAL::to_double(input.shape.eta);
+  const double m = length(input.phi[0]) + length(input.psi[0]) + beta * length(input.phi[1]) +
+                   eta * length(input.psi[1]) + beta * beta * length(input.phi[2]) + eta * eta * length(input.psi[2]);
+  const Strategies<Reference> exactly = all_strategies<Reference>();
+  int i = 0;
+  for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
+      const Blend<Traits> gamma = strategy.blend(input);
+      const Blend<Reference> expected = exactly[i++].blend(reference);
+      double condition = 1;
+      if (strategy.name == std::string("Near_line")) {
+        const Column<Reference> w = expected.coordinates(4) - expected.coordinates(1);
+        for (const Jet<Reference>& x : {reference.phi, reference.psi})
+          condition =
+              std::max(condition,
+                       std::pow(length(x[1]) * length(w), 4) /
+                           std::pow(CGAL::to_double(GC::gram_determinant(std::vector<Column<Reference>>{x[1], w})), 2));
+      }
+      for (int j = 0; j <= 5; ++j)
+        BOOST_CHECK(within(gamma.coordinates(j), expected.coordinates(j), 1000 * 0x1p-53 * m * condition));
     }
-  });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

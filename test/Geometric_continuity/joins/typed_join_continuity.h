@@ -112,32 +112,29 @@ TEST_WITH_RANDOM_INPUT(disturbed_joins) {
 }
 
 // The orders are those of the curves, however they are parametrised and wherever they are.
-BOOST_AUTO_TEST_CASE(invariance, *boost::unit_test::enable_if<exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const int k = std::min(max_order, 5);
-    const Jet<Traits> x = random_jet<Traits>(random, d, k);
-    Jet<Traits> y = reparametrised(x, random_betas(random, k));
-    const int broken = random.integer(1, k + 1);
-    if (broken <= k) y[broken][0] += FT(1);
-    const Join<Traits> join = GC::continuity(x, y);
+TEST_WITH_RANDOM_INPUT_IF(invariance, exact) {
+  const int k = std::min(max_order, 5);
+  const Jet<Traits> x = random_jet<Traits>(random, d, k);
+  Jet<Traits> y = reparametrised(x, random_betas(random, k));
+  const int broken = random.integer(1, k + 1);
+  if (broken <= k) y[broken][0] += FT(1);
+  const Join<Traits> join = GC::continuity(x, y);
 
-    const Similarity<Traits> map(random, d, random.positive_rational());
-    const Join<Traits> moved = GC::continuity(map(x), map(y));
-    check_orders(moved, join.c_order, join.g_order, join.f_order);
-    check_betas(moved, join.betas());
+  const Similarity<Traits> map(random, d, random.positive_rational());
+  const Join<Traits> moved = GC::continuity(map(x), map(y));
+  check_orders(moved, join.c_order, join.g_order, join.f_order);
+  check_betas(moved, join.betas());
 
-    const std::vector<FT> p = random_betas(random, k), q = random_betas(random, k);
-    const Join<Traits> other = GC::continuity(reparametrised(x, p), reparametrised(y, q));
-    check_orders(other, other.c_order, join.g_order, join.f_order);
-    typedef typename std::decay_t<decltype(join)>::Number Field;
-    if (join.g_order >= 1)
-      BOOST_CHECK(other.betas()[0] == Field(join.betas()[0] * in_field<Field>(q[0]) / in_field<Field>(p[0])));
+  const std::vector<FT> p = random_betas(random, k), q = random_betas(random, k);
+  const Join<Traits> other = GC::continuity(reparametrised(x, p), reparametrised(y, q));
+  check_orders(other, other.c_order, join.g_order, join.f_order);
+  typedef typename std::decay_t<decltype(join)>::Number Field;
+  if (join.g_order >= 1)
+    BOOST_CHECK(other.betas()[0] == Field(join.betas()[0] * in_field<Field>(q[0]) / in_field<Field>(p[0])));
 
-    const Join<Traits> backwards = GC::continuity(reversed(y), reversed(x));
-    check_orders(backwards, join.c_order, join.g_order, join.f_order);
-    if (join.g_order >= 1) BOOST_CHECK(backwards.betas()[0] == Field(Field(1) / join.betas()[0]));
-  });
+  const Join<Traits> backwards = GC::continuity(reversed(y), reversed(x));
+  check_orders(backwards, join.c_order, join.g_order, join.f_order);
+  if (join.g_order >= 1) BOOST_CHECK(backwards.betas()[0] == Field(Field(1) / join.betas()[0]));
 }
 
 // Each order against its own definition, on jets with so few values that all kinds of joins occur.
@@ -339,43 +336,40 @@ TEST_WITH_RANDOM_INPUT(user_curves) {
 // A parabola phi with dyadic control points and a quintic that starts with B = A + c p, C = 2B - A + 5/8 c^2 q + e p, where
 // p and q are the last first and second differences of phi: beta = 5c/2 and beta_2 = 10e, without rounding. The next
 // double in place of any coordinate refutes that.
-BOOST_AUTO_TEST_CASE(last_bit, *boost::unit_test::enable_if<exact_predicates>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    std::vector<Point<Traits>> phi, gamma;
-    Column<Traits> p, q, a;
-    do {
-      phi = random_points<Traits>(random, d, 3, &Random::number);
-      a = column<Traits>(phi[2]);
-      p = a - column<Traits>(phi[1]);
-      q = p - (column<Traits>(phi[1]) - column<Traits>(phi[0]));
-    } while (std::any_of(p.begin(), p.end(), [](const FT& x) { return x == FT(0); }) ||
-             GC::gram_determinant(std::vector<Column<Traits>>{p, q}) == FT(0));
-    const FT c = ratio(3, 8), e = ratio(random.integer(-8, 8), 16);
-    const Column<Traits> b = a + c * p, third = FT(2) * b - a + FT(ratio(5, 8) * c * c) * q + e * p;
-    gamma = random_points<Traits>(random, d, 6);
-    gamma[0] = phi[2];
-    gamma[1] = point<Traits>(b);
-    gamma[2] = point<Traits>(third);
-    const GC::Bezier_curve<Traits, 2> left(phi.begin(), phi.end());
-    const auto join = GC::continuity(left, GC::Bezier_curve<Traits, 5>(gamma.begin(), gamma.end()), 2);
-    check_orders(join, 0, 2, 2);
-    check_betas(join, std::vector<FT>{FT(ratio(5, 2) * c), FT(FT(10) * e)});
-    for (int j = 0; j <= 2; ++j)
-      for (int i = 0; i < d; ++i) {
-        std::vector<Point<Traits>> off = gamma;
-        Column<Traits> x = column<Traits>(gamma[j]);
-        x[i] = next_to(x[i]);
-        off[j] = point<Traits>(x);
-        check_orders(GC::continuity(left, Curve<Traits>(off.begin(), off.end()), 2), j == 0 ? -1 : 0, j - 1, j - 1);
-      }
-    // lengths of domains that make every derivative a rounded number
-    const Join<Traits> thirds =
-        GC::continuity(left.with_domain(FT(0), FT(7)), Curve<Traits>(gamma.begin(), gamma.end(), FT(1), FT(4)), 2);
-    check_orders(thirds, 0, 2, 2);
-    typedef typename std::decay_t<decltype(thirds)>::Number Field;
-    BOOST_CHECK(thirds.betas()[0] == Field(in_field<Field>(FT(ratio(5, 2) * c)) * Field(7) / Field(3)));
-  });
+TEST_WITH_RANDOM_INPUT_IF(last_bit, exact_predicates) {
+  std::vector<Point<Traits>> phi, gamma;
+  Column<Traits> p, q, a;
+  do {
+    phi = random_points<Traits>(random, d, 3, &Random::number);
+    a = column<Traits>(phi[2]);
+    p = a - column<Traits>(phi[1]);
+    q = p - (column<Traits>(phi[1]) - column<Traits>(phi[0]));
+  } while (std::any_of(p.begin(), p.end(), [](const FT& x) { return x == FT(0); }) ||
+           GC::gram_determinant(std::vector<Column<Traits>>{p, q}) == FT(0));
+  const FT c = ratio(3, 8), e = ratio(random.integer(-8, 8), 16);
+  const Column<Traits> b = a + c * p, third = FT(2) * b - a + FT(ratio(5, 8) * c * c) * q + e * p;
+  gamma = random_points<Traits>(random, d, 6);
+  gamma[0] = phi[2];
+  gamma[1] = point<Traits>(b);
+  gamma[2] = point<Traits>(third);
+  const GC::Bezier_curve<Traits, 2> left(phi.begin(), phi.end());
+  const auto join = GC::continuity(left, GC::Bezier_curve<Traits, 5>(gamma.begin(), gamma.end()), 2);
+  check_orders(join, 0, 2, 2);
+  check_betas(join, std::vector<FT>{FT(ratio(5, 2) * c), FT(FT(10) * e)});
+  for (int j = 0; j <= 2; ++j)
+    for (int i = 0; i < d; ++i) {
+      std::vector<Point<Traits>> off = gamma;
+      Column<Traits> x = column<Traits>(gamma[j]);
+      x[i] = next_to(x[i]);
+      off[j] = point<Traits>(x);
+      check_orders(GC::continuity(left, Curve<Traits>(off.begin(), off.end()), 2), j == 0 ? -1 : 0, j - 1, j - 1);
+    }
+  // lengths of domains that make every derivative a rounded number
+  const Join<Traits> thirds =
+      GC::continuity(left.with_domain(FT(0), FT(7)), Curve<Traits>(gamma.begin(), gamma.end(), FT(1), FT(4)), 2);
+  check_orders(thirds, 0, 2, 2);
+  typedef typename std::decay_t<decltype(thirds)>::Number Field;
+  BOOST_CHECK(thirds.betas()[0] == Field(in_field<Field>(FT(ratio(5, 2) * c)) * Field(7) / Field(3)));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -194,98 +194,86 @@ BOOST_AUTO_TEST_CASE(signed_squares) {
 // ---------------------------------------------------------------- random jets over exact numbers
 
 // Curvatures do not change under t -> beta_1 t + beta_2 t^2/2 + ...; with beta_1 < 0 the signed ones may change sign.
-BOOST_AUTO_TEST_CASE(reparametrisation, *boost::unit_test::enable_if<exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Jet<Traits> x = random_jet<Traits>(random, d, std::max(d, 4));
-    for (int sign : {1, -1}) {
-      std::vector<FT> betas = random.numbers(x.order());
-      betas[0] = FT(sign) * random.positive_rational();
-      const Jet<Traits> y = reparametrised(x, betas);
-      BOOST_CHECK(curvature_column(x) == curvature_column(y));
-      BOOST_CHECK(GC::curvature_squared(x) == GC::curvature_squared(y));
-      const Curvatures kappa = GC::frenet_curvatures(y);
-      BOOST_CHECK(kappa == scaled(GC::frenet_curvatures(x), FT(1), parity(sign, d * (d + 1) / 2)));
-      BOOST_REQUIRE(kappa[0]);
-      BOOST_CHECK(kappa[0]->square == *GC::curvature_squared(x));
-      if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 2)
-        if (d == 2) BOOST_CHECK(GC::signed_curvature(y) == kappa[0]);
-      if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 3)
-        if (d == 3) {
-          const FT tau = *GC::torsion(x);
-          BOOST_CHECK(GC::torsion(y) == tau);
-          BOOST_CHECK(kappa[1]->square == FT(tau * tau));
-          BOOST_CHECK_EQUAL(kappa[1]->sign, FT(0) < tau ? 1 : -1);
-        }
-    }
-  });
+TEST_WITH_RANDOM_INPUT_IF(reparametrisation, exact) {
+  const Jet<Traits> x = random_jet<Traits>(random, d, std::max(d, 4));
+  for (int sign : {1, -1}) {
+    std::vector<FT> betas = random.numbers(x.order());
+    betas[0] = FT(sign) * random.positive_rational();
+    const Jet<Traits> y = reparametrised(x, betas);
+    BOOST_CHECK(curvature_column(x) == curvature_column(y));
+    BOOST_CHECK(GC::curvature_squared(x) == GC::curvature_squared(y));
+    const Curvatures kappa = GC::frenet_curvatures(y);
+    BOOST_CHECK(kappa == scaled(GC::frenet_curvatures(x), FT(1), parity(sign, d * (d + 1) / 2)));
+    BOOST_REQUIRE(kappa[0]);
+    BOOST_CHECK(kappa[0]->square == *GC::curvature_squared(x));
+    if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 2)
+      if (d == 2) BOOST_CHECK(GC::signed_curvature(y) == kappa[0]);
+    if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 3)
+      if (d == 3) {
+        const FT tau = *GC::torsion(x);
+        BOOST_CHECK(GC::torsion(y) == tau);
+        BOOST_CHECK(kappa[1]->square == FT(tau * tau));
+        BOOST_CHECK_EQUAL(kappa[1]->sign, FT(0) < tau ? 1 : -1);
+      }
+  }
 }
 
-BOOST_AUTO_TEST_CASE(similarities, *boost::unit_test::enable_if<exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Jet<Traits> x = random_jet<Traits>(random, d, d);
-    const Similarity<Traits> map(random, d, random.positive_rational());
-    const Jet<Traits> y = map(x);
-    const FT inverse = FT(1) / map.scale;
-    BOOST_CHECK(curvature_column(y) == FT(inverse * inverse) * map.linear(*curvature_column(x)));
-    BOOST_CHECK(GC::curvature_squared(y) == FT(*GC::curvature_squared(x) * inverse * inverse));
-    BOOST_CHECK(GC::frenet_curvatures(y) == scaled(GC::frenet_curvatures(x), inverse));
-    if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 3)
-      if (d == 3) BOOST_CHECK(GC::torsion(y) == FT(*GC::torsion(x) * inverse));
-    const auto ex = GC::frenet_frame(x), ey = GC::frenet_frame(y);
-    BOOST_REQUIRE(ex && ey);
-    for (int i = 1; i < d; ++i) BOOST_CHECK(ey->coordinates(i) == map.linear(ex->coordinates(i)));
-    // e_n has the length of the volume that the others span
-    BOOST_CHECK(ey->coordinates(d) == FT(power(map.scale, d - 2)) * map.linear(ex->coordinates(d)));
+TEST_WITH_RANDOM_INPUT_IF(similarities, exact) {
+  const Jet<Traits> x = random_jet<Traits>(random, d, d);
+  const Similarity<Traits> map(random, d, random.positive_rational());
+  const Jet<Traits> y = map(x);
+  const FT inverse = FT(1) / map.scale;
+  BOOST_CHECK(curvature_column(y) == FT(inverse * inverse) * map.linear(*curvature_column(x)));
+  BOOST_CHECK(GC::curvature_squared(y) == FT(*GC::curvature_squared(x) * inverse * inverse));
+  BOOST_CHECK(GC::frenet_curvatures(y) == scaled(GC::frenet_curvatures(x), inverse));
+  if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 3)
+    if (d == 3) BOOST_CHECK(GC::torsion(y) == FT(*GC::torsion(x) * inverse));
+  const auto ex = GC::frenet_frame(x), ey = GC::frenet_frame(y);
+  BOOST_REQUIRE(ex && ey);
+  for (int i = 1; i < d; ++i) BOOST_CHECK(ey->coordinates(i) == map.linear(ex->coordinates(i)));
+  // e_n has the length of the volume that the others span
+  BOOST_CHECK(ey->coordinates(d) == FT(power(map.scale, d - 2)) * map.linear(ex->coordinates(d)));
 
-    Jet<Traits> mirror = x;
-    for (int j = 0; j <= d; ++j) mirror[j][0] = -mirror[j][0];
-    BOOST_CHECK(GC::frenet_curvatures(mirror) == scaled(GC::frenet_curvatures(x), FT(1), -1));
-  });
+  Jet<Traits> mirror = x;
+  for (int j = 0; j <= d; ++j) mirror[j][0] = -mirror[j][0];
+  BOOST_CHECK(GC::frenet_curvatures(mirror) == scaled(GC::frenet_curvatures(x), FT(1), -1));
 }
 
 // kappa_i^2 G_i^2 G_1 = G_{i-1} G_{i+1}
-BOOST_AUTO_TEST_CASE(curvatures_from_gram_determinants, *boost::unit_test::enable_if<exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Jet<Traits> x = random_jet<Traits>(random, d, d + 1);
-    const std::vector<FT> g = GC::gram_determinants(x, d + 1);
-    BOOST_REQUIRE_EQUAL(static_cast<int>(g.size()), d + 2);
-    BOOST_CHECK(g[0] == FT(1) && g[1] == dot(x[1], x[1]) && g[d + 1] == FT(0));
-    const Curvatures kappa = GC::frenet_curvatures(x);
-    for (int i = 1; i < d; ++i) {
-      BOOST_REQUIRE(kappa[i - 1]);
-      BOOST_CHECK(FT(kappa[i - 1]->square * g[i] * g[i] * g[1]) == FT(g[i - 1] * g[i + 1]));
-      if (i < d - 1) BOOST_CHECK_EQUAL(kappa[i - 1]->sign, 1);
-    }
-  });
+TEST_WITH_RANDOM_INPUT_IF(curvatures_from_gram_determinants, exact) {
+  const Jet<Traits> x = random_jet<Traits>(random, d, d + 1);
+  const std::vector<FT> g = GC::gram_determinants(x, d + 1);
+  BOOST_REQUIRE_EQUAL(static_cast<int>(g.size()), d + 2);
+  BOOST_CHECK(g[0] == FT(1) && g[1] == dot(x[1], x[1]) && g[d + 1] == FT(0));
+  const Curvatures kappa = GC::frenet_curvatures(x);
+  for (int i = 1; i < d; ++i) {
+    BOOST_REQUIRE(kappa[i - 1]);
+    BOOST_CHECK(FT(kappa[i - 1]->square * g[i] * g[i] * g[1]) == FT(g[i - 1] * g[i + 1]));
+    if (i < d - 1) BOOST_CHECK_EQUAL(kappa[i - 1]->sign, 1);
+  }
 }
 
-BOOST_AUTO_TEST_CASE(frames, *boost::unit_test::enable_if<exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Jet<Traits> x = random_jet<Traits>(random, d, d - 1);
-    const auto frame = GC::frenet_frame(x);
-    BOOST_REQUIRE(frame);
-    BOOST_CHECK_EQUAL(frame->dimension(), d);
-    std::vector<Column<Traits>> e, span;
-    for (int i = 1; i <= d; ++i) {
-      e.push_back(frame->coordinates(i));
-      BOOST_CHECK(column<Traits>(frame->vector(i)) == e.back());
-      for (int j = 1; j < i; ++j) BOOST_CHECK(dot(e[j - 1], e[i - 1]) == FT(0));
-      if (i == d) break;
-      // e_i lies in the span of x', ..., x^(i), on the side of x^(i)
-      BOOST_CHECK(dot(e[i - 1], x[i]) == dot(e[i - 1], e[i - 1]));
-      span.push_back(x[i]);
-      span.push_back(e.back());
-      BOOST_CHECK(GC::gram_determinant(span) == FT(0));
-      span.pop_back();
-    }
-    const FT volume = GC::determinant<FT>(d, [&](int i, int j) -> const FT& { return e[i][j]; });
-    BOOST_CHECK(FT(0) < volume);
-    BOOST_CHECK(volume == dot(e.back(), e.back()));
-  });
+TEST_WITH_RANDOM_INPUT_IF(frames, exact) {
+  const Jet<Traits> x = random_jet<Traits>(random, d, d - 1);
+  const auto frame = GC::frenet_frame(x);
+  BOOST_REQUIRE(frame);
+  BOOST_CHECK_EQUAL(frame->dimension(), d);
+  std::vector<Column<Traits>> e, span;
+  for (int i = 1; i <= d; ++i) {
+    e.push_back(frame->coordinates(i));
+    BOOST_CHECK(column<Traits>(frame->vector(i)) == e.back());
+    for (int j = 1; j < i; ++j) BOOST_CHECK(dot(e[j - 1], e[i - 1]) == FT(0));
+    if (i == d) break;
+    // e_i lies in the span of x', ..., x^(i), on the side of x^(i)
+    BOOST_CHECK(dot(e[i - 1], x[i]) == dot(e[i - 1], e[i - 1]));
+    span.push_back(x[i]);
+    span.push_back(e.back());
+    BOOST_CHECK(GC::gram_determinant(span) == FT(0));
+    span.pop_back();
+  }
+  const FT volume = GC::determinant<FT>(d, [&](int i, int j) -> const FT& { return e[i][j]; });
+  BOOST_CHECK(FT(0) < volume);
+  BOOST_CHECK(volume == dot(e.back(), e.back()));
 }
 
 // ---------------------------------------------------------------- rounded numbers
@@ -306,28 +294,23 @@ BOOST_AUTO_TEST_CASE(unit_frame) {
 // d2 - (d2.d1 / d1.d1) d1 is off by at most (3n+4) u |d2|, as dot products of dimension n are off by n u |x| |y|; dividing
 // by d1.d1 adds (n+1) u. Here u = 2^-53, and 8n exceeds both. Determinants of order 3 are off by at most
 // 16 u |d1| |d2| |d3|, G_2 by 16 u |d1|^2 |d2|^2.
-BOOST_AUTO_TEST_CASE(rounded_curvatures, *boost::unit_test::enable_if<!exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    if constexpr (!exact) {
-      const double u = 0x1p-53;
-      const Jet<Traits> x = random_jet<Traits>(random, d, 3, &Random::rational);
-      const Jet<Reference> y = rational_jet(x);
-      const double g = std::pow(length(y[1]), 2), error = 8 * d * u * length(y[2]) / g;
-      const Column<Reference> k = column<Reference>(*GC::curvature_vector(y));
-      BOOST_CHECK(within(*curvature_column(x), k, error));
-      const double square = CGAL::to_double(*GC::curvature_squared(y));
-      BOOST_CHECK_SMALL(CGAL::to_double(*GC::curvature_squared(x)) - square,
-                        3 * error * length(k) + error * error + 8 * d * u * square);
-      if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 3)
-        if (d == 3) {
-          const double tau = CGAL::to_double(*GC::torsion(y)), g2 = CGAL::to_double(GC::gram_determinants(y, 2)[2]);
-          const double l = length(y[1]) * length(y[2]);
-          BOOST_CHECK_SMALL(CGAL::to_double(*GC::torsion(x)) - tau,
-                            32 * u * (l * length(y[3]) / g2 + std::abs(tau) * l * l / g2));
-        }
+TEST_WITH_RANDOM_INPUT_IF(rounded_curvatures, !exact) {
+  const double u = 0x1p-53;
+  const Jet<Traits> x = random_jet<Traits>(random, d, 3, &Random::rational);
+  const Jet<Reference> y = rational_jet(x);
+  const double g = std::pow(length(y[1]), 2), error = 8 * d * u * length(y[2]) / g;
+  const Column<Reference> k = column<Reference>(*GC::curvature_vector(y));
+  BOOST_CHECK(within(*curvature_column(x), k, error));
+  const double square = CGAL::to_double(*GC::curvature_squared(y));
+  BOOST_CHECK_SMALL(CGAL::to_double(*GC::curvature_squared(x)) - square,
+                    3 * error * length(k) + error * error + 8 * d * u * square);
+  if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 3)
+    if (d == 3) {
+      const double tau = CGAL::to_double(*GC::torsion(y)), g2 = CGAL::to_double(GC::gram_determinants(y, 2)[2]);
+      const double l = length(y[1]) * length(y[2]);
+      BOOST_CHECK_SMALL(CGAL::to_double(*GC::torsion(x)) - tau,
+                        32 * u * (l * length(y[3]) / g2 + std::abs(tau) * l * l / g2));
     }
-  });
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -122,20 +122,26 @@ template <class Test> void with_random_input(Test test, int times = rounds) {
 }
 
 // Tests of a traits class `Traits` in dimension `d`: in every space, and there with `random` input, `rounds` times or as often as
-// given.
+// given, and only of kernels for which a condition holds.
 #define TEST_IN_EVERY_SPACE(name)                                                                                      \
   template <class Traits> void name##_in(int d);                                                                       \
   BOOST_AUTO_TEST_CASE(name) {                                                                                         \
     in_every_space([](auto traits, int d) { name##_in<decltype(traits)>(d); });                                        \
   }                                                                                                                    \
   template <class Traits> void name##_in([[maybe_unused]] int d)
-#define TEST_WITH_INPUTS(name, times)                                                                                  \
+#define TEST_WITH_INPUTS_IF(name, times, condition)                                                                    \
   template <class Traits> void name##_in(int d, Random& random);                                                       \
-  BOOST_AUTO_TEST_CASE(name) {                                                                                         \
-    with_random_input([](auto traits, int d, Random& random) { name##_in<decltype(traits)>(d, random); }, times);      \
+  BOOST_AUTO_TEST_CASE(name, *boost::unit_test::enable_if<condition>()) {                                              \
+    with_random_input(                                                                                                 \
+        [](auto traits, [[maybe_unused]] int d, [[maybe_unused]] Random& random) {                                     \
+          if constexpr (condition) name##_in<decltype(traits)>(d, random);                                             \
+        },                                                                                                             \
+        times);                                                                                                        \
   }                                                                                                                    \
   template <class Traits> void name##_in([[maybe_unused]] int d, [[maybe_unused]] Random& random)
-#define TEST_WITH_RANDOM_INPUT(name) TEST_WITH_INPUTS(name, rounds)
+#define TEST_WITH_INPUTS(name, times) TEST_WITH_INPUTS_IF(name, times, true)
+#define TEST_WITH_RANDOM_INPUT(name) TEST_WITH_INPUTS_IF(name, rounds, true)
+#define TEST_WITH_RANDOM_INPUT_IF(name, condition) TEST_WITH_INPUTS_IF(name, rounds, condition)
 
 // ---------------------------------------------------------------- points, jets and curves
 
