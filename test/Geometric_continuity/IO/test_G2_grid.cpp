@@ -134,9 +134,7 @@ std::string profile(const std::string& knots, const std::vector<std::pair<std::s
 }
 
 BOOST_AUTO_TEST_CASE(read_as_exact_surfaces) {
-  const unsigned seed = 20261122;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(20261122);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   const auto number = [&]() -> std::string {
     const std::string x = (below(2) == 0 ? "-" : "") + std::to_string(below(100000));
@@ -263,9 +261,7 @@ BOOST_AUTO_TEST_CASE(orders_of_models) {
 
 // Random models of bilinear and biquadratic patches: a net that is one polynomial surface, with some points moved.
 BOOST_AUTO_TEST_CASE(random_models) {
-  const unsigned seed = 20261122;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(20261122);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   for (int k = 0; k < 6; ++k) {
     constexpr int n = 3; // patches in a row

@@ -48,9 +48,7 @@ Pieces pieces_of_curves(const std::string& text) {
 // Of all degrees, with knots of all multiplicities, also outside of the domain and at its ends. The numbers are halves of
 // integers, which are the same in floating point.
 BOOST_AUTO_TEST_CASE(the_pieces_are_those_of_the_curves) {
-  const unsigned seed = 20261122;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(20261122);
   std::ostringstream text;
   for (int i = 0; i < 200; ++i) {
     const int order = i % 25 == 0 ? 15 + i / 25 % 4 : 1 + i % 6, points = order + static_cast<int>(random() % 12);

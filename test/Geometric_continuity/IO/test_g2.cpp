@@ -226,8 +226,7 @@ BOOST_AUTO_TEST_CASE(floating_point_fractions_are_rounded_to_the_nearest) {
   const Q largest(std::numeric_limits<double>::max());
   BOOST_CHECK_EQUAL(GC::parse_number<double>(written(largest) + "/1"), std::numeric_limits<double>::max());
 
-  std::cout << "fractions: seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(seed);
   for (int i = 0; i < 300; ++i) {
     const std::uint64_t p = random() >> (11 + random() % 50), q = 1 + (random() >> (11 + random() % 50));
     const std::string text = "-" + std::to_string(p) + "/" + std::to_string(q);
@@ -285,8 +284,7 @@ BOOST_AUTO_TEST_CASE(floating_point_numbers_are_written_as_their_shortest_decima
   BOOST_CHECK_EQUAL(written(-3.0), "-3");
   BOOST_CHECK_EQUAL(written(0.0), "0");
   BOOST_CHECK_EQUAL(written(std::numeric_limits<double>::denorm_min()), "5e-324");
-  std::cout << "bit patterns: seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(seed);
   int numbers = 0;
   while (numbers < 1000) {
     // every fourth a subnormal number, every fourth a short one
@@ -429,8 +427,7 @@ template <class Traits> void check_round_trip(const std::vector<GC::Bezier_curve
 }
 
 BOOST_AUTO_TEST_CASE(exact_round_trip) {
-  std::cout << "rational coordinates: seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(seed);
   std::vector<GC::Bezier_curve<Exact_3>> curves;
   std::vector<GC::Bezier_curve<Epeck_3>> lazy_curves;
   for (int order = 1; order <= 8; ++order) {
@@ -452,8 +449,7 @@ BOOST_AUTO_TEST_CASE(exact_round_trip) {
 }
 
 BOOST_AUTO_TEST_CASE(double_round_trip) {
-  std::cout << "double coordinates: seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(seed);
   const auto number = [&random] {
     double x;
     do x = from_bits(random());

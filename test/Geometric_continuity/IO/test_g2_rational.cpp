@@ -62,8 +62,7 @@ TEST_FOR_EACH(curves_are_kept, Traits, Planar) {
 
 // The products are read back as the points of which they were made, whatever their size.
 BOOST_AUTO_TEST_CASE(doubles_are_kept) {
-  std::cout << "seed " << seed << '\n';
-  std::mt19937_64 engine(seed);
+  std::mt19937_64 engine = seeded<std::mt19937_64>(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int n = 0; n < 300; ++n) {
     std::vector<D3::Point> points;

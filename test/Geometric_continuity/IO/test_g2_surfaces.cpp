@@ -95,9 +95,7 @@ BOOST_AUTO_TEST_CASE(bezier_patches_and_splines_are_one_format) {
 }
 
 BOOST_AUTO_TEST_CASE(surfaces_are_written_without_loss) {
-  constexpr unsigned seed = 20260722;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(20260722);
   const auto rational = [&] { return Q(Q(int(random() % 2000001) - 1000000) / Q(1 + int(random() % 1000000))); };
   const auto finite = [&] {
     double x;

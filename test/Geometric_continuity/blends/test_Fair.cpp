@@ -142,9 +142,7 @@ BOOST_AUTO_TEST_CASE(reports) {
 
 // Where nothing good may exist: never worse than the automatic shape, and the same again.
 BOOST_AUTO_TEST_CASE_TEMPLATE(wild_pairs, Traits, Traits_classes) {
-  constexpr unsigned seed = 4;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(4);
   std::vector<double> gain;
   for (int i = 0; i < 300; ++i) {
     const Pair<Traits> p(random, true);
@@ -192,9 +190,7 @@ BOOST_AUTO_TEST_CASE(extreme_shapes) {
 
 // More freedom is not worse, and a given shape is kept.
 BOOST_AUTO_TEST_CASE_TEMPLATE(septic_blends, Traits, Traits_classes) {
-  constexpr unsigned seed = 5;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(5);
   int converged = 0, better = 0, pairs = 200;
   std::vector<double> ratio;
   for (int i = 0; i < pairs; ++i) {

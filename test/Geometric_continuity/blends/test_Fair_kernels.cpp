@@ -78,9 +78,7 @@ template <class Traits> std::array<double, 4> check_exact(const Curves& curves) 
 }
 
 BOOST_AUTO_TEST_CASE(exact_and_the_same_on_all_kernels) {
-  constexpr unsigned seed = 11;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(11);
   for (int i = 0; i < 4; ++i) {
     const Curves plane(random, 2), space(random, 3);
     const std::array<double, 4> x = numbers(GC::blend(curve<Double>(plane.phi), curve<Double>(plane.psi), GC::Fair())),
@@ -96,9 +94,7 @@ BOOST_AUTO_TEST_CASE(exact_and_the_same_on_all_kernels) {
 
 // What the caller left set does not matter to exact kernels.
 BOOST_AUTO_TEST_CASE(rounding_modes) {
-  constexpr unsigned seed = 14;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(14);
   const auto in_every_mode = [](const auto& phi, const auto& psi, const auto& strategy) {
     const auto nearest = GC::blend(phi, psi, strategy);
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {

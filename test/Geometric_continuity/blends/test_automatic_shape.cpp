@@ -47,9 +47,7 @@ bool is_nearest(double b, const Q& x, const Q& y) {
 }
 
 BOOST_AUTO_TEST_CASE(nearest_short_number) {
-  constexpr unsigned seed = 41;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(41);
   const auto number = [&](int bits) {
     const double digits = static_cast<double>(static_cast<long long>(random() >> (64 - bits))) + 1;
     return std::ldexp(digits, -static_cast<int>(random() % 40));

@@ -312,8 +312,7 @@ template <class Random> GC::Cad_spline_surface random_surface(Random& random, bo
 
 BOOST_AUTO_TEST_CASE(random_splines) {
   const unsigned seed = first_seed();
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(seed);
   std::uniform_real_distribution<double> unit(0.05, 0.95), tiny(-1e-5, 1e-5);
   for (int round = 0; round < 12; ++round) {
     const bool rational = round % 3 == 2;

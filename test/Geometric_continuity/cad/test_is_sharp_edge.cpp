@@ -64,8 +64,7 @@ BOOST_AUTO_TEST_CASE(slopes) {
 // The smallest angle of random slopes is known: at an end, or 0 where the slope changes its sign.
 BOOST_AUTO_TEST_CASE(random_slopes) {
   const unsigned seed = first_seed();
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(seed);
   std::uniform_real_distribution<double> slope(-1, 1), angle(0.001, 0.8);
   for (int i = 0; i < 200; ++i) {
     const double start = slope(random), end = slope(random), bound = angle(random);

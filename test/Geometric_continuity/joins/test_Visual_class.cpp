@@ -135,9 +135,7 @@ BOOST_AUTO_TEST_CASE(angles_near_five_degrees) {
 }
 
 BOOST_AUTO_TEST_CASE(random_angles) {
-  const unsigned seed = 17;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(17);
   const double pi = std::acos(-1.);
   const auto number = [&](int bits) {
     return static_cast<std::int64_t>(random() >> (64 - bits)) - (1LL << (bits - 1));
@@ -259,9 +257,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite) {
 
 // Small integers, where all grades occur: against continuity(), the cross product and 90 digits of the tangent.
 BOOST_AUTO_TEST_CASE_TEMPLATE(random_joins, Traits, Kernels) {
-  const unsigned seed = 2026;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(2026);
   const auto number = [&](int size) { return static_cast<double>(static_cast<int>(random() % (2 * size + 1)) - size); };
   Q tangent = 0, unit = 1;
   for (int i = 2; i < 90; ++i) tangent += Q(tangent_of_5[i] - '0') * (unit /= 10);
@@ -327,9 +323,7 @@ BOOST_AUTO_TEST_CASE(degrees_enclose) {
   // pi with 60 digits; x degrees are x pi/180 radians
   const Q pi = Q("314159265358979323846264338327950288419716939937510582097494") /
                Q("100000000000000000000000000000000000000000000000000000000000");
-  const unsigned seed = 7;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(7);
   for (int i = 0; i < 1000; ++i) {
     const double digits = static_cast<double>(random() >> 11);
     const double x = std::ldexp(digits, -52 - static_cast<int>(random() % 200));

@@ -34,9 +34,7 @@ Space_curve cubic(const std::vector<double>& c) {
 }
 
 BOOST_AUTO_TEST_CASE(random_joins) {
-  const unsigned seed = 2026;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(2026);
   const auto number = [&](double scale) { return std::ldexp(double(random() >> 11), -52) * scale - scale; };
   for (int i = 0; i < 300; ++i) {
     const double scale = i % 3 == 0 ? 1e-3 : i % 3 == 1 ? 1 : 1e5, bend = std::ldexp(1.0, -(i % 40));

@@ -140,9 +140,7 @@ TEST_FOR_EACH(curvature_vector_of_barsky_and_beatty, Traits, Spaces) {
 
 // Equal jets need no forms, and have the answers of a right jet with another parameter, for which they are computed.
 BOOST_AUTO_TEST_CASE_TEMPLATE(equal_jets, Traits, Exact_dimensions) {
-  constexpr unsigned seed = 20261122;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(20261122);
   constexpr int N = GC::dimension_v<Traits>;
   for (int i = 0; i < 300; ++i) {
     const int order = i % 7, max_order = static_cast<int>(random() % 8), least = (std::min)(order, max_order);

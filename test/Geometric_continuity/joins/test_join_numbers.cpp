@@ -122,9 +122,7 @@ BOOST_AUTO_TEST_CASE(no_memory_from_the_heap) {
 BOOST_AUTO_TEST_CASE(frenet_order_in_high_dimensions) {
   typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Traits;
   typedef GC::Curve_jet<Traits> Jet;
-  const unsigned seed = 2026;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 engine(seed);
+  std::mt19937 engine = seeded(2026);
   const auto small = [&]() { return Q(static_cast<int>(engine() % 7) - 3); };
   for (const int n : {5, 19, 40}) {
     Jet x(n, n);

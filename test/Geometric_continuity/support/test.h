@@ -73,3 +73,9 @@ template <class F> std::string written_by(F f) {
   return os.str();
 }
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// An engine with this seed, which is told.
+template <class Engine = std::mt19937> Engine seeded(unsigned seed) {
+  std::cout << "seed " << seed << '\n';
+  return Engine(seed);
+}

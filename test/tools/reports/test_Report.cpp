@@ -123,8 +123,7 @@ std::vector<Thing> random_things(std::mt19937& random) {
 
 BOOST_AUTO_TEST_CASE(no_format_says_more_than_the_classes_allow) {
   const unsigned seed = first_seed();
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(seed);
   std::ostringstream errors; // of the runs without anything to decide
   std::streambuf* const standard = std::cerr.rdbuf(errors.rdbuf());
   for (int i = 0; i < 3000; ++i) {
@@ -212,8 +211,7 @@ std::string data_of(const Report_page& page) {
 
 BOOST_AUTO_TEST_CASE(no_page_says_more_than_the_classes_allow) {
   const unsigned seed = first_seed();
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(seed);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   for (int i = 0; i < 3000; ++i) {
     const std::size_t most = 1 + below(12);

@@ -140,9 +140,7 @@ BOOST_AUTO_TEST_CASE(words_and_lines) {
 
 // Random words, many of them numbers, with blank parts that are longer than what is delivered at once.
 BOOST_AUTO_TEST_CASE(random_texts) {
-  const unsigned seed = 20261122;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(20261122);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   for (int i = 0; i < 40; ++i) {
     std::string text;

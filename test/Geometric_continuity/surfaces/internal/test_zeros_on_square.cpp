@@ -142,9 +142,7 @@ BOOST_AUTO_TEST_CASE(closed_curves) {
 
 // Sums of two squares of random polynomials that are both zero at a random point, or one of them is not.
 BOOST_AUTO_TEST_CASE(random_points) {
-  constexpr unsigned seed = 2026;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937 engine(seed);
+  std::mt19937 engine = seeded(2026);
   const auto number = [&] { return Q(static_cast<int>(engine() % 19) - 9); };
   int zeros = 0;
   for (int i = 0; i < 60; ++i) {

@@ -440,8 +440,7 @@ BOOST_AUTO_TEST_CASE(few_bytes_do_not_fill_the_memory) {
 }
 
 BOOST_AUTO_TEST_CASE(damaged_fonts) {
-  std::cout << "seed " << seed << '\n';
-  std::mt19937 engine(seed);
+  std::mt19937 engine = seeded(seed);
   const std::string whole = rich_font().font();
   BOOST_CHECK_EQUAL(outline_error(whole), "no error");
   std::size_t refused = 0;

@@ -76,9 +76,7 @@ BOOST_AUTO_TEST_CASE(arcs) {
 
 // Arcs of circles over one chord: half of the angle of the arc is that between the arc and its chord.
 BOOST_AUTO_TEST_CASE(random_arcs) {
-  const unsigned seed = 12;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(12);
   for (int i = 0; i < 300; ++i) {
     const int x = 1 + static_cast<int>(random() % 9), y = static_cast<int>(random() % 9),
               u = static_cast<int>(random() % 19) - 9, v = 1 + static_cast<int>(random() % 9),
