@@ -6,25 +6,11 @@
 
 #define BOOST_TEST_MODULE foot_points
 
-#include "support/random.h"
+#include "support/cad_sides.h"
 
-#include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
-#include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 #include <variant>
 
-typedef GC::Cad_elementary_surface Elementary;
-typedef Elementary::Kind Kind;
-
-const double pi = 3.141592653589793;
-const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 const GC::Cad_placement turned{{{0, -1, 0, 5}, {1, 0, 0, 7}, {0, 0, 1, -2}}};
-const GC::Cad_frame standard{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-
-template <class Surface, class Curve>
-GC::Edge_side side(const Surface& surface, const Curve& curve, const GC::Cad_placement& placement = unmoved) {
-  return {std::make_shared<GC::Cad_surface>(surface), std::make_shared<GC::Cad_curve<2>>(curve), placement, false};
-}
-GC::Cad_line<2> line(double u, double v, double du, double dv) { return {{u, v}, {du, dv}}; }
 template <class Curve> GC::Edge_curve in_space(const Curve& curve, const GC::Cad_placement& placement = unmoved) {
   return {std::make_shared<GC::Cad_curve<3>>(curve), placement};
 }

@@ -6,25 +6,11 @@
 
 #define BOOST_TEST_MODULE range_at_pole
 
-#include "support/random.h"
+#include "support/cad_sides.h"
 
-#include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
-#include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
-
-typedef GC::Cad_elementary_surface Elementary;
-typedef Elementary::Kind Kind;
+const GC::Cad_placement turned{{{0, -1, 0, 5}, {1, 0, 0, 7}, {0, 0, 1, -2}}};
 typedef std::optional<std::pair<double, double>> Found;
 
-const double pi = 3.141592653589793;
-const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-const GC::Cad_placement turned{{{0, -1, 0, 5}, {1, 0, 0, 7}, {0, 0, 1, -2}}};
-const GC::Cad_frame standard{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-
-template <class Surface, class Curve>
-GC::Edge_side side(const Surface& surface, const Curve& curve, const GC::Cad_placement& placement = unmoved) {
-  return {std::make_shared<GC::Cad_surface>(surface), std::make_shared<GC::Cad_curve<2>>(curve), placement, false};
-}
-GC::Cad_line<2> line(double u, double v, double du, double dv) { return {{u, v}, {du, dv}}; }
 Found at(const GC::Edge_side& a, double first, double last, double t, double bound) {
   return GC::range_at_pole(a, a, first, last, t, bound);
 }
