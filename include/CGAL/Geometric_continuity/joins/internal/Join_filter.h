@@ -24,9 +24,13 @@ struct Rounding_bound {
   double value = 0, error = 0;
 
   constexpr Rounding_bound() = default;
+  // unreachable: computed by the compiler
   constexpr explicit Rounding_bound(int) : value(1) {} // a factor that is a whole number, in units of itself
   constexpr Rounding_bound(double v, double e) : value(v), error(e) {}
 
+  // unreachable: computed by the compiler
+  // equivalent [* -> +, 1]: computed by the compiler; the bounds are compared with those that
+  //   Gappa proves
   static constexpr Rounding_bound rounded(double v, double e) { return {v, e + 0x1p-52 * (v + e)}; }
   friend constexpr Rounding_bound operator+(const Rounding_bound& x, const Rounding_bound& y) {
     return rounded(x.value + y.value, x.error + y.error);
@@ -51,6 +55,7 @@ constexpr int join_questions = 10;
 struct Join_rounding {
   std::array<double, join_questions> error{};
 
+  // unreachable: computed by the compiler
   constexpr Join_rounding() {
     const Rounding_bound d1 = leg(1), d2 = leg(0.5) - leg(0.5), d3 = (leg(0.25) - leg(0.25)) - (leg(0.25) - leg(0.25));
     const Differences<Rounding_bound, 3> d{{{d1, d1, d1}, {d2, d2, d2}, {d3, d3, d3}}};
@@ -72,6 +77,7 @@ struct Join_rounding {
   }
 
   static constexpr bool exact = false, pivot_is_first = false;
+  // unreachable: computed by the compiler
   constexpr bool operator()(Join_question form, const Rounding_bound& x) {
     double& e = error[static_cast<int>(form)];
     if (e < x.error) e = x.error;
@@ -79,6 +85,7 @@ struct Join_rounding {
   }
 
 private:
+  // unreachable: computed by the compiler
   template <class Weights> constexpr void record_geometric(const Differences<Rounding_bound, 3>& d, const Weights& w) {
     const Join_equations<Rounding_bound, 3, Weights, Join_rounding> geometric(d, d, w, *this);
     const Join_ratio<Rounding_bound> ratio = geometric.ratio();
@@ -90,6 +97,7 @@ private:
     (void)geometric.torsions_equal();
   }
   // for the roundings in the bounds themselves and for underflow, see Join_filter
+  // unreachable: computed by the compiler
   constexpr void add_margin() {
     for (double& e : error) e *= 1 + 0x1p-20;
   }
@@ -98,6 +106,7 @@ private:
 
 // For the differences of polygons.
 struct Rounding_of_differences {
+  // unreachable: computed by the compiler
   static constexpr Join_rounding value() { return Join_rounding(); }
 };
 

@@ -101,6 +101,7 @@ inline bool is_curved(const Legs<double, 3>& legs) {
   const double size = largest(legs[0]) * largest(legs[1]);
   return 0x1p-900 <= size && size <= 0x1p900 && largest(cross_form(legs[0], legs[1])) > 0x1p-49 * size;
 }
+// unreachable: asked for in space only
 inline bool is_curved(const Legs<double, 2>&) { return false; }
 
 // Everything that Join_continuity says but the shape parameters, for a join in the plane or in space and orders up to 3; if only the
