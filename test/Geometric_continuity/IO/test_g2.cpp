@@ -24,7 +24,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
-#include <locale>
 #include <streambuf>
 
 namespace fs = std::filesystem;
@@ -48,13 +47,6 @@ public:
   friend Archetype operator/(const Archetype& a, const Archetype& b) { return {a.q_ / b.q_, Private()}; }
   friend bool operator==(const Archetype& a, const Archetype& b) { return a.q_ == b.q_; }
   friend std::ostream& operator<<(std::ostream& os, const Archetype& a) { return os << a.q_; }
-};
-
-// A locale in which 1234.5 is 1.234,5.
-class Continental : public std::numpunct<char> {
-  char do_decimal_point() const override { return ','; }
-  char do_thousands_sep() const override { return '.'; }
-  std::string do_grouping() const override { return "\3"; }
 };
 
 // Sets the global locale for as long as it lives.
@@ -337,8 +329,7 @@ BOOST_AUTO_TEST_CASE(exact_numbers_are_written_as_fractions) {
 }
 
 BOOST_AUTO_TEST_CASE(streams_and_locales_do_not_change_what_is_written) {
-  const std::locale continental(std::locale::classic(), new Continental);
-  const Global_locale global(continental);
+  const Global_locale global(continental());
   std::ostringstream os; // in the global locale
   os << std::hex << std::showpos << std::showbase << std::scientific << std::setprecision(2) << std::setfill('*');
   os << std::setw(20);

@@ -70,7 +70,6 @@ BOOST_AUTO_TEST_CASE(roots_with_double_coefficients) {
   const Roots r = isolate_roots(GC::Bernstein_polynomial<double>{-0.5, -0.5, 0.5});
   BOOST_REQUIRE_EQUAL(r.size(), 1u);
   BOOST_CHECK(Q(r[0].begin * r[0].begin) < Q(0.5) && Q(0.5) < Q(r[0].end * r[0].end));
-  const double infinity = std::numeric_limits<double>::infinity();
   CHECK_ERROR(isolate_roots(GC::Bernstein_polynomial<double>{-1., infinity}), not_finite);
 }
 

@@ -16,9 +16,7 @@
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <boost/config.hpp>
 
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Plane;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Space;
-typedef std::tuple<Plane, Space> Traits_classes;
+typedef std::tuple<Double_2, Double_3> Traits_classes;
 
 // The method of Nelder and Mead, from x with edges of the given lengths. Returns the least value; x is where it is.
 template <std::size_t n, class Function>
@@ -160,8 +158,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wild_pairs, Traits, Traits_classes) {
 
 // Shapes and domains of any size: a given shape is kept, what overflows is refused, and a search that finds nothing better says so.
 BOOST_AUTO_TEST_CASE(extreme_shapes) {
-  typedef Plane::Point P;
-  typedef GC::Bezier_curve<Plane> Curve;
+  typedef Double_2::Point P;
+  typedef GC::Bezier_curve<Double_2> Curve;
   const Curve phi = {P(-2, 1), P(-1, 0), P(0, 0)}, psi = {P(2, 1), P(3, 0), P(3, -1)};
   for (const double beta : {1e-100, 1e30, 1e100}) {
     const auto g2 = GC::blend(phi, psi, GC::Fair(), {beta, 1});

@@ -13,9 +13,7 @@
 
 BOOST_AUTO_TEST_SUITE(Fair_representable)
 
-typedef GC::Traits_2<CGAL::Epick> Plane;
-typedef GC::Traits_3<CGAL::Epick> Space;
-typedef std::tuple<Plane, Space> Traits_classes;
+typedef std::tuple<Epick_2, Epick_3> Traits_classes;
 
 // A cubic from about x = from to from + 3, on the grid.
 template <class Traits> GC::Bezier_curve<Traits> cubic(std::mt19937_64& random, double from, int grid) {

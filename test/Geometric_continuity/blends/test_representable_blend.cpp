@@ -313,7 +313,6 @@ BOOST_AUTO_TEST_CASE(errors) {
   CHECK_ERROR(GC::representable_blend(good, cusp.reverse()), zero_tangent);
   CHECK_ERROR(GC::representable_blend(point, good), wrong_number_of_points);
   CHECK_ERROR(GC::representable_blend(good, point), wrong_number_of_points);
-  const double infinity = std::numeric_limits<double>::infinity();
   CHECK_ERROR(GC::representable_blend(good, good, GC::Normal_offset(), {infinity, 1}), not_finite);
   for (const double x : {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()}) {
     CHECK_ERROR(GC::representable_blend(good, good, GC::Given_parameters<double>{x, 0}), not_finite);

@@ -319,7 +319,6 @@ BOOST_AUTO_TEST_CASE(knot_lines) {
 BOOST_AUTO_TEST_CASE(errors) {
   const GC::Edge_side plane = side(Elementary{Kind::plane, standard}, line(0, 0, 1, 0));
   const GC::Edge_curve edge = in_space(GC::Cad_line<3>{{0, 0, 0}, {1, 0, 0}});
-  const double infinity = std::numeric_limits<double>::infinity();
   CHECK_ERROR(GC::curve_deviation(plane, edge, 1, 0), empty_domain);
   CHECK_ERROR(GC::curve_deviation(plane, edge, 0, infinity), not_finite);
   CHECK_ERROR(GC::curve_deviation(plane, in_space(GC::Cad_line<3>{{0, 0, 0}, {infinity, 0, 0}}), 0, 1), not_finite);

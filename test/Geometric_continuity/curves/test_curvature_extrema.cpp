@@ -10,12 +10,8 @@
 
 BOOST_AUTO_TEST_SUITE(curvature_extrema)
 
-typedef std::tuple<GC::Traits_2<CGAL::Simple_cartesian<Q>>, GC::Traits_2<CGAL::Epeck>, GC::Traits_2<CGAL::Epick>,
-                   GC::Traits_2<CGAL::Simple_cartesian<double>>, Exact_d, Double_d>
-    Planar_traits;
-typedef std::tuple<GC::Traits_3<CGAL::Simple_cartesian<Q>>, GC::Traits_3<CGAL::Epeck>,
-                   GC::Traits_3<CGAL::Simple_cartesian<double>>, Exact_d, Double_d>
-    Space_traits;
+typedef std::tuple<Exact_2, Epeck_2, Epick_2, Double_2, Exact_d, Double_d> Planar_traits;
+typedef std::tuple<Exact_3, Epeck_3, Double_3, Exact_d, Double_d> Space_traits;
 typedef std::vector<std::vector<double>> Rows;
 
 constexpr unsigned seed = 2026;

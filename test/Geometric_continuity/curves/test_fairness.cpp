@@ -12,9 +12,7 @@
 
 BOOST_AUTO_TEST_SUITE(fairness)
 
-typedef std::tuple<GC::Traits_2<CGAL::Simple_cartesian<Q>>, GC::Traits_2<CGAL::Epeck>, GC::Traits_2<CGAL::Epick>,
-                   Double_2, Exact_d, Double_d>
-    Planar_traits;
+typedef std::tuple<Exact_2, Epeck_2, Epick_2, Double_2, Exact_d, Double_d> Planar_traits;
 typedef std::vector<std::vector<double>> Rows;
 
 constexpr unsigned seed = 2026;

@@ -235,7 +235,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(floating_point, K, Rounded_kernels) {
       BOOST_CHECK_SMALL(CGAL::to_double(reference.coordinates(i)[x]) - part.coordinates(i)[x], 1e-7);
   u[7] = std::numeric_limits<double>::quiet_NaN();
   CHECK_ERROR(GC::interpolate<Traits>(p.begin(), p.end(), u), not_finite);
-  const double infinity = std::numeric_limits<double>::infinity();
   p[3] = typename K::Point_3(0, infinity, 0);
   CHECK_ERROR(GC::interpolate<Traits>(p.begin(), p.end(), Parametrisation::uniform), not_finite);
   CHECK_ERROR(GC::interpolate<Traits>(p.begin(), p.end(), Parametrisation::chordal), not_finite);

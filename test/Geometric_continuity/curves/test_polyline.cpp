@@ -240,7 +240,7 @@ TEST_FOR_EACH(tolerances_that_are_refused, Traits, All_traits) {
   CHECK_ERROR(GC::chord_polyline(c, FT(1e30), FT(1e-30), std::back_inserter(out)), unreachable_tolerance);
   CHECK_ERROR(GC::uniform_polyline(c, 0, std::back_inserter(out)), wrong_number_of_points);
   if constexpr (!is_exact<Traits>) {
-    const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
     CHECK_ERROR(chords(c, infinity), not_finite);
     CHECK_ERROR(chords(c, nan), not_finite);
     CHECK_ERROR(chords(c, 1e-20), unreachable_tolerance);

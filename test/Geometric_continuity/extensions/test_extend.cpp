@@ -12,7 +12,6 @@
 
 BOOST_AUTO_TEST_SUITE(extend)
 
-const double infinity = std::numeric_limits<double>::infinity();
 const double not_finite_numbers[] = {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
 
 template <class Traits> GC::Bezier_curve<Traits> cubic() {

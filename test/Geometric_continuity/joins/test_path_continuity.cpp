@@ -10,11 +10,10 @@
 
 BOOST_AUTO_TEST_SUITE(path_continuity)
 
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Plane;
-typedef Plane::Point Point;
-typedef GC::Bezier_curve<Plane> Curve;
-typedef GC::Path_segment<Plane> Segment;
-typedef GC::Path_join<Plane> Join;
+typedef Exact_2::Point Point;
+typedef GC::Bezier_curve<Exact_2> Curve;
+typedef GC::Path_segment<Exact_2> Segment;
+typedef GC::Path_join<Exact_2> Join;
 
 template <class FT> std::string text(const GC::Join_continuity<FT>& join) {
   std::ostringstream os;
@@ -72,7 +71,7 @@ BOOST_AUTO_TEST_CASE(joins_of_curves) {
 
 BOOST_AUTO_TEST_CASE(joins_of_arcs) {
   const auto arc = [](const Q& rotation) {
-    return Segment{GC::Elliptical_arc<Plane>(Point(1, 0), Point(2, 1), {Q(3), Q(4), rotation, false, true})};
+    return Segment{GC::Elliptical_arc<Exact_2>(Point(1, 0), Point(2, 1), {Q(3), Q(4), rotation, false, true})};
   };
   const Segment line{Curve{Point(0, 0), Point(1, 0)}}, known = arc(Q(90)), rotated = arc(Q(30));
   const auto never = [](const auto&, const auto&) { BOOST_ERROR("called"); };
@@ -95,7 +94,7 @@ BOOST_AUTO_TEST_CASE(directions_that_differ_by_too_little) {
   const Segment line{Curve{Point(10, 0), Point(10, 1)}};
   Q rotation(1);
   for (int bits = 0; bits < 1200; bits += 100, rotation /= Q(0x1p100)) {
-    const Segment arc{GC::Elliptical_arc<Plane>(Point(0, 0), Point(10, 0), {Q(5), Q(4), rotation, false, true})};
+    const Segment arc{GC::Elliptical_arc<Exact_2>(Point(0, 0), Point(10, 0), {Q(5), Q(4), rotation, false, true})};
     BOOST_CHECK_EQUAL(GC::continuity(arc, line).has_value(), bits <= 1000);
     BOOST_CHECK(GC::visual_class(arc, line) == (bits <= 1000 ? std::optional(GC::Visual_class::kink) : std::nullopt));
     const GC::Enclosure angle = *GC::tangent_angle(arc, line); // of (25 - 16) / 25 times the rotation, nearly

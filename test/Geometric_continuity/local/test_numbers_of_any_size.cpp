@@ -17,7 +17,7 @@ BOOST_AUTO_TEST_SUITE(numbers_of_any_size)
 
 template <class Traits> using Jet = GC::Curve_jet<Traits>;
 
-const double infinity = std::numeric_limits<double>::infinity(), undefined = std::numeric_limits<double>::quiet_NaN();
+const double undefined = std::numeric_limits<double>::quiet_NaN();
 
 // A jet of order k with whole numbers, whose derivatives are independent as far as they can be.
 template <class Traits> Jet<Traits> whole_jet(std::mt19937& random, int d, int k) {

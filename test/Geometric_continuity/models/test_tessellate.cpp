@@ -540,7 +540,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(bspline_surfaces, K, Kernels) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(refused, K, Kernels) {
   std::mt19937 random(46);
   const Patch<K> s = in_kernel<K>(random_patch(random, 2, 2));
-  const double infinity = std::numeric_limits<double>::infinity();
   for (double tolerance : {0.0, -0.0, -1.0, -1e-300})
     CHECK_ERROR(GC::tessellate(s, within(tolerance)), unreachable_tolerance);
   for (double tolerance : {1e-300, std::numeric_limits<double>::denorm_min(), 1e-9})
@@ -659,7 +658,6 @@ BOOST_AUTO_TEST_CASE(numbers_of_cells_that_are_refused) {
   typedef CGAL::Simple_cartesian<double> K;
   const Patch<K> flat{{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 0}}},
       saddle{{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 1}}};
-  const double infinity = std::numeric_limits<double>::infinity();
   const int largest = (std::numeric_limits<int>::max)(), smallest = (std::numeric_limits<int>::min)();
   for (const Patch<K>& s : {flat, saddle}) {
     const GC::Patch_flatness flatness(s);

@@ -143,7 +143,6 @@ BOOST_AUTO_TEST_CASE(what_is_printed_encloses) {
     for (int k = 1; k < precision; ++k) unit = Q(unit / Q(10));
     BOOST_CHECK_MESSAGE(Q(x) - below <= unit * CGAL::abs(Q(x)) && above - Q(y) <= unit * CGAL::abs(Q(y)), text);
   }
-  const double infinity = std::numeric_limits<double>::infinity();
   BOOST_CHECK_EQUAL(printed({0, 0}), "0");
   BOOST_CHECK_EQUAL(printed({-0., 0}), "0");
   BOOST_CHECK_EQUAL(printed({0.5, 0.5}), "0.5");
@@ -159,11 +158,8 @@ BOOST_AUTO_TEST_CASE(what_is_printed_encloses) {
 }
 
 BOOST_AUTO_TEST_CASE(flags_and_locales_do_not_matter) {
-  struct Continental : std::numpunct<char> {
-    char do_decimal_point() const override { return ','; }
-  };
   std::ostringstream os;
-  os.imbue(std::locale(std::locale::classic(), new Continental));
+  os.imbue(continental());
   os << std::fixed << std::showpos << GC::Enclosure{0.25, 0.5};
   BOOST_CHECK_EQUAL(os.str(), "[0.25, 0.5]");
 }
@@ -172,7 +168,6 @@ BOOST_AUTO_TEST_CASE(equal_enclosures) {
   const GC::Enclosure x{1, 2};
   BOOST_CHECK((x == GC::Enclosure{1, 2}) && !(x != GC::Enclosure{1, 2}));
   for (const GC::Enclosure& y : {GC::Enclosure{0.5, 2}, GC::Enclosure{1, 3}}) BOOST_CHECK(x != y && !(x == y));
-  const double infinity = std::numeric_limits<double>::infinity();
   BOOST_CHECK_EQUAL(text(GC::Enclosure{-infinity, infinity}, ' ', GC::Enclosure{std::nan(""), 1}),
                     "[-inf, inf] [nan, 1]");
 }

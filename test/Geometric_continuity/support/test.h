@@ -28,6 +28,7 @@
 #include <iostream>
 #include <iterator>
 #include <limits>
+#include <locale>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -52,7 +53,22 @@ typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double_2;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
 typedef GC::Traits_d<CGAL::Cartesian_d<double>> Double_d;
+typedef GC::Traits_2<CGAL::Epick> Epick_2;
 typedef GC::Traits_3<CGAL::Epick> Epick_3;
+typedef GC::Traits_2<CGAL::Epeck> Epeck_2;
+typedef GC::Traits_3<CGAL::Epeck> Epeck_3;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A locale in which 1234.5 is 1.234,5.
+inline std::locale continental() {
+  struct Continental : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  return std::locale(std::locale::classic(), new Continental);
+}
 
 // A test for each of these types, which have numbers of a type FT.
 #define TEST_FOR_EACH(name, Type, types)                                                                               \

@@ -253,7 +253,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rounded_surfaces, K, Rounded_kernels) {
   BOOST_CHECK(pole.normal(0, 0.5) == typename K::Vector_3(0, 0, 0));
   const Surface<K> line({{P(0, 0, 0), P(1, 1, 1)}, {P(2, 2, 2), P(3, 3, 3)}}, linear, linear);
   BOOST_CHECK(!line.unit_normal(0.5, 0.25));
-  const double infinity = std::numeric_limits<double>::infinity();
   CHECK_ERROR((Surface<K>({{P(0, 0, 0), P(0, 0, 0)}, {P(1, 0, 0), P(0, infinity, 0)}}, linear, linear)), not_finite);
 }
 

@@ -12,7 +12,6 @@ typedef std::tuple<Double, Exact> All_traits;
 using GC::Patch_edge;
 
 constexpr int largest = (std::numeric_limits<int>::max)(), smallest = (std::numeric_limits<int>::min)();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Degree 2 in u and 1 in v.
 template <class Traits> GC::Bezier_patch<Traits> patch() {

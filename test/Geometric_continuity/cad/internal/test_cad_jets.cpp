@@ -13,7 +13,6 @@
 BOOST_AUTO_TEST_SUITE(cad_jets)
 
 using GC::internal::Interval;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 
@@ -57,13 +56,13 @@ GC::Cad_spline_curve<3> spline(int degree, bool rational) {
   const std::size_t n = u.size() - degree - 1;
   return {degree, u, points(n), weights(n, rational)};
 }
-GC::Rational_bspline_curve<Exact> exact(const GC::Cad_spline_curve<3>& c) {
-  std::vector<Exact::Point> p;
+GC::Rational_bspline_curve<Exact_3> exact(const GC::Cad_spline_curve<3>& c) {
+  std::vector<Exact_3::Point> p;
   for (const GC::Cad_point<3>& x : c.points) p.emplace_back(Q(x[0]), Q(x[1]), Q(x[2]));
   std::vector<Q> w(c.weights.begin(), c.weights.end());
   const std::vector<Q> u(c.knots.begin(), c.knots.end());
   if (w.empty()) w.assign(p.size(), Q(1));
-  return GC::Rational_bspline_curve<Exact>(p, w, GC::Knot_vector<Q>(c.degree, u));
+  return GC::Rational_bspline_curve<Exact_3>(p, w, GC::Knot_vector<Q>(c.degree, u));
 }
 
 template <class Parameter_range> std::pair<double, double> part_of(const Parameter_range& range) {
@@ -83,7 +82,7 @@ BOOST_AUTO_TEST_CASE(series_of_splines) {
   for (int round = 0; round < 200; ++round) {
     const int degree = whole(1, 4);
     const GC::Cad_spline_curve<3> c = spline(degree, whole(0, 1));
-    const GC::Rational_bspline_curve<Exact> truth = exact(c);
+    const GC::Rational_bspline_curve<Exact_3> truth = exact(c);
     for (std::size_t s = degree; s + degree + 1 < c.knots.size(); ++s) {
       if (!(c.knots[s] < c.knots[s + 1])) continue;
       const std::pair<double, double> range = part_of(std::make_pair(c.knots[s], c.knots[s + 1]));

@@ -17,8 +17,7 @@ using GC::Patch_edge;
 using GC::internal::Edge_stage;
 constexpr Patch_edge u0 = Patch_edge::u0, u1 = Patch_edge::u1, v0 = Patch_edge::v0, v1 = Patch_edge::v1;
 
-typedef GC::Traits_3<CGAL::Epick> Space;
-typedef GC::Bezier_patch<Space> Patch;
+typedef GC::Bezier_patch<Epick_3> Patch;
 
 // Stages switched on one by one; multi-precision is always there.
 struct Stages {
@@ -248,7 +247,7 @@ struct Connection {
 
 // The layers in any of the 8 orientations, with a map of the coordinates.
 template <class Map> std::pair<Patch, Patch_edge> placed(const std::vector<Curve>& layers, int orientation, Map map) {
-  std::vector<std::vector<Space::Point>> net;
+  std::vector<std::vector<Epick_3::Point>> net;
   for (std::size_t i = 0; i < layers[0].size(); ++i) {
     net.emplace_back();
     for (const Curve& layer : layers) {
@@ -470,7 +469,7 @@ BOOST_AUTO_TEST_CASE(other_degrees) {
     check(quartic, v0, a.first, v0, counter);
     check(a.first.elevate(1, 0), v0, quartic, v0, counter);
     check_edges(r, edges(r, large), as_given, counter);
-    const GC::Bspline_surface<Space> spline(a.first);
+    const GC::Bspline_surface<Epick_3> spline(a.first);
     BOOST_CHECK(GC::is_g2_edge(spline, v0, quartic, v0) && GC::is_g1_edge(quartic, v0, spline, v0) &&
                 GC::is_g0_edge(spline, v0, spline, v0) && !GC::is_g1_edge(spline, v0, spline, v0));
     BOOST_CHECK(GC::is_g2_edge(a.first, v0, b.first, v0) && GC::is_g1_edge(a.first, v0, b.first, v0) &&
@@ -486,7 +485,8 @@ BOOST_AUTO_TEST_CASE(other_degrees) {
 
 BOOST_AUTO_TEST_CASE(not_finite) {
   const auto patch = [](double z) {
-    return Patch({{Space::Point(0, 0, 0), Space::Point(0, 1, z)}, {Space::Point(1, 0, 0), Space::Point(1, 1, 0)}});
+    return Patch(
+        {{Epick_3::Point(0, 0, 0), Epick_3::Point(0, 1, z)}, {Epick_3::Point(1, 0, 0), Epick_3::Point(1, 1, 0)}});
   };
   for (double z : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     BOOST_CHECK_EXCEPTION((void)GC::is_g1_edge(patch(0), v0, patch(z), v0), GC::Error,
@@ -513,8 +513,8 @@ BOOST_AUTO_TEST_CASE(not_finite) {
 // T2 = (gamma C' + beta T1) / alpha with numbers each of which is short, but not over one denominator: 7000 over 7.
 BOOST_AUTO_TEST_CASE(ratios_that_become_long) {
   const auto patch = [](double length, const std::array<double, 2>& start, const std::array<double, 2>& end) {
-    return Patch({{Space::Point(0, 0, 0), Space::Point(start[0], start[1], 0)},
-                  {Space::Point(length, 0, 0), Space::Point(length + end[0], end[1], 0)}});
+    return Patch({{Epick_3::Point(0, 0, 0), Epick_3::Point(start[0], start[1], 0)},
+                  {Epick_3::Point(length, 0, 0), Epick_3::Point(length + end[0], end[1], 0)}});
   };
   struct Case {
     double length, a;
@@ -534,8 +534,8 @@ BOOST_AUTO_TEST_CASE(ratios_that_become_long) {
 // Second differences much larger than the first ones, which rounded numbers do not judge.
 BOOST_AUTO_TEST_CASE(steep_second_layers) {
   const auto patch = [](double y, double z) {
-    return Patch({{Space::Point(0, 0, 0), Space::Point(0, y, 0), Space::Point(0, 2 * y, z)},
-                  {Space::Point(1, 0, 0), Space::Point(1, y, 0), Space::Point(1, 2 * y, z)}});
+    return Patch({{Epick_3::Point(0, 0, 0), Epick_3::Point(0, y, 0), Epick_3::Point(0, 2 * y, z)},
+                  {Epick_3::Point(1, 0, 0), Epick_3::Point(1, y, 0), Epick_3::Point(1, 2 * y, z)}});
   };
   for (const double z : {0x1p99, 0x1p101, 0x1p300}) {
     BOOST_CHECK(GC::is_g1_edge(patch(1, 0), v0, patch(-1, z), v0) &&
@@ -543,7 +543,7 @@ BOOST_AUTO_TEST_CASE(steep_second_layers) {
     BOOST_CHECK(GC::is_g2_edge(patch(1, z), v0, patch(-1, z), v0));
   }
   // what has not the order 2 has not the order 3, which needs more numbers
-  const auto spline = [&](double y, double z) { return GC::Bspline_surface<Space>(patch(y, z)).insert_u(0.5); };
+  const auto spline = [&](double y, double z) { return GC::Bspline_surface<Epick_3>(patch(y, z)).insert_u(0.5); };
   BOOST_CHECK(!GC::is_g3_edge(patch(1, 0), v0, patch(-1, 1), v0) &&
               !GC::is_g3_edge(spline(1, 0), v0, spline(-1, 1), v0));
   BOOST_CHECK(GC::is_g3_edge(patch(1, 0), v0, patch(-1, 0), v0) && GC::is_g3_edge(spline(1, 0), v0, spline(-1, 0), v0));
@@ -551,16 +551,15 @@ BOOST_AUTO_TEST_CASE(steep_second_layers) {
 
 // ---------------------------------------------------------------- rational numbers, and the spans of splines
 
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Rational_space;
-typedef GC::Bezier_patch<Rational_space> Rational_patch;
-typedef GC::Bspline_surface<Rational_space> Rational_spline;
+typedef GC::Bezier_patch<Exact_3> Rational_patch;
+typedef GC::Bspline_surface<Exact_3> Rational_spline;
 
 // With coordinates divided by a whole number.
 Rational_patch rational(const Patch& s, int divisor) {
-  std::vector<std::vector<Rational_space::Point>> net(s.degree_u() + 1);
+  std::vector<std::vector<Exact_3::Point>> net(s.degree_u() + 1);
   for (int i = 0; i <= s.degree_u(); ++i)
     for (int j = 0; j <= s.degree_v(); ++j) {
-      const Space::Point& p = s.control_point(i, j);
+      const Epick_3::Point& p = s.control_point(i, j);
       net[i].emplace_back(Q(p.x()) / divisor, Q(p.y()) / divisor, Q(p.z()) / divisor);
     }
   return Rational_patch(net);
@@ -573,7 +572,7 @@ Rational_spline with_knots(const Rational_patch& s, Patch_edge edge, const std::
   return runs_along_u(edge) ? r.insert_v(Q(1) / 2) : r.insert_u(Q(1) / 2);
 }
 
-GC::Bspline_surface<Space> in_double(const Rational_spline& s) {
+GC::Bspline_surface<Epick_3> in_double(const Rational_spline& s) {
   const auto number = [](const Q& x) {
     BOOST_REQUIRE(Q(CGAL::to_double(x)) == x);
     return CGAL::to_double(x);
@@ -581,14 +580,14 @@ GC::Bspline_surface<Space> in_double(const Rational_spline& s) {
   std::vector<double> u, v;
   for (const Q& t : s.knots_u()) u.push_back(number(t));
   for (const Q& t : s.knots_v()) v.push_back(number(t));
-  std::vector<std::vector<Space::Point>> net(s.number_of_points_u());
+  std::vector<std::vector<Epick_3::Point>> net(s.number_of_points_u());
   for (int i = 0; i < s.number_of_points_u(); ++i)
     for (int j = 0; j < s.number_of_points_v(); ++j) {
-      const Rational_space::Point& p = s.control_point(i, j);
+      const Exact_3::Point& p = s.control_point(i, j);
       net[i].emplace_back(number(p.x()), number(p.y()), number(p.z()));
     }
-  return GC::Bspline_surface<Space>(net, GC::Knot_vector<double>(s.degree_u(), u),
-                                    GC::Knot_vector<double>(s.degree_v(), v));
+  return GC::Bspline_surface<Epick_3>(net, GC::Knot_vector<double>(s.degree_u(), u),
+                                      GC::Knot_vector<double>(s.degree_v(), v));
 }
 
 bool agree(const GC::Edge_continuity<Q>& x, const GC::Edge_continuity<Q>& y) {
