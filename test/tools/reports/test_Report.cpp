@@ -4,13 +4,12 @@
 
 // No report says more than the classes of what was given allow, whatever they are, and all formats agree.
 #define BOOST_TEST_MODULE Report
-#include "Geometric_continuity/support/random.h"
+#include "support/random.h"
+
 #include "reports/Report.h"
 #include "reports/report_page.h"
-
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-#include "support/test.h"
 
 namespace {
 

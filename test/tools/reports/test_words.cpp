@@ -4,12 +4,9 @@
 
 // Rounded numbers are what printf() writes with %g, in each rounding mode of the processor.
 #define BOOST_TEST_MODULE words
+#include "support/random.h"
+
 #include "reports/words.h"
-
-#include "Geometric_continuity/support/random.h"
-
-#include "support/test.h"
-
 #include <cfenv>
 #include <cstdio>
 
