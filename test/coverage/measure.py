@@ -11,9 +11,9 @@ not reached and not explained. A line or a side of a branch is reached if it is 
 has neither lines nor branches, and is not seen. It takes an hour or so on two cores: call it by nice. With a regular expression only the programs are built and
 run in whose names it is found. FOLDER keeps what each has reached: it is not run again before it changes. --manual puts the table into the manual.
 
-unreached.txt lists what no test reaches, with the reason: `HEADER: TEXT OF THE LINE    [N] -- REASON` is about the sides of the branches on the N-th line with
-this text, and about the line itself and those after it as far as none of them is reached. An entry without such a line is refused; where all tests have run,
-so is one about what is reached."""
+A mark above a line, `// unreachable: REASON`, explains what no test reaches: the sides of the
+branches on this line, and the line itself and those after it as far as none of them is reached.
+Where all tests have run, a mark at a line that is reached is an error."""
 
 import argparse
 import collections
@@ -27,8 +27,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-here = Path(__file__).resolve().parent
-root = here.parents[1]
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+from marks import marks  # noqa: E402
+
+root = Path(__file__).resolve().parents[2]
 manual = root / "doc/Geometric_continuity/What_the_program_promises.txt"
 prefix = str(root / "include" / "CGAL" / "Geometric_continuity") + os.sep
 CODE, BRANCH = 0, 4  # kinds of regions
@@ -132,8 +134,7 @@ def run(name, command, folder):
 
 
 def explained(lines, branches, complete):
-    """The lines and the sides of branches that unreached.txt is about: (name, line), and (name, line, column)."""
-    places = collections.defaultdict(list)  # of lines with a text
+    """The lines and the sides of branches that marks are about: (name, line), and (name, line, column)."""
     comments = collections.defaultdict(set)
     left_lines, left_branches, wrong = set(), set(), []
     open_branches = collections.defaultdict(list)
@@ -143,29 +144,20 @@ def explained(lines, branches, complete):
     headers = {name for name, *_ in [*lines, *branches]}
     for header in headers:
         for number, text in enumerate(Path(header).read_text().splitlines(), 1):
-            places[header, text.strip()].append(number)
             if text.lstrip().startswith("//"):
                 comments[header].add(number)
-    for entry in (here / "unreached.txt").read_text().splitlines():
-        place, number, reason = re.fullmatch(r"(.*)    \[(\d+)\] -- (.+)", entry).groups() if "] -- " in entry else (entry, 0, "")
-        header, text = place.split(": ", 1)
-        if not complete and prefix + header not in headers:
-            continue
-        found = places[prefix + header, text]
-        if not reason or not 0 < int(number) <= len(found):
-            wrong.append(entry)
-            continue
-        name, line = prefix + header, found[int(number) - 1]
-        here_open = set(open_branches[name, line])
-        run = line
-        while lines.get((name, run)) is False or (run > line and run in comments[name]):
-            left_lines.add((name, run))
-            run += 1
-        left_branches |= here_open
-        if complete and run == line and not here_open:
-            wrong.append(entry)
+    for name in headers:
+        for line, _ in marks(Path(name).read_text().splitlines(), "unreachable"):
+            here_open = set(open_branches[name, line])
+            run = line
+            while lines.get((name, run)) is False or (run > line and run in comments[name]):
+                left_lines.add((name, run))
+                run += 1
+            left_branches |= here_open
+            if complete and run == line and not here_open:
+                wrong.append(f"{name}:{line}")
     if wrong:
-        sys.exit("\n".join(["unreached.txt: no such line, or it is reached:", *wrong]))
+        sys.exit("\n".join(["marked as unreachable, but reached:", *wrong]))
     return left_lines, left_branches
 
 

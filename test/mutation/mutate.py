@@ -10,8 +10,9 @@ The unit tests, of the long ones only five, and the program are built once, by c
 program chooses one of them when it runs (mutants.h). Each test case is run once without any, to see which it comes across and how long it takes. Then
 each alteration meets the test cases that come across it, those of the module of the header first, the quick ones before the others, until one fails or
 does not end; those that take S seconds together, at most. FOLDER/results.txt keeps what was found: another call goes on where the last one ended, and with --again tries
-again what no test has noticed and nothing explains. The table counts the sample; --manual puts it into the manual. equivalent.txt lists
-alterations that change no answer, with the reason.
+again what no test has noticed and nothing explains. The table counts the sample; --manual puts it into the manual.
+A mark above a line, `// equivalent [ALTERATION, N]: REASON`, explains why the N-th of these
+alterations of the line changes no answer.
 
 What is known to the compiler is not altered: template arguments, lengths of arrays, constants of types. Nor is what does not compile when altered."""
 
@@ -32,6 +33,9 @@ import threading
 from pathlib import Path
 
 here = Path(__file__).resolve().parent
+sys.path.append(str(here.parent))
+from marks import marks  # noqa: E402
+
 root = here.parents[1]
 headers = Path("include/CGAL/Geometric_continuity")
 manual = root / "doc/Geometric_continuity/What_the_program_promises.txt"
@@ -292,8 +296,17 @@ def notices(number, header, cases, folder, seconds):
 
 
 def explained_alterations():
-    lines = (here / "equivalent.txt").read_text().splitlines()
-    return {line.split("] -- ", 1)[0] + "]" for line in lines if "] -- " in line}
+    """Those that marks explain, by their keys."""
+    explained = set()
+    for path in sorted((root / headers).rglob("*.h")):
+        header, text = str(path.relative_to(root)), path.read_text()
+        for number, marked in marks(text.splitlines(), "equivalent"):
+            alteration, n = marked.rsplit(", ", 1)
+            same = [place for line, place, _ in alterations(text) if line == number and f"    [{alteration}, " in place]
+            if not 0 < int(n) <= len(same):
+                sys.exit(f"{header}:{number}: no such alteration: {marked}")
+            explained.add(key(header, same[int(n) - 1]))
+    return explained
 
 
 def table(results):

@@ -60,6 +60,18 @@ lacks() {
   for text in "$@"; do holds [ "$(grep -cF -- "$text" "$file")" -eq 0 ]; done
 }
 
+# refused TEXT ARGUMENTS...: the exit code is 2, and the error contains the text
+refused() { run 2 "${@:2}" && says err "$1"; }
+# needs_cad VARIABLE: the rest of the test is skipped where this one names no program, without OpenCASCADE
+needs_cad() {
+  [ -z "${!1-}" ] || return 0
+  echo "skipped: built without OpenCASCADE"
+  [ $checks -gt 0 ] || trap - EXIT
+  exit 77
+}
+# made_by VARIABLE FOLDER ARGUMENTS...: a folder with what this program makes
+made_by() { needs_cad "$1" && mkdir "$2" && (cd "$2" && "${!1}" "${@:3}") || exit 1; }
+
 limited() { # KILOBYTES ARGUMENTS...: a run with no more memory
   (
     ulimit -v "$1"

@@ -4,11 +4,6 @@
 tests=$(cd "$(dirname "$0")" && pwd)
 . "$(dirname "$0")/functions.sh"
 
-refused() { # refused TEXT ARGUMENTS...: the error contains the text
-  local text=$1
-  shift
-  run 2 "$@" && says err "$text"
-}
 # proved A B ARGUMENTS...: the blend is G2 with both, as verify reads all three
 proved() {
   run 0 blend --surfaces "$@" -o blend.g2 && says out "G2 along both edges, proved exactly"

@@ -7,11 +7,7 @@ printf 'ISO-10303-21;\n' >any.step
 cp "$program" alone
 "$PWD/alone" verify any.step >out 2>err
 holds [ $? -eq 2 ] && says err "any.step: STEP, IGES and BREP are read by an optional part of this program" "libocct-data-exchange-dev"
-if [ -z "${MAKE_CAD_MODELS-}" ]; then
-  echo "skipped: built without OpenCASCADE"
-  exit 77
-fi
-mkdir models && (cd models && "$MAKE_CAD_MODELS") || exit 1
+made_by MAKE_CAD_MODELS models
 holds "$CHECK_CAD_CONVERSION" models/*
 
 # kinds COUNTS FILE...: the kinds of edges of each file

@@ -3,11 +3,7 @@
 . "$(dirname "$0")/functions.sh"
 
 for name in at_end between_samples in_step_with_samples; do holds [ -s "$data/defect_$name.step" ]; done
-if [ -z "${MAKE_CAD_GALLERY-}" ]; then
-  echo "skipped: built without OpenCASCADE"
-  exit 77
-fi
-mkdir made && (cd made && "$MAKE_CAD_GALLERY") || exit 1
+made_by MAKE_CAD_GALLERY made
 
 # defect FILE DEGREES FROM TO: the largest angle along the one inner edge, and where it is
 defect() {

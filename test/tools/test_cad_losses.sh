@@ -3,12 +3,7 @@
 here=$(realpath "$(dirname "$0")")
 . "$(dirname "$0")/functions.sh"
 
-if [ -z "${MAKE_CAD_MODELS-}" ]; then
-  echo "skipped: built without OpenCASCADE"
-  trap - EXIT
-  exit 77
-fi
-mkdir models && (cd models && "$MAKE_CAD_MODELS") || exit 1
+made_by MAKE_CAD_MODELS models
 
 # An entity is not in the file, but another one refers to it: two faces with a kink in between are no longer connected, or one of them is gone.
 run 1 verify models/kinks.step --require G1 && says out "2 kinks"

@@ -3,12 +3,7 @@
 # nothing else does.
 models=$(cd "$(dirname "$0")/cad/data" && pwd)
 . "$(dirname "$0")/functions.sh"
-if [ -z "${MAKE_CAD_POLES-}" ]; then
-  echo "skipped: built without OpenCASCADE"
-  trap - EXIT
-  exit 77
-fi
-mkdir made && (cd made && "$MAKE_CAD_POLES") || exit 1
+made_by MAKE_CAD_POLES made
 
 # Arcs, ellipses, splines and Bézier curves that are rotated, wholly or in part, tori that touch or cross themselves, rounded boxes: all edges
 # are smooth, or corners of solids.

@@ -3,13 +3,8 @@
 infinite=$(realpath "$(dirname "$0")")/cad/data/infinite.step # a coordinate is inf
 . "$(dirname "$0")/functions.sh"
 
-if [ -z "${MAKE_CAD_MODELS-}" ]; then
-  echo "skipped: built without OpenCASCADE"
-  trap - EXIT
-  exit 77
-fi
 reader=$(dirname "$(realpath "$program")")/geometric_continuity_cad
-mkdir models && (cd models && "$MAKE_CAD_MODELS") || exit 1
+made_by MAKE_CAD_MODELS models
 
 # with SCRIPT ARGUMENTS...: the program with this script in place of its reader, which is called $reader in it
 with() {

@@ -9,11 +9,7 @@ cp "$program" alone
 "$PWD/alone" report any.step -o any.html >out 2>err
 holds [ $? -eq 2 ] && says err "any.step: STEP, IGES and BREP are read by an optional part of this program" "libocct-data-exchange-dev"
 holds [ ! -e any.html ]
-if [ -z "${MAKE_CAD_MODELS-}" ]; then
-  echo "skipped: built without OpenCASCADE"
-  exit 77
-fi
-mkdir models && (cd models && "$MAKE_CAD_MODELS" "$mirrored") || exit 1
+made_by MAKE_CAD_MODELS models "$mirrored"
 
 # counts PAGE TEXT...: how many edges have which grade
 counts() { says "$1" "\"counts\":{$2}"; }

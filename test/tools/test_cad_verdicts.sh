@@ -2,11 +2,7 @@
 # What is decided of CAD models: small models with one defect each, which is to be found, and models without one, in which none is.
 models=$(cd "$(dirname "$0")/cad/data" && pwd)
 . "$(dirname "$0")/functions.sh"
-if [ -z "${MAKE_CAD_MODELS-}" ]; then
-  echo "skipped: built without OpenCASCADE"
-  trap - EXIT
-  exit 77
-fi
+needs_cad MAKE_CAD_MODELS
 
 # patches FILE P Q: two faces that share the edge from (0, 0, 0) to (0, 10, 0), the rectangle -9 < x < 0 and one to the points P and Q
 patches() { sed "s/@P@/$2/g; s/@Q@/$3/g" "$models/two_patches.brep" >"$1"; }

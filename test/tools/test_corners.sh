@@ -115,11 +115,8 @@ run 1 blend "$S" --corners all --closed --distance 15 --kernel double --json && 
 run 0 blend square.g2 --corner 0 --distance 1 --json -o - && says err '"corners":[' # where the curves go to standard output
 
 # bad input: nothing is written
-refused() { # refused TEXT ARGUMENTS...: the error contains the text
-  local text=$1
-  shift
-  run 2 "$@" -o no.g2 && says err "$text" && holds [ ! -e no.g2 ]
-}
+# refused TEXT ARGUMENTS...: the error contains the text, and no file is written
+refused() { run 2 "${@:2}" -o no.g2 && says err "$1" && holds [ ! -e no.g2 ]; }
 { line "-1e400 0" "0 0"; line "0 0" "0 1e400"; } >large.g2
 refused "large.g2: not_finite" blend large.g2 --corner 0 --distance 1
 refused "" blend large.g2 --corner 0 --distance 1 --plot large.svg && holds [ ! -e large.svg ]

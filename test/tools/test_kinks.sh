@@ -105,11 +105,7 @@ assert j[2]['angle_degrees'][0] == 0 < j[2]['angle_degrees'][1] < 1e-150 and j[3
 assert [x['g_order'] for x in j] == [0, 0, None, 3, 1] and s['corners'] == s['kinks'] == 1, s"
 fi
 
-refused() { # refused REASON OPTIONS...
-  local reason=$1
-  shift
-  run 2 verify "$leaf" "$@" && says err "$reason" && holds [ ! -s out ]
-}
+refused() { run 2 verify "$leaf" "${@:2}" && says err "$1" && holds [ ! -s out ]; } # refused REASON OPTIONS...
 for bad in 0 180 -1 1e9; do refused "--kink-angle: $bad is not between 0 and 180 degrees" --kink-angle=$bad; done
 for bad in x 5deg nan; do refused "--kink-angle: " --kink-angle="$bad"; done
 run 2 verify "$teapot" --surfaces --kink-angle 5 && says err "--kink-angle: not with --surfaces"

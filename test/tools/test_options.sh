@@ -2,12 +2,6 @@
 # Options that do not apply, and names that say another format, are refused with the name of the option.
 . "$(dirname "$0")/functions.sh"
 
-refused() { # refused TEXT ARGUMENTS...: the error contains the text
-  local text=$1
-  shift
-  run 2 "$@" && says err "$text"
-}
-
 # version and help
 run 0 --version && holds [ "$(grep -cE '^geometric_continuity [0-9]+\.[0-9]+\.[0-9]+$' out)" -eq 1 ]
 for command in blend connect extend verify plot tessellate; do run 0 $command --help && says out "Exit code: 0 " "2" "on"; done

@@ -3,11 +3,7 @@
 . "$(dirname "$0")/functions.sh"
 box=$data/box.g2
 
-refused() { # refused TEXT ARGUMENTS...: the error contains the text
-  local text=$1
-  shift
-  run 2 round-edges "$@" && says err "$text"
-}
+refused() { run 2 round-edges "${@:2}" && says err "$1"; } # refused TEXT ARGUMENTS...: the error contains the text
 
 run 0 round-edges "$box" --set-back 1 -o rounded.g2 --plot rounded.svg
 says out "0 u0 - 1 u0: 90" " degrees, rounded by surface 6: G2 and G2" "a hole at (12, 8, 6), between the surfaces 2, 4, 5" \

@@ -54,11 +54,8 @@ flat $'1 1 2 2\n0 1 0\n1 1 0\n2 1 0\n3 1 0\n4 1 0\n0 2 0\n1 2 0\n2 2 0\n3 2 0\n4
 run 0 verify --surfaces low.g2 high.g2 --require G1 --within 0,18.435deg && says out "angle <= 18.435 degrees" "normal angle [18.4349, 18.435] degrees"
 run 1 verify --surfaces low.g2 high.g2 --require G1 --within 0,18.434deg
 
-refused() { # refused TEXT ARGUMENTS...: exit code 2, and the error says that
-  local text=$1
-  shift
-  run 2 verify "$@" && says err "$text" && holds [ ! -s out ]
-}
+# refused TEXT ARGUMENTS...: exit code 2, and the error says that
+refused() { run 2 verify "${@:2}" && says err "$1" && holds [ ! -s out ]; }
 refused "item 2, '0.01': an angle with its unit, deg or rad, is expected" line.g2 kink.g2 --within 0.1,0.01,2%
 refused "item 3, '2': a jump of the curvature in % is expected" line.g2 kink.g2 --within 0.1,0.01deg,2
 refused "item 3, '2deg': a jump of the curvature in % is expected" line.g2 kink.g2 --within 0.1,0.01deg,2deg

@@ -91,6 +91,7 @@ inline std::string to_string(Error_code code) {
                                           "cannot_write_file"};
   static_assert(std::size(names) == static_cast<std::size_t>(Error_code::cannot_write_file) + 1);
   const std::size_t i = static_cast<std::size_t>(code);
+  // unreachable: every value has a name
   return i < std::size(names) ? names[i] : "unknown";
 }
 

@@ -131,10 +131,12 @@ struct No_traits {
   typedef double FT;
   struct Point {
     template <class... Anything> Point(Anything&&...) {}
+    // unreachable: of an archetype, which is only compiled
     friend bool operator==(const Point&, const Point&) { return true; }
   };
   typedef Point Vector;
   typedef Dimension_tag<2> Dimension;
+  // unreachable: of an archetype, which is only compiled
   auto compute_dimension_object() const {
     return [](const Point&) { return 2; };
   }

@@ -5,39 +5,19 @@
 // Surfaces as they are written: the same as those of rational numbers, and, where they become surfaces of integers, with the same
 // continuity along all edges.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cstddef>
-#include <random>
-#include <sstream>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(G2_grid)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Double;
-typedef std::vector<GC::Bspline_surface<Exact>> Exact_surfaces;
+typedef std::vector<GC::Bspline_surface<Exact_3>> Exact_surfaces;
 typedef std::vector<GC::Bspline_surface<Double>> Double_surfaces;
-typedef std::vector<GC::Rational_bspline_surface<Exact>> Rational_surfaces;
-
-namespace {
+typedef std::vector<GC::Rational_bspline_surface<Exact_3>> Rational_surfaces;
 
 // The polynomial surfaces of a file, and the others.
 struct Texts {
@@ -47,7 +27,7 @@ struct Texts {
 
 Texts read_texts(const std::string& file) {
   std::istringstream is(file);
-  GC::G2_surface_text_reader<Exact> reader(is, "f.g2");
+  GC::G2_surface_text_reader<Exact_3> reader(is, "f.g2");
   Texts result;
   const auto add = [&](auto surface) {
     if constexpr (std::is_same_v<decltype(surface), GC::G2_surface_text>)
@@ -62,13 +42,11 @@ Texts read_texts(const std::string& file) {
 
 Exact_surfaces read_exact(const std::string& file) {
   std::istringstream is(file);
-  return GC::read_g2_bspline_surfaces<Exact>(is, "f.g2");
+  return GC::read_g2_bspline_surfaces<Exact_3>(is, "f.g2");
 }
 
 template <class Surface> std::string written(const Surface& surface) {
-  std::ostringstream os;
-  GC::write_g2(os, surface);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_g2(os, surface); });
 }
 
 // Both ways to read the surfaces of a file, none of which has weights.
@@ -78,7 +56,7 @@ Exact_surfaces read_both_ways(const std::string& file) {
   BOOST_CHECK(texts.rational.empty());
   BOOST_REQUIRE_EQUAL(texts.texts.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i)
-    BOOST_CHECK_EQUAL(written(texts.texts[i].surface<Exact>()), written(expected[i]));
+    BOOST_CHECK_EQUAL(written(texts.texts[i].surface<Exact_3>()), written(expected[i]));
   return expected;
 }
 
@@ -92,7 +70,7 @@ bool bring_on_grid(const std::string& file, GC::G2_grid& grid, Double_surfaces& 
 Q power_of_ten(int exponent) { return GC::parse_number<Q>("1e" + std::to_string(exponent)); }
 
 // Returns whether the grid surface times the units is the exact one.
-bool is_scaled(const GC::Bspline_surface<Double>& surface, const GC::Bspline_surface<Exact>& exact,
+bool is_scaled(const GC::Bspline_surface<Double>& surface, const GC::Bspline_surface<Exact_3>& exact,
                const GC::G2_grid& grid) {
   const Q length = power_of_ten(grid.exponent_of_coordinates()), parameter = power_of_ten(grid.exponent_of_knots());
   const auto same = [&](const GC::Knot_vector<double>& x, const GC::Knot_vector<Q>& y) {
@@ -154,12 +132,8 @@ std::string profile(const std::string& knots, const std::vector<std::pair<std::s
   return file;
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(read_as_exact_surfaces) {
-  const unsigned seed = 20261122;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(20261122);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   const auto number = [&]() -> std::string {
     const std::string x = (below(2) == 0 ? "-" : "") + std::to_string(below(100000));
@@ -286,9 +260,7 @@ BOOST_AUTO_TEST_CASE(orders_of_models) {
 
 // Random models of bilinear and biquadratic patches: a net that is one polynomial surface, with some points moved.
 BOOST_AUTO_TEST_CASE(random_models) {
-  const unsigned seed = 20261122;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(20261122);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   for (int k = 0; k < 6; ++k) {
     constexpr int n = 3; // patches in a row
@@ -322,7 +294,7 @@ BOOST_AUTO_TEST_CASE(rational_surfaces) {
   BOOST_CHECK_EQUAL(texts.texts.size(), 2);
   BOOST_REQUIRE_EQUAL(texts.rational.size(), 1);
   std::istringstream is(file);
-  const Rational_surfaces expected = GC::read_g2_rational_bspline_surfaces<Exact>(is, "f.g2");
+  const Rational_surfaces expected = GC::read_g2_rational_bspline_surfaces<Exact_3>(is, "f.g2");
   BOOST_REQUIRE_EQUAL(expected.size(), 3);
   BOOST_CHECK_EQUAL(written(texts.rational[0]), written(expected[1]));
 }
@@ -333,7 +305,7 @@ BOOST_AUTO_TEST_CASE(errors) {
   const auto refused = [](const std::string& file, const std::string& error) {
     BOOST_CHECK_EQUAL(error_of([&] { read_texts(file); }), "malformed_input: f.g2:" + error);
     std::istringstream is(file);
-    BOOST_CHECK_EQUAL(error_of([&] { GC::read_g2_rational_bspline_surfaces<Exact>(is, "f.g2"); }),
+    BOOST_CHECK_EQUAL(error_of([&] { GC::read_g2_rational_bspline_surfaces<Exact_3>(is, "f.g2"); }),
                       "malformed_input: f.g2:" + error);
   };
   refused("", "1: no surface");
@@ -347,11 +319,11 @@ BOOST_AUTO_TEST_CASE(errors) {
   refused(good + rational + "0 0 0 1\n2 0 0 2\n0 1 0 0\n1 1 0 1\n",
           error_of([&] {
             std::istringstream is(good + rational + "0 0 0 1\n2 0 0 2\n0 1 0 0\n1 1 0 1\n");
-            GC::read_g2_rational_bspline_surfaces<Exact>(is, "f.g2");
+            GC::read_g2_rational_bspline_surfaces<Exact_3>(is, "f.g2");
           }).substr(std::string("malformed_input: f.g2:").size()));
   std::istringstream bad("200");
   bad.setstate(std::ios_base::badbit);
-  CHECK_ERROR((GC::G2_surface_text_reader<Exact>(bad, "f.g2")), cannot_read_file);
+  CHECK_ERROR((GC::G2_surface_text_reader<Exact_3>(bad, "f.g2")), cannot_read_file);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,49 +4,31 @@
 
 // Curves in .g2 files that are read piece by piece.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <optional>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(G2_piece_reader)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Rounded;
-typedef std::vector<GC::Rational_bezier_curve<Exact>> Pieces;
-
-namespace {
+typedef std::vector<GC::Rational_bezier_curve<Exact_2>> Pieces;
 
 template <class Source> Pieces read_pieces(const std::string& text) {
   std::istringstream is(text);
-  GC::G2_piece_reader<Exact, Source> reader(is, "f.g2");
+  GC::G2_piece_reader<Exact_2, Source> reader(is, "f.g2");
   Pieces pieces;
-  while (const std::optional<GC::Rational_bezier_curve<Exact>> piece = reader.next()) pieces.push_back(*piece);
+  while (const std::optional<GC::Rational_bezier_curve<Exact_2>> piece = reader.next()) pieces.push_back(*piece);
   return pieces;
 }
 
 // Returns whether the jets at the ends of these pieces are read.
 template <class Number> bool reads_ends(const std::string& text, int order, const Pieces& pieces) {
   std::istringstream is(text);
-  GC::G2_span_reader<Exact, Number> reader(is, "f.g2", order);
-  GC::G2_span<Exact, Number> span;
-  for (const GC::Rational_bezier_curve<Exact>& piece : pieces) {
+  GC::G2_span_reader<Exact_2, Number> reader(is, "f.g2", order);
+  GC::G2_span<Exact_2, Number> span;
+  for (const GC::Rational_bezier_curve<Exact_2>& piece : pieces) {
     if (!reader.next(span)) return false;
-    const GC::Curve_end_jets<Exact>& ends = span.jets();
+    const GC::Curve_end_jets<Exact_2>& ends = span.jets();
     if (ends.start_jet(order) != piece.start_jet(order) || ends.end_jet(order) != piece.end_jet(order)) return false;
   }
   return !reader.next(span);
@@ -56,19 +38,15 @@ template <class Number> bool reads_ends(const std::string& text, int order, cons
 Pieces pieces_of_curves(const std::string& text) {
   std::istringstream is(text);
   Pieces pieces;
-  for (const GC::Bspline_curve<Exact>& curve : GC::read_g2_bsplines<Exact>(is, "f.g2"))
+  for (const GC::Bspline_curve<Exact_2>& curve : GC::read_g2_bsplines<Exact_2>(is, "f.g2"))
     for (const auto& piece : curve.bezier_pieces()) pieces.push_back(piece);
   return pieces;
 }
 
-} // namespace
-
 // Of all degrees, with knots of all multiplicities, also outside of the domain and at its ends. The numbers are halves of
 // integers, which are the same in floating point.
 BOOST_AUTO_TEST_CASE(the_pieces_are_those_of_the_curves) {
-  const unsigned seed = 20261122;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(20261122);
   std::ostringstream text;
   for (int i = 0; i < 200; ++i) {
     const int order = i % 25 == 0 ? 15 + i / 25 % 4 : 1 + i % 6, points = order + static_cast<int>(random() % 12);
@@ -85,18 +63,18 @@ BOOST_AUTO_TEST_CASE(the_pieces_are_those_of_the_curves) {
   }
   const Pieces expected = pieces_of_curves(text.str());
   BOOST_CHECK_GT(expected.size(), 400);
-  BOOST_CHECK(read_pieces<Exact>(text.str()) == expected);
-  BOOST_CHECK(read_pieces<Rounded>(text.str()) == expected);
+  BOOST_CHECK(read_pieces<Exact_2>(text.str()) == expected);
+  BOOST_CHECK(read_pieces<Double_2>(text.str()) == expected);
   for (int order : {0, 3, 20}) BOOST_CHECK(reads_ends<GC::Decimal>(text.str(), order, expected));
   BOOST_CHECK(reads_ends<double>(text.str(), 3, expected));
   std::istringstream is(text.str());
-  CHECK_ERROR((GC::G2_span_reader<Exact>(is, "f.g2", -1)), negative_count);
+  CHECK_ERROR((GC::G2_span_reader<Exact_2>(is, "f.g2", -1)), negative_count);
 }
 
 // Numbers are rounded where the source says so, and before anything is computed.
 BOOST_AUTO_TEST_CASE(numbers_of_the_source) {
   const std::string text = "100 1 0 0\n2 0\n3 2\n0 0 .1 1 1\n0 0\n.1 .2\n1 0\n";
-  const Pieces exact = read_pieces<Exact>(text), rounded = read_pieces<Rounded>(text);
+  const Pieces exact = read_pieces<Exact_2>(text), rounded = read_pieces<Double_2>(text);
   BOOST_REQUIRE_EQUAL(exact.size(), 2);
   BOOST_REQUIRE_EQUAL(rounded.size(), 2);
   BOOST_CHECK(exact[0].domain().second == Q(1) / 10);
@@ -116,12 +94,12 @@ BOOST_AUTO_TEST_CASE(refused_as_whole_curves) {
         header + "4 3\n0 0 0 1 2 2 2" + points + "100 1 0 0\n3 0\n", header + "4 3\n0 0 0 1 2 2 2" + points + "200"}) {
     const std::string expected = error_of([&] { pieces_of_curves(text); });
     BOOST_CHECK_NE(expected, "no error");
-    BOOST_CHECK_EQUAL(error_of([&] { read_pieces<Exact>(text); }), expected);
+    BOOST_CHECK_EQUAL(error_of([&] { read_pieces<Exact_2>(text); }), expected);
   }
   // with rounded numbers
   const std::string far_apart = header + "2 2\n-1e308 -1e308 1e308 1e308\n0 0 1 1\n";
   BOOST_CHECK_EQUAL(
-      error_of([&] { read_pieces<Rounded>(far_apart); }),
+      error_of([&] { read_pieces<Double_2>(far_apart); }),
       "malformed_input: f.g2:4: the difference of the knots is outside the range of floating-point numbers");
 }
 

@@ -7,58 +7,29 @@
 #endif
 
 #define BOOST_TEST_MODULE io
-#define BOOST_TEST_DYN_LINK
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/MP_Float.h>
 #include <CGAL/Quotient.h>
-#include <CGAL/Simple_cartesian.h>
 #ifdef CGAL_USE_GMP
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #endif
 
 #include <boost/multiprecision/cpp_int.hpp>
-
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
-#include <iostream>
-#include <iterator>
-#include <limits>
-#include <locale>
-#include <random>
-#include <sstream>
-#include <stdexcept>
 #include <streambuf>
-#include <string>
-#include <utility>
-#include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
 namespace fs = std::filesystem;
 
-typedef CGAL::Exact_rational Q;
 typedef CGAL::Epeck Epeck;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
 typedef GC::Traits_3<Epeck> Epeck_3;
-
-namespace {
 
 constexpr unsigned seed = 20260719;
 
@@ -78,13 +49,6 @@ public:
   friend std::ostream& operator<<(std::ostream& os, const Archetype& a) { return os << a.q_; }
 };
 
-// A locale in which 1234.5 is 1.234,5.
-class Continental : public std::numpunct<char> {
-  char do_decimal_point() const override { return ','; }
-  char do_thousands_sep() const override { return '.'; }
-  std::string do_grouping() const override { return "\3"; }
-};
-
 // Sets the global locale for as long as it lives.
 class Global_locale {
   std::locale old_;
@@ -94,22 +58,8 @@ public:
   ~Global_locale() { std::locale::global(old_); }
 };
 
-// The message of the error that f() throws.
-template <class F> std::string error_of(F f) {
-  try {
-    f();
-  } catch (const GC::Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 template <class FT> std::string written(const FT& x) {
-  std::ostringstream os;
-  GC::write_number(os, x);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_number(os, x); });
 }
 
 // 10^n for exact types, by another way than the reader's.
@@ -151,9 +101,7 @@ template <class Traits> std::string g2_error(const std::string& text) {
 }
 
 template <class Curve> std::string g2_text(const Curve& curve) {
-  std::ostringstream os;
-  GC::write_g2(os, curve);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_g2(os, curve); });
 }
 
 const std::string line_text = "100 1 0 0\n"
@@ -173,8 +121,6 @@ const std::string cubic_text = "100 1 0 0\n"
                                "570 705\n"
                                "388 705\n"
                                "\n";
-
-} // namespace
 
 // numbers
 
@@ -272,8 +218,7 @@ BOOST_AUTO_TEST_CASE(floating_point_fractions_are_rounded_to_the_nearest) {
   const Q largest(std::numeric_limits<double>::max());
   BOOST_CHECK_EQUAL(GC::parse_number<double>(written(largest) + "/1"), std::numeric_limits<double>::max());
 
-  std::cout << "fractions: seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(seed);
   for (int i = 0; i < 300; ++i) {
     const std::uint64_t p = random() >> (11 + random() % 50), q = 1 + (random() >> (11 + random() % 50));
     const std::string text = "-" + std::to_string(p) + "/" + std::to_string(q);
@@ -331,8 +276,7 @@ BOOST_AUTO_TEST_CASE(floating_point_numbers_are_written_as_their_shortest_decima
   BOOST_CHECK_EQUAL(written(-3.0), "-3");
   BOOST_CHECK_EQUAL(written(0.0), "0");
   BOOST_CHECK_EQUAL(written(std::numeric_limits<double>::denorm_min()), "5e-324");
-  std::cout << "bit patterns: seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(seed);
   int numbers = 0;
   while (numbers < 1000) {
     // every fourth a subnormal number, every fourth a short one
@@ -385,8 +329,7 @@ BOOST_AUTO_TEST_CASE(exact_numbers_are_written_as_fractions) {
 }
 
 BOOST_AUTO_TEST_CASE(streams_and_locales_do_not_change_what_is_written) {
-  const std::locale continental(std::locale::classic(), new Continental);
-  const Global_locale global(continental);
+  const Global_locale global(continental());
   std::ostringstream os; // in the global locale
   os << std::hex << std::showpos << std::showbase << std::scientific << std::setprecision(2) << std::setfill('*');
   os << std::setw(20);
@@ -475,8 +418,7 @@ template <class Traits> void check_round_trip(const std::vector<GC::Bezier_curve
 }
 
 BOOST_AUTO_TEST_CASE(exact_round_trip) {
-  std::cout << "rational coordinates: seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(seed);
   std::vector<GC::Bezier_curve<Exact_3>> curves;
   std::vector<GC::Bezier_curve<Epeck_3>> lazy_curves;
   for (int order = 1; order <= 8; ++order) {
@@ -498,8 +440,7 @@ BOOST_AUTO_TEST_CASE(exact_round_trip) {
 }
 
 BOOST_AUTO_TEST_CASE(double_round_trip) {
-  std::cout << "double coordinates: seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(seed);
   const auto number = [&random] {
     double x;
     do x = from_bits(random());

@@ -6,43 +6,17 @@
 // where no good blend exists.
 
 #define BOOST_TEST_MODULE Fair_kernels
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Gmpq.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <array>
 #include <cfenv>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
-typedef GC::Traits_2<CGAL::Epeck> Lazy;
 typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Gmpq>> Gmp_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
-
-namespace {
 
 typedef std::vector<std::vector<double>> Numbers; // the derivatives
 
@@ -100,19 +74,16 @@ template <class Traits> std::array<double, 4> check_exact(const Curves& curves) 
   return numbers(gamma);
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(exact_and_the_same_on_all_kernels) {
-  constexpr unsigned seed = 11;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(11);
   for (int i = 0; i < 4; ++i) {
     const Curves plane(random, 2), space(random, 3);
-    const std::array<double, 4> x = numbers(GC::blend(curve<Double>(plane.phi), curve<Double>(plane.psi), GC::Fair())),
+    const std::array<double, 4> x = numbers(
+                                    GC::blend(curve<Double_2>(plane.phi), curve<Double_2>(plane.psi), GC::Fair())),
                                 y = numbers(
                                     GC::blend(curve<Double_3>(space.phi), curve<Double_3>(space.psi), GC::Fair()));
-    BOOST_CHECK(check_exact<Exact>(plane) == x);
-    BOOST_CHECK(check_exact<Lazy>(plane) == x);
+    BOOST_CHECK(check_exact<Exact_2>(plane) == x);
+    BOOST_CHECK(check_exact<Epeck_2>(plane) == x);
     BOOST_CHECK(check_exact<Exact_3>(space) == y);
     BOOST_CHECK(check_exact<Gmp_3>(space) == y);
   }
@@ -121,9 +92,7 @@ BOOST_AUTO_TEST_CASE(exact_and_the_same_on_all_kernels) {
 
 // What the caller left set does not matter to exact kernels.
 BOOST_AUTO_TEST_CASE(rounding_modes) {
-  constexpr unsigned seed = 14;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(14);
   const auto in_every_mode = [](const auto& phi, const auto& psi, const auto& strategy) {
     const auto nearest = GC::blend(phi, psi, strategy);
     for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
@@ -149,11 +118,11 @@ BOOST_AUTO_TEST_CASE(rounding_modes) {
   };
   for (int i = 0; i < 60; ++i) {
     const Numbers phi = derivatives(2), psi = derivatives(2), phi_3 = derivatives(3), psi_3 = derivatives(3);
-    in_every_mode(jet<Exact>(phi), jet<Exact>(psi), GC::Fair());
-    in_every_mode(jet<Lazy>(phi), jet<Lazy>(psi), GC::Fair());
+    in_every_mode(jet<Exact_2>(phi), jet<Exact_2>(psi), GC::Fair());
+    in_every_mode(jet<Epeck_2>(phi), jet<Epeck_2>(psi), GC::Fair());
     in_every_mode(jet<Gmp_3>(phi_3), jet<Gmp_3>(psi_3), GC::Fair());
     if (i % 3 != 0) continue;
-    in_every_mode(jet<Exact>(phi), jet<Exact>(psi), GC::Fair_g3());
+    in_every_mode(jet<Exact_2>(phi), jet<Exact_2>(psi), GC::Fair_g3());
     in_every_mode(jet<Exact_3>(phi_3), jet<Exact_3>(psi_3), GC::Fair_f3());
     in_every_mode(jet<Exact_d>(derivatives(4)), jet<Exact_d>(derivatives(4)), GC::Fair());
   }
@@ -177,9 +146,9 @@ BOOST_AUTO_TEST_CASE(invariance) {
   std::mt19937_64 random(13);
   for (int i = 0; i < 10; ++i) {
     const Curves c(random, 2);
-    const GC::Curve_jet<Double> phi = curve<Double>(c.phi).end_jet(3), psi = curve<Double>(c.psi).start_jet(3);
-    const auto image = [](const GC::Curve_jet<Double>& x, double a, double b, double sign, bool reversed) {
-      GC::Curve_jet<Double> y = x; // turned and scaled by a + bi, after reflection when sign < 0
+    const GC::Curve_jet<Double_2> phi = curve<Double_2>(c.phi).end_jet(3), psi = curve<Double_2>(c.psi).start_jet(3);
+    const auto image = [](const GC::Curve_jet<Double_2>& x, double a, double b, double sign, bool reversed) {
+      GC::Curve_jet<Double_2> y = x; // turned and scaled by a + bi, after reflection when sign < 0
       for (int k = 0; k <= x.order(); ++k) {
         const double direction = reversed && k % 2 == 1 ? -1 : 1;
         y[k][0] = direction * (a * x[k][0] - b * sign * x[k][1]);
@@ -202,20 +171,16 @@ BOOST_AUTO_TEST_CASE(invariance) {
   }
 }
 
-namespace {
-
 // What every blend must satisfy, however strange its ends are. Points stay within `reach` of the ends.
 template <class Strategy>
 auto sensible(const Numbers& phi, const Numbers& psi, const Strategy& strategy, double reach) {
-  const auto gamma = GC::blend(jet<Double>(phi), jet<Double>(psi), strategy);
+  const auto gamma = GC::blend(jet<Double_2>(phi), jet<Double_2>(psi), strategy);
   BOOST_CHECK(std::isfinite(gamma.report.fairness));
   BOOST_CHECK_LE(gamma.report.fairness, gamma.report.automatic_fairness);
   for (int j = 0; j <= gamma.degree(); ++j)
     for (int i = 0; i < 2; ++i) BOOST_CHECK_LE(std::abs(gamma.control_point(j)[i]), reach);
   return gamma;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(lines) {
   // a fillet, symmetric to the line x + y = 0
@@ -234,7 +199,7 @@ BOOST_AUTO_TEST_CASE(lines) {
   BOOST_CHECK_LE(u.report.fairness, 125);
   for (int j = 0; j <= 5; ++j) BOOST_CHECK_SMALL(u.control_point(j)[0] - u.control_point(5 - j)[0], 1e-12);
   // one line gives the line, exactly and forward
-  const auto line = GC::blend(jet<Exact>({{0, 0}, {2, 1}}), jet<Exact>({{4, 2}, {6, 3}}), GC::Fair());
+  const auto line = GC::blend(jet<Exact_2>({{0, 0}, {2, 1}}), jet<Exact_2>({{4, 2}, {6, 3}}), GC::Fair());
   BOOST_CHECK(line.report.converged);
   for (int j = 0; j <= 5; ++j) {
     BOOST_CHECK(line.control_point(j)[0] == 2 * line.control_point(j)[1]);
@@ -276,34 +241,33 @@ BOOST_AUTO_TEST_CASE(ends_that_meet) {
 
 BOOST_AUTO_TEST_CASE(numbers_of_any_size) {
   const Numbers a = {{0, 0}, {3, 1}, {1, 0}}, b = {{5, 2}, {2, -1}, {0, 1}};
-  const auto gamma = GC::blend(jet<Exact>(a), jet<Exact>(b), GC::Fair());
+  const auto gamma = GC::blend(jet<Exact_2>(a), jet<Exact_2>(b), GC::Fair());
   for (int exponent : {400, -400}) {
     Q scale(1);
     for (int i = 0; i < 400; ++i) scale = exponent > 0 ? Q(scale * 10) : Q(scale / 10);
-    const auto scaled = GC::blend(jet<Exact>(a, scale), jet<Exact>(b, scale), GC::Fair());
+    const auto scaled = GC::blend(jet<Exact_2>(a, scale), jet<Exact_2>(b, scale), GC::Fair());
     BOOST_CHECK(scaled.report.converged);
     BOOST_CHECK_CLOSE(scaled.report.fairness, gamma.report.fairness, 0.1);
     // the derivatives of one end only: that leaves no double of them next to the chord
     const std::string place = "not_finite: fair blend: derivatives that are too large or too small for the chord";
-    BOOST_CHECK_EQUAL(error_of([&] { GC::blend(jet<Exact>(a, scale), jet<Exact>(b), GC::Fair()); }), place);
-    BOOST_CHECK_EQUAL(error_of([&] { GC::blend(jet<Exact>(a, scale), jet<Exact>(b), GC::Fair_g3()); }), place);
+    BOOST_CHECK_EQUAL(error_of([&] { GC::blend(jet<Exact_2>(a, scale), jet<Exact_2>(b), GC::Fair()); }), place);
+    BOOST_CHECK_EQUAL(error_of([&] { GC::blend(jet<Exact_2>(a, scale), jet<Exact_2>(b), GC::Fair_g3()); }), place);
   }
   for (double scale : {1e60, 1e-60}) {
-    const auto scaled = GC::blend(jet<Double>(a, scale), jet<Double>(b, scale), GC::Fair());
+    const auto scaled = GC::blend(jet<Double_2>(a, scale), jet<Double_2>(b, scale), GC::Fair());
     BOOST_CHECK_CLOSE(scaled.report.fairness, gamma.report.fairness, 0.1);
   }
   for (double scale : {1e150, 1e-150, 1e300, 1e-300}) // where squares overflow, or underflow
     try {
-      BOOST_CHECK_GT(GC::blend(jet<Double>(a, scale), jet<Double>(b, scale), GC::Fair()).shape.beta, 0);
+      BOOST_CHECK_GT(GC::blend(jet<Double_2>(a, scale), jet<Double_2>(b, scale), GC::Fair()).shape.beta, 0);
     } catch (const GC::Error& e) {
       BOOST_CHECK(e.code() == GC::Error_code::not_finite || e.code() == GC::Error_code::zero_tangent);
     }
-  const double infinity = std::numeric_limits<double>::infinity();
   for (double x : {infinity, std::nan("")})
     for (int k : {0, 1, 2}) {
       Numbers wrong = a;
       wrong[k][0] = x;
-      CHECK_ERROR(GC::blend(jet<Double>(wrong), jet<Double>(b), GC::Fair()), not_finite);
-      CHECK_ERROR(GC::blend(jet<Double>(b), jet<Double>(wrong), GC::Fair_g3()), not_finite);
+      CHECK_ERROR(GC::blend(jet<Double_2>(wrong), jet<Double_2>(b), GC::Fair()), not_finite);
+      CHECK_ERROR(GC::blend(jet<Double_2>(b), jet<Double_2>(wrong), GC::Fair_g3()), not_finite);
     }
 }

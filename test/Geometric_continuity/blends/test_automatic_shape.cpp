@@ -4,38 +4,16 @@
 
 // The shape parameters by the chord: rounded exactly, the same on every kernel, and defined for every chord.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/rounding_modes.h"
+#include "support/test.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <limits>
-#include <random>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(automatic_shape)
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
-typedef GC::Traits_2<CGAL::Epeck> Lazy;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
-
-namespace {
 
 // A jet of order 2 with a point and a tangent.
 template <class Traits, class T> GC::Curve_jet<Traits> jet(const std::vector<T>& point, const std::vector<T>& tangent) {
@@ -64,12 +42,8 @@ bool is_nearest(double b, const Q& x, const Q& y) {
   return low * low * y <= x && x < high * high * y;
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(nearest_short_number) {
-  constexpr unsigned seed = 41;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(41);
   const auto number = [&](int bits) {
     const double digits = static_cast<double>(static_cast<long long>(random() >> (64 - bits))) + 1;
     return std::ldexp(digits, -static_cast<int>(random() % 40));
@@ -83,10 +57,10 @@ BOOST_AUTO_TEST_CASE(nearest_short_number) {
       x += (Q(a2[i]) - Q(a1[i])) * (Q(a2[i]) - Q(a1[i]));
       y += Q(d[i]) * Q(d[i]);
     }
-    const double b = beta<Exact>(a1, a2, d);
+    const double b = beta<Exact_2>(a1, a2, d);
     BOOST_CHECK(is_nearest(b, x, y));
-    BOOST_CHECK_EQUAL(beta<Double>(a1, a2, d), b);
-    BOOST_CHECK_EQUAL(beta<Lazy>(a1, a2, d), b);
+    BOOST_CHECK_EQUAL(beta<Double_2>(a1, a2, d), b);
+    BOOST_CHECK_EQUAL(beta<Epeck_2>(a1, a2, d), b);
     BOOST_CHECK_EQUAL(beta<Exact_d>(a1, a2, d), b);
   }
 }
@@ -98,46 +72,48 @@ BOOST_AUTO_TEST_CASE(ties) {
       const double middle = std::ldexp(2. * k + 1, e - 1), up = std::ldexp(k + 1., e);
       const std::vector<double> origin = {0, 0}, a2 = {3 * middle, 4 * middle}, d = {0, 5};
       for (const int mode : rounding_modes())
-        BOOST_CHECK_EQUAL(in_rounding_mode(mode, [&] { return beta<Double>(origin, a2, d); }), up);
-      BOOST_CHECK_EQUAL(beta<Exact>(origin, a2, d), up);
-      BOOST_CHECK_EQUAL(beta<Lazy>(origin, a2, d), up);
+        BOOST_CHECK_EQUAL(in_rounding_mode(mode, [&] { return beta<Double_2>(origin, a2, d); }), up);
+      BOOST_CHECK_EQUAL(beta<Exact_2>(origin, a2, d), up);
+      BOOST_CHECK_EQUAL(beta<Epeck_2>(origin, a2, d), up);
       // the least bit less
       const std::vector<double> less = {3 * middle, std::nextafter(4 * middle, 0)};
-      BOOST_CHECK_EQUAL(beta<Double>(origin, less, d), std::ldexp(k, e));
-      BOOST_CHECK_EQUAL(beta<Exact>(origin, less, d), std::ldexp(k, e));
+      BOOST_CHECK_EQUAL(beta<Double_2>(origin, less, d), std::ldexp(k, e));
+      BOOST_CHECK_EQUAL(beta<Exact_2>(origin, less, d), std::ldexp(k, e));
     }
 }
 
 BOOST_AUTO_TEST_CASE(chords_of_every_size) {
   const std::vector<double> zero = {0, 0}, one = {1, 0};
-  BOOST_CHECK_EQUAL(beta<Double>(one, one, one), 1); // coincident ends
-  BOOST_CHECK_EQUAL(beta<Exact>(one, one, one), 1);
+  BOOST_CHECK_EQUAL(beta<Double_2>(one, one, one), 1); // coincident ends
+  BOOST_CHECK_EQUAL(beta<Exact_2>(one, one, one), 1);
   const std::vector<Q> q = {Q(1), Q(2), Q(3), Q(4)};
   BOOST_CHECK_EQUAL(beta<Exact_d>(q, q, q), 1);
   for (double x : {5e-324, 1e-308, 1e-300, 1e-31}) // astronomically small
-    for (double b : {beta<Double>(zero, {x, 0}, one), beta<Exact>(zero, {x, 0}, one), beta<Lazy>(zero, {x, 0}, one)})
+    for (double b :
+         {beta<Double_2>(zero, {x, 0}, one), beta<Exact_2>(zero, {x, 0}, one), beta<Epeck_2>(zero, {x, 0}, one)})
       BOOST_CHECK_EQUAL(b, 1);
-  BOOST_CHECK_EQUAL(beta<Double>(zero, {0x1p-100, 0}, one), 0x1p-100);
+  BOOST_CHECK_EQUAL(beta<Double_2>(zero, {0x1p-100, 0}, one), 0x1p-100);
   for (double x : {1e31, 1e300, 1.7e308})
-    for (double b : {beta<Double>(zero, {x, 0}, one), beta<Exact>(zero, {x, 0}, one), beta<Lazy>(zero, {-x, x}, one)})
+    for (double b :
+         {beta<Double_2>(zero, {x, 0}, one), beta<Exact_2>(zero, {x, 0}, one), beta<Epeck_2>(zero, {-x, x}, one)})
       BOOST_CHECK_EQUAL(b, 0x1p100);
-  BOOST_CHECK_EQUAL((beta<Double, double>({-1.7e308, 0}, {1.7e308, 0}, {1.7e308, 0})), 2);  // the difference overflows
-  BOOST_CHECK_EQUAL((beta<Double, double>({0, 0}, {3 * 5e-324, 0}, {0, 2 * 5e-324})), 1.5); // squares underflow
+  BOOST_CHECK_EQUAL((beta<Double_2, double>({-1.7e308, 0}, {1.7e308, 0}, {1.7e308, 0})), 2); // the difference overflows
+  BOOST_CHECK_EQUAL((beta<Double_2, double>({0, 0}, {3 * 5e-324, 0}, {0, 2 * 5e-324})), 1.5); // squares underflow
   Q huge(1);
   for (int i = 0; i < 4000; ++i) huge *= 10;
-  BOOST_CHECK_EQUAL(beta<Exact>(std::vector<Q>{0, 0}, {3 * huge, 4 * huge}, {huge, 0}), 5);
-  BOOST_CHECK_EQUAL(beta<Exact>(std::vector<Q>{0, 0}, {3 / huge, 4 / huge}, {1 / huge, 0}), 5);
+  BOOST_CHECK_EQUAL(beta<Exact_2>(std::vector<Q>{0, 0}, {3 * huge, 4 * huge}, {huge, 0}), 5);
+  BOOST_CHECK_EQUAL(beta<Exact_2>(std::vector<Q>{0, 0}, {3 / huge, 4 / huge}, {1 / huge, 0}), 5);
 }
 
 BOOST_AUTO_TEST_CASE(similarities) {
   const std::vector<double> a1 = {1, 2}, a2 = {4, 9}, d1 = {3, 1}, d2 = {-1, 5};
   const auto shape = [](const auto& phi, const auto& psi) { return GC::automatic_shape(phi, psi); };
-  const GC::Shape_parameters<double> s = shape(jet<Double>(a1, d1), jet<Double>(a2, d2)),
-                                     reversed = shape(jet<Double>(a2, d2), jet<Double>(a1, d1)),
-                                     turned = shape(jet<Double, double>({2, -1}, {1, -3}),
-                                                    jet<Double, double>({9, -4}, {5, 1})),
-                                     large = shape(jet<Double, double>({7, 14}, {21, 7}),
-                                                   jet<Double, double>({28, 63}, {-7, 35}));
+  const GC::Shape_parameters<double> s = shape(jet<Double_2>(a1, d1), jet<Double_2>(a2, d2)),
+                                     reversed = shape(jet<Double_2>(a2, d2), jet<Double_2>(a1, d1)),
+                                     turned = shape(jet<Double_2, double>({2, -1}, {1, -3}),
+                                                    jet<Double_2, double>({9, -4}, {5, 1})),
+                                     large = shape(jet<Double_2, double>({7, 14}, {21, 7}),
+                                                   jet<Double_2, double>({28, 63}, {-7, 35}));
   BOOST_CHECK(s.beta == reversed.eta && s.eta == reversed.beta);
   BOOST_CHECK(s.beta == turned.beta && s.eta == turned.eta);
   BOOST_CHECK(s.beta == large.beta && s.eta == large.eta);
@@ -145,7 +121,8 @@ BOOST_AUTO_TEST_CASE(similarities) {
 
 // blend() takes these shape parameters when it is given none, and says so.
 BOOST_AUTO_TEST_CASE(default_of_blend) {
-  GC::Curve_jet<Exact> phi = jet<Exact, Q>({Q(0), Q(0)}, {Q(3), Q(1)}), psi = jet<Exact, Q>({Q(5), Q(2)}, {Q(1), Q(7)});
+  GC::Curve_jet<Exact_2> phi = jet<Exact_2, Q>({Q(0), Q(0)}, {Q(3), Q(1)}),
+                         psi = jet<Exact_2, Q>({Q(5), Q(2)}, {Q(1), Q(7)});
   const GC::Shape_parameters<Q> shape = GC::automatic_shape(phi, psi);
   BOOST_CHECK(shape.beta != 1 && shape.eta != 1);
   const auto gamma = GC::blend(phi, psi), same = GC::blend(phi, psi, GC::Minimal_energy<3>(), shape),
@@ -160,23 +137,23 @@ BOOST_AUTO_TEST_CASE(default_of_blend) {
 
 // The default is a formula: of these curves another shape has the lower E, and the shape of the search an even lower one.
 BOOST_AUTO_TEST_CASE(no_optimum) {
-  const GC::Bezier_curve<Exact> phi{{9, 8}, {-4, 8}, {1, -6}, {0, 0}}, psi{{10, 3}, {16, -7}, {16, 0}, {21, -8}};
+  const GC::Bezier_curve<Exact_2> phi{{9, 8}, {-4, 8}, {1, -6}, {0, 0}}, psi{{10, 3}, {16, -7}, {16, 0}, {21, -8}};
   const double of_default = GC::fairness(GC::blend(phi, psi)), of_ones = GC::fairness(GC::blend(phi, psi, {1, 1})),
                of_search = GC::fairness(GC::blend(phi, psi, GC::Fair()));
   BOOST_CHECK(of_ones < 0.5 * of_default && of_search < 0.5 * of_ones);
 }
 
 BOOST_AUTO_TEST_CASE(errors) {
-  const GC::Curve_jet<Double> x = jet<Double, double>({0, 0}, {1, 0}), y = jet<Double, double>({1, 0}, {0, 0});
+  const GC::Curve_jet<Double_2> x = jet<Double_2, double>({0, 0}, {1, 0}), y = jet<Double_2, double>({1, 0}, {0, 0});
   CHECK_ERROR(GC::automatic_shape(x, y), zero_tangent);
   CHECK_ERROR(GC::automatic_shape(y, x), zero_tangent);
-  CHECK_ERROR(GC::automatic_shape(x, GC::Curve_jet<Double>(2, 0)), jet_order_too_low);
+  CHECK_ERROR(GC::automatic_shape(x, GC::Curve_jet<Double_2>(2, 0)), jet_order_too_low);
   CHECK_ERROR(GC::automatic_shape(jet<Exact_d, Q>({Q(0), Q(0)}, {Q(1), Q(0)}),
                                   jet<Exact_d, Q>({Q(0), Q(0), Q(0)}, {Q(1), Q(0), Q(0)})),
               dimension_mismatch);
   for (double bad : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-    CHECK_ERROR(GC::automatic_shape(jet<Double, double>({bad, 0}, {1, 0}), x), not_finite);
-    CHECK_ERROR(GC::automatic_shape(jet<Double, double>({0, 0}, {bad, 0}), x), not_finite);
+    CHECK_ERROR(GC::automatic_shape(jet<Double_2, double>({bad, 0}, {1, 0}), x), not_finite);
+    CHECK_ERROR(GC::automatic_shape(jet<Double_2, double>({0, 0}, {bad, 0}), x), not_finite);
   }
 }
 

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_BLENDS_TYPED_SEPTIC_BLEND_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_BLENDS_TYPED_SEPTIC_BLEND_H
+#pragma once
 
 #include "support/typed.h"
 
@@ -65,27 +64,24 @@ template <class Traits> void check_joins(const Blend_input<Traits>& input, const
   check_join(input.psi, gamma.end_jet(3), input.shape.eta, gamma.parameters.end);
 }
 
-BOOST_AUTO_TEST_CASE(joins, *boost::unit_test::enable_if<exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Blend_input<Traits> input = random_blend<Traits>(random, d, 3);
-    for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
-        const Blend<Traits> gamma = strategy.blend(input);
-        BOOST_CHECK(gamma.domain() == std::make_pair(FT(0), FT(1)));
-        BOOST_CHECK(!gamma.parameters.fallback_start && !gamma.parameters.fallback_end);
-        check_joins(input, gamma);
-        if (std::string(strategy.name).find("g3") != std::string::npos) {
-          BOOST_CHECK(gamma.parameters.start.mu == mu_of_g3(input.shape.beta, gamma.parameters.start));
-          BOOST_CHECK(gamma.parameters.end.mu == mu_of_g3(input.shape.eta, gamma.parameters.end));
-        }
-        check_symmetry(input, random, strategy);
+TEST_WITH_RANDOM_INPUT_IF(joins, exact) {
+  const Blend_input<Traits> input = random_blend<Traits>(random, d, 3);
+  for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
+      const Blend<Traits> gamma = strategy.blend(input);
+      BOOST_CHECK(gamma.domain() == std::make_pair(FT(0), FT(1)));
+      BOOST_CHECK(!gamma.parameters.fallback_start && !gamma.parameters.fallback_end);
+      check_joins(input, gamma);
+      if (std::string(strategy.name).find("g3") != std::string::npos) {
+        BOOST_CHECK(gamma.parameters.start.mu == mu_of_g3(input.shape.beta, gamma.parameters.start));
+        BOOST_CHECK(gamma.parameters.end.mu == mu_of_g3(input.shape.eta, gamma.parameters.end));
       }
-    Blend_input<Traits> smooth = input;
-    smooth.shape = {};
-    const Blend<Traits> gamma = smooth(GC::Matching_third_derivative());
-    BOOST_CHECK_EQUAL(GC::continuity(input.phi, gamma.start_jet(3)).c_order, 3);
-    BOOST_CHECK_EQUAL(GC::continuity(gamma.end_jet(3), input.psi).c_order, 3);
-  });
+      check_symmetry(input, random, strategy);
+    }
+  Blend_input<Traits> smooth = input;
+  smooth.shape = {};
+  const Blend<Traits> gamma = smooth(GC::Matching_third_derivative());
+  BOOST_CHECK_EQUAL(GC::continuity(input.phi, gamma.start_jet(3)).c_order, 3);
+  BOOST_CHECK_EQUAL(GC::continuity(gamma.end_jet(3), input.psi).c_order, 3);
 }
 
 // What the sequential and the joint strategies make orthogonal, at an end with the given jet x and the blend y
@@ -100,27 +96,24 @@ void check_orthogonality(const Jet<Traits>& x, const Jet<Traits>& g3, const Jet<
   BOOST_CHECK(dot(joint[3], x[1]) == FT(0) && dot(joint[3], n) == FT(0));
 }
 
-BOOST_AUTO_TEST_CASE(geometry_of_the_strategies, *boost::unit_test::enable_if<exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Blend_input<Traits> input = random_blend<Traits>(random, d, 3);
-    const Blend<Traits> g3 = input(GC::Sequential_g3()), f3 = input(GC::Sequential_f3()), joint = input(GC::Joint_g3());
-    check_orthogonality(input.phi, g3.start_jet(3), f3.start_jet(3), joint.start_jet(3));
-    check_orthogonality(input.psi, g3.end_jet(3), f3.end_jet(3), joint.end_jet(3));
-    // any other value is longer
-    const Column<Traits> best2 = g3.start_jet(3)[2], best3 = joint.start_jet(3)[3];
-    for (int side : {1, -1}) {
-      End_parameters p = g3.parameters.start;
-      p.beta2 += FT(side);
-      const Column<Traits> second = input(Given{p, {}}).start_jet(2)[2];
-      BOOST_CHECK(dot(best2, best2) < dot(second, second));
-      p = joint.parameters.start;
-      p.beta2 += ratio(side, 9);
-      p.mu = mu_of_g3(input.shape.beta, p);
-      const Column<Traits> third = input(Given{p, {}}).start_jet(3)[3];
-      BOOST_CHECK(dot(best3, best3) < dot(third, third));
-    }
-  });
+TEST_WITH_RANDOM_INPUT_IF(geometry_of_the_strategies, exact) {
+  const Blend_input<Traits> input = random_blend<Traits>(random, d, 3);
+  const Blend<Traits> g3 = input(GC::Sequential_g3()), f3 = input(GC::Sequential_f3()), joint = input(GC::Joint_g3());
+  check_orthogonality(input.phi, g3.start_jet(3), f3.start_jet(3), joint.start_jet(3));
+  check_orthogonality(input.psi, g3.end_jet(3), f3.end_jet(3), joint.end_jet(3));
+  // any other value is longer
+  const Column<Traits> best2 = g3.start_jet(3)[2], best3 = joint.start_jet(3)[3];
+  for (int side : {1, -1}) {
+    End_parameters p = g3.parameters.start;
+    p.beta2 += FT(side);
+    const Column<Traits> second = input(Given{p, {}}).start_jet(2)[2];
+    BOOST_CHECK(dot(best2, best2) < dot(second, second));
+    p = joint.parameters.start;
+    p.beta2 += ratio(side, 9);
+    p.mu = mu_of_g3(input.shape.beta, p);
+    const Column<Traits> third = input(Given{p, {}}).start_jet(3)[3];
+    BOOST_CHECK(dot(best3, best3) < dot(third, third));
+  }
 }
 
 // The energy is a quadratic function of (beta_2, beta_3) at both ends.
@@ -147,93 +140,76 @@ template <int k, class Traits> void check_minimum(const Blend_input<Traits>& inp
   }
 }
 
-BOOST_AUTO_TEST_CASE(minimal_energy, *boost::unit_test::enable_if<exact && cancels>()) {
-  with_random_input(
-      [](auto traits, int d, Random& random) {
-        typedef decltype(traits) Traits;
-        const Blend_input<Traits> input = random_blend<Traits>(random, d, 3);
-        check_minimum<3>(input);
-        check_minimum<4>(input);
-      },
-      (rounds + 1) / 2);
+TEST_WITH_INPUTS_IF(minimal_energy, (rounds + 1) / 2, exact&& cancels) {
+  const Blend_input<Traits> input = random_blend<Traits>(random, d, 3);
+  check_minimum<3>(input);
+  check_minimum<4>(input);
 }
 
 // ---------------------------------------------------------------- degenerate input
 
 // Curvature 0 at one end or at both
-BOOST_AUTO_TEST_CASE(fallbacks) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Jet<Traits> bent = jet<Traits>(d, {{0}, {2}, {2, 4}, {0, 8, 16}}),
-                      straight = jet<Traits>(d, {{3, 4}, {0, 1}, {0, 4}, {1, 2, 3}});
-    for (bool start : {false, true})
-      for (bool end : {false, true}) {
-        const Blend_input<Traits> input{start ? straight : bent, end ? straight : bent, {FT(2), FT(1)}};
-        for (const auto& strategy : all_strategies<Traits>())
-          BOOST_TEST_CONTEXT(strategy.name << ", curvature 0: " << start << end) {
-            const std::string name = strategy.name;
-            const bool falls_back = name == "Sequential_f3" || name == "Joint_g3";
-            const Blend<Traits> gamma = strategy.blend(input), g3 = input(GC::Sequential_g3());
-            BOOST_CHECK_EQUAL(gamma.parameters.fallback_start, start && falls_back);
-            BOOST_CHECK_EQUAL(gamma.parameters.fallback_end, end && falls_back);
-            if (start && name == "Joint_g3") BOOST_CHECK(gamma.parameters.start == g3.parameters.start);
-            if (end && name == "Joint_g3") BOOST_CHECK(gamma.parameters.end == g3.parameters.end);
-            if (start && name == "Sequential_f3") BOOST_CHECK(gamma.parameters.start.mu == FT(0));
-            if (end && name == "Sequential_f3") BOOST_CHECK(gamma.parameters.end.mu == FT(0));
-            if constexpr (exact) {
-              const auto left = GC::continuity(input.phi, gamma.start_jet(3)),
-                         right = GC::continuity(gamma.end_jet(3), input.psi);
-              BOOST_CHECK(left.f_order == std::min(d, 3) && right.f_order == left.f_order);
-              const bool g3_asked = name.find("g3") != std::string::npos;
-              if (g3_asked || start) BOOST_CHECK_EQUAL(left.g_order, 3);
-              if (g3_asked || end) BOOST_CHECK_EQUAL(right.g_order, 3);
-            }
+TEST_IN_EVERY_SPACE(fallbacks) {
+  const Jet<Traits> bent = jet<Traits>(d, {{0}, {2}, {2, 4}, {0, 8, 16}}),
+                    straight = jet<Traits>(d, {{3, 4}, {0, 1}, {0, 4}, {1, 2, 3}});
+  for (bool start : {false, true})
+    for (bool end : {false, true}) {
+      const Blend_input<Traits> input{start ? straight : bent, end ? straight : bent, {FT(2), FT(1)}};
+      for (const auto& strategy : all_strategies<Traits>())
+        BOOST_TEST_CONTEXT(strategy.name << ", curvature 0: " << start << end) {
+          const std::string name = strategy.name;
+          const bool falls_back = name == "Sequential_f3" || name == "Joint_g3";
+          const Blend<Traits> gamma = strategy.blend(input), g3 = input(GC::Sequential_g3());
+          BOOST_CHECK_EQUAL(gamma.parameters.fallback_start, start && falls_back);
+          BOOST_CHECK_EQUAL(gamma.parameters.fallback_end, end && falls_back);
+          if (start && name == "Joint_g3") BOOST_CHECK(gamma.parameters.start == g3.parameters.start);
+          if (end && name == "Joint_g3") BOOST_CHECK(gamma.parameters.end == g3.parameters.end);
+          if (start && name == "Sequential_f3") BOOST_CHECK(gamma.parameters.start.mu == FT(0));
+          if (end && name == "Sequential_f3") BOOST_CHECK(gamma.parameters.end.mu == FT(0));
+          if constexpr (exact) {
+            const auto left = GC::continuity(input.phi, gamma.start_jet(3)),
+                       right = GC::continuity(gamma.end_jet(3), input.psi);
+            BOOST_CHECK(left.f_order == std::min(d, 3) && right.f_order == left.f_order);
+            const bool g3_asked = name.find("g3") != std::string::npos;
+            if (g3_asked || start) BOOST_CHECK_EQUAL(left.g_order, 3);
+            if (g3_asked || end) BOOST_CHECK_EQUAL(right.g_order, 3);
           }
-      }
-  });
+        }
+    }
 }
 
 // The middle part of a curve is found again from the outer ones.
-BOOST_AUTO_TEST_CASE(reproduction, *boost::unit_test::enable_if<exact && cancels>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const auto check = [&](int degree, const auto& strategy) {
-      const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3)); // three parts of length 1
-      const Jet<Traits> phi = whole.jet(FT(1), 3), psi = whole.jet(FT(2), 3);
-      if (is_zero(phi[1]) || is_zero(psi[1])) return;
-      BOOST_CHECK(GC::blend(phi, psi, strategy, {}).start_jet(7) == whole.jet(FT(1), 7));
-    };
-    check(1, GC::Sequential_g3());
-    check(1, GC::Sequential_f3());
-    check(2, GC::Minimal_energy_g3<3>());
-    check(3, GC::Minimal_energy_g3<4>());
-    check(7, GC::Matching_third_derivative());
-  });
+TEST_WITH_RANDOM_INPUT_IF(reproduction, exact&& cancels) {
+  const auto check = [&](int degree, const auto& strategy) {
+    const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3)); // three parts of length 1
+    const Jet<Traits> phi = whole.jet(FT(1), 3), psi = whole.jet(FT(2), 3);
+    if (is_zero(phi[1]) || is_zero(psi[1])) return;
+    BOOST_CHECK(GC::blend(phi, psi, strategy, {}).start_jet(7) == whole.jet(FT(1), 7));
+  };
+  check(1, GC::Sequential_g3());
+  check(1, GC::Sequential_f3());
+  check(2, GC::Minimal_energy_g3<3>());
+  check(3, GC::Minimal_energy_g3<4>());
+  check(7, GC::Matching_third_derivative());
 }
 
-BOOST_AUTO_TEST_CASE(straight_and_closed) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
-        const Jet<Traits> phi = jet<Traits>(d, {{0}, {1}, {4}, {9}}), psi = jet<Traits>(d, {{7}, {2}, {-1}, {3}});
-        const Blend<Traits> line = strategy.blend({phi, psi, {}});
-        for (int j = 0; j <= 7; ++j)
-          for (int i = 1; i < d; ++i) BOOST_CHECK(line.coordinates(j)[i] == FT(0));
-        const Jet<Traits> x = jet<Traits>(d, {{1, 2}, {4, 0}, {0, 8}, {1, 1, 1}}),
-                          y = jet<Traits>(d, {{1, 2}, {0, 4}, {8, 0}, {1, 1, -1}});
-        const Blend<Traits> loop = strategy.blend({x, y, {FT(2), FT(4)}});
-        BOOST_CHECK(loop.coordinates(0) == x[0] && loop.coordinates(7) == y[0]);
-        if constexpr (exact) check_joins(Blend_input<Traits>{x, y, {FT(2), FT(4)}}, loop);
-      }
-  });
+TEST_IN_EVERY_SPACE(straight_and_closed) {
+  for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
+      const Jet<Traits> phi = jet<Traits>(d, {{0}, {1}, {4}, {9}}), psi = jet<Traits>(d, {{7}, {2}, {-1}, {3}});
+      const Blend<Traits> line = strategy.blend({phi, psi, {}});
+      for (int j = 0; j <= 7; ++j)
+        for (int i = 1; i < d; ++i) BOOST_CHECK(line.coordinates(j)[i] == FT(0));
+      const Jet<Traits> x = jet<Traits>(d, {{1, 2}, {4, 0}, {0, 8}, {1, 1, 1}}),
+                        y = jet<Traits>(d, {{1, 2}, {0, 4}, {8, 0}, {1, 1, -1}});
+      const Blend<Traits> loop = strategy.blend({x, y, {FT(2), FT(4)}});
+      BOOST_CHECK(loop.coordinates(0) == x[0] && loop.coordinates(7) == y[0]);
+      if constexpr (exact) check_joins(Blend_input<Traits>{x, y, {FT(2), FT(4)}}, loop);
+    }
 }
 
-BOOST_AUTO_TEST_CASE(refused_blends) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    if constexpr (cancels) check_blend_errors<Traits>(d, 3, GC::Minimal_energy_g3<3>());
-    check_blend_errors<Traits>(d, 3, GC::Joint_g3());
-  });
+TEST_IN_EVERY_SPACE(refused_blends) {
+  if constexpr (cancels) check_blend_errors<Traits>(d, 3, GC::Minimal_energy_g3<3>());
+  check_blend_errors<Traits>(d, 3, GC::Joint_g3());
 }
 
 // ---------------------------------------------------------------- strategies and curves of the user's own
@@ -247,29 +223,26 @@ struct Own_strategy {
   }
 };
 
-BOOST_AUTO_TEST_CASE(own_strategies_and_curves, *boost::unit_test::enable_if<exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Blend_input<Traits> input = random_blend<Traits>(random, d, 3);
-    const Blend<Traits> own = input(Own_strategy());
-    BOOST_CHECK(own.parameters.start.beta3 == FT(input(GC::Sequential_g3()).parameters.start.beta3 + FT(1)));
-    BOOST_CHECK(own.parameters.fallback_end && !own.parameters.fallback_start);
-    check_joins(input, own);
-    const Blend<Traits> lambda = input([&](const GC::Septic_ends<FT, Curve<Traits>::N>& e) {
-      BOOST_CHECK(e.start.x == input.phi[0] && e.start.d1 == input.phi[1] && e.start.d2 == input.phi[2] &&
-                  e.start.d3 == input.phi[3]);
-      BOOST_CHECK(e.end.x == input.psi[0] && e.end.d1 == input.psi[1] && e.end.d2 == input.psi[2] &&
-                  e.end.d3 == input.psi[3]);
-      BOOST_CHECK(e.start.beta == input.shape.beta && e.end.beta == input.shape.eta);
-      return GC::Septic_parameters<FT>{own.parameters.start, own.parameters.end};
-    });
-    BOOST_CHECK(same_points<Traits>(own, lambda));
-    BOOST_CHECK(same_points<Traits>(own, input(Given{own.parameters.start, own.parameters.end})));
-    check_input_types(input, GC::Sequential_f3());
-    const Blend_input<Traits> longer = random_blend<Traits>(random, d, 5);
-    const Blend_input<Traits> shorter{truncated(longer.phi, 3), truncated(longer.psi, 3), longer.shape};
-    BOOST_CHECK(same_points<Traits>(longer(GC::Joint_g3()), shorter(GC::Joint_g3())));
+TEST_WITH_RANDOM_INPUT_IF(own_strategies_and_curves, exact) {
+  const Blend_input<Traits> input = random_blend<Traits>(random, d, 3);
+  const Blend<Traits> own = input(Own_strategy());
+  BOOST_CHECK(own.parameters.start.beta3 == FT(input(GC::Sequential_g3()).parameters.start.beta3 + FT(1)));
+  BOOST_CHECK(own.parameters.fallback_end && !own.parameters.fallback_start);
+  check_joins(input, own);
+  const Blend<Traits> lambda = input([&](const GC::Septic_ends<FT, Curve<Traits>::N>& e) {
+    BOOST_CHECK(e.start.x == input.phi[0] && e.start.d1 == input.phi[1] && e.start.d2 == input.phi[2] &&
+                e.start.d3 == input.phi[3]);
+    BOOST_CHECK(e.end.x == input.psi[0] && e.end.d1 == input.psi[1] && e.end.d2 == input.psi[2] &&
+                e.end.d3 == input.psi[3]);
+    BOOST_CHECK(e.start.beta == input.shape.beta && e.end.beta == input.shape.eta);
+    return GC::Septic_parameters<FT>{own.parameters.start, own.parameters.end};
   });
+  BOOST_CHECK(same_points<Traits>(own, lambda));
+  BOOST_CHECK(same_points<Traits>(own, input(Given{own.parameters.start, own.parameters.end})));
+  check_input_types(input, GC::Sequential_f3());
+  const Blend_input<Traits> longer = random_blend<Traits>(random, d, 5);
+  const Blend_input<Traits> shorter{truncated(longer.phi, 3), truncated(longer.psi, 3), longer.shape};
+  BOOST_CHECK(same_points<Traits>(longer(GC::Joint_g3()), shorter(GC::Joint_g3())));
 }
 
 // ---------------------------------------------------------------- rounded numbers
@@ -279,50 +252,43 @@ BOOST_AUTO_TEST_CASE(own_strategies_and_curves, *boost::unit_test::enable_if<exa
 // errors of their factors grow by c^2: 1000 roundings of M (1 + c)^2 cover all. Where a minimum is computed, an error of
 // the four scalars counts in second order only: elimination is backward stable, so the energy exceeds the least one by at
 // most (1000 * 2^-53 * K)^2 of that at zero, where K is the condition of the scaled system. 2^-40 admits K up to 2^23.
-BOOST_AUTO_TEST_CASE(rounded_blends, *boost::unit_test::enable_if<!exact>()) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    if constexpr (!exact) {
-      const Blend_input<Traits> input = random_blend<Traits>(random, d, 3, &Random::number);
-      const Blend_input<Reference> reference{
-          rational_jet(input.phi), rational_jet(input.psi), {rational(input.shape.beta), rational(input.shape.eta)}};
-      double m = length(input.phi[0]) + length(input.psi[0]), c = 0;
-      for (bool end : {false, true}) {
-        const Jet<Reference>& x = end ? reference.psi : reference.phi;
-        const double beta = CGAL::to_double(end ? input.shape.eta : input.shape.beta);
-        const double d1 = beta * length(x[1]), d2 = beta * beta * length(x[2]), d3 = beta * beta * beta * length(x[3]);
-        const double n = beta * beta * length(GC::orthogonal_component(x[2], x[1]));
-        m += d1 + d2 + d3;
-        c = std::max(c, d2 / d1 + (d1 + d2 + d3) / n);
-      }
-      const double bound = 1000 * 0x1p-53 * m * std::pow(1 + c, 4);
-      const Strategies<Reference> exactly = all_strategies<Reference>();
-      int i = 0;
-      for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
-          const Blend<Traits> gamma = strategy.blend(input);
-          const Blend<Reference> expected = exactly[i++].blend(reference);
-          const std::string name = strategy.name;
-          const bool minimal = name.find("Minimal") == 0;
-          for (int j = 0; j <= 7; ++j)
-            if (!minimal) BOOST_CHECK(within(gamma.coordinates(j), expected.coordinates(j), bound));
-          if (!minimal) continue;
-          const int k = name.find('4') != std::string::npos ? 4 : 3;
-          const auto at = [](const auto& e) {
-            typedef GC::Septic_end_parameters<CGAL::Exact_rational> Parameters;
-            return Parameters{rational(e.beta2), rational(e.mu), rational(e.beta3)};
-          };
-          typedef GC::Given_end_parameters<CGAL::Exact_rational> Exact_parameters;
-          Exact_parameters p{at(gamma.parameters.start), at(gamma.parameters.end)};
-          p.start.mu = 3 * reference.shape.beta * p.start.beta2;
-          p.end.mu = 3 * reference.shape.eta * p.end.beta2;
-          const CGAL::Exact_rational excess = reference(p).energy(k) - expected.energy(k),
-                                     at_zero = reference(Exact_parameters()).energy(k);
-          BOOST_CHECK(0 <= excess && CGAL::to_double(excess) <= 0x1p-40 * CGAL::to_double(at_zero));
-        }
+TEST_WITH_RANDOM_INPUT_IF(rounded_blends, !exact) {
+  const Blend_input<Traits> input = random_blend<Traits>(random, d, 3, &Random::number);
+  const Blend_input<Reference> reference{
+      rational_jet(input.phi), rational_jet(input.psi), {rational(input.shape.beta), rational(input.shape.eta)}};
+  double m = length(input.phi[0]) + length(input.psi[0]), c = 0;
+  for (bool end : {false, true}) {
+    const Jet<Reference>& x = end ? reference.psi : reference.phi;
+    const double beta = CGAL::to_double(end ? input.shape.eta : input.shape.beta);
+    const double d1 = beta * length(x[1]), d2 = beta * beta * length(x[2]), d3 = beta * beta * beta * length(x[3]);
+    const double n = beta * beta * length(GC::orthogonal_component(x[2], x[1]));
+    m += d1 + d2 + d3;
+    c = std::max(c, d2 / d1 + (d1 + d2 + d3) / n);
+  }
+  const double bound = 1000 * 0x1p-53 * m * std::pow(1 + c, 4);
+  const Strategies<Reference> exactly = all_strategies<Reference>();
+  int i = 0;
+  for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
+      const Blend<Traits> gamma = strategy.blend(input);
+      const Blend<Reference> expected = exactly[i++].blend(reference);
+      const std::string name = strategy.name;
+      const bool minimal = name.find("Minimal") == 0;
+      for (int j = 0; j <= 7; ++j)
+        if (!minimal) BOOST_CHECK(within(gamma.coordinates(j), expected.coordinates(j), bound));
+      if (!minimal) continue;
+      const int k = name.find('4') != std::string::npos ? 4 : 3;
+      const auto at = [](const auto& e) {
+        typedef GC::Septic_end_parameters<CGAL::Exact_rational> Parameters;
+        return Parameters{rational(e.beta2), rational(e.mu), rational(e.beta3)};
+      };
+      typedef GC::Given_end_parameters<CGAL::Exact_rational> Exact_parameters;
+      Exact_parameters p{at(gamma.parameters.start), at(gamma.parameters.end)};
+      p.start.mu = 3 * reference.shape.beta * p.start.beta2;
+      p.end.mu = 3 * reference.shape.eta * p.end.beta2;
+      const CGAL::Exact_rational excess = reference(p).energy(k) - expected.energy(k),
+                                 at_zero = reference(Exact_parameters()).energy(k);
+      BOOST_CHECK(0 <= excess && CGAL::to_double(excess) <= 0x1p-40 * CGAL::to_double(at_zero));
     }
-  });
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_BLENDS_TYPED_SEPTIC_BLEND_H

@@ -4,45 +4,20 @@
 
 // Exact verdicts along whole edges: what continues each other exactly, what is off by one unit in the last place, and what is not decided.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE cad_edge_continuity
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
+#include "support/cad_sides.h"
 #include "support/limited.h"
-#include "support/random.h"
 
-#include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
-
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-typedef GC::Cad_elementary_surface Elementary;
-typedef Elementary::Kind Kind;
-typedef GC::Cad_point<3> P3;
-
-namespace {
-
-const double pi = 3.141592653589793;
-const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}},
-    mirrored{{{-1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}, cyclic{{{0, 2, 0, 5}, {0, 0, 2, -7}, {2, 0, 0, 0.5}}};
-const GC::Cad_frame standard{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+const GC::Cad_placement cyclic{{{0, 2, 0, 5}, {0, 0, 2, -7}, {2, 0, 0, 0.5}}};
 
 template <class Surface, class Curve>
-GC::Edge_side side(const Surface& surface, const Curve& curve, int face_side = 0, bool reversed = false,
+GC::Edge_side side(const Surface& surface, const Curve& curve, int face_side, bool reversed = false,
                    const GC::Cad_placement& placement = unmoved) {
-  return {std::make_shared<GC::Cad_surface>(surface), std::make_shared<GC::Cad_curve<2>>(curve), placement, reversed,
-          face_side};
+  GC::Edge_side s = side(surface, curve, reversed, placement);
+  s.face_side = face_side;
+  return s;
 }
-GC::Cad_line<2> line(double u, double v, double du, double dv) { return {{u, v}, {du, dv}}; }
-Elementary plane(const GC::Cad_frame& frame = standard) { return {Kind::plane, frame}; }
 GC::Cad_frame at_height(double z) { return {{0, 0, z}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}; }
 double next(double x) { return std::nextafter(x, std::numeric_limits<double>::infinity()); }
 
@@ -60,13 +35,6 @@ unsigned seed() {
   return s;
 }
 
-std::vector<double> clamped(int degree, const std::vector<double>& inner) {
-  std::vector<double> k(degree + 1, 0.);
-  k.insert(k.end(), inner.begin(), inner.end());
-  k.insert(k.end(), degree + 1, 1.);
-  return k;
-}
-
 // Cubic with inner knots in u, cubic in v; near a plane so that no normal vanishes. Its numbers have few digits.
 template <class Random> GC::Cad_spline_surface random_surface(Random& random, const std::vector<double>& inner_v) {
   GC::Cad_spline_surface s{3, 3, clamped(3, {0.25, 0.5, 0.5, 0.875}), clamped(3, inner_v), {}, {}};
@@ -78,7 +46,7 @@ template <class Random> GC::Cad_spline_surface random_surface(Random& random, co
 }
 // The surface over v in [0, 1] that continues another beyond v = 1, twice continuously differentiably.
 GC::Cad_spline_surface continuation(const GC::Cad_spline_surface& s) {
-  GC::Cad_spline_surface t{3, 3, s.u_knots, clamped(3, {}), {}, {}};
+  GC::Cad_spline_surface t{3, 3, s.u_knots, clamped(3), {}, {}};
   const int n = s.v_points();
   for (int i = 0; i < 8; ++i) {
     P3 row[4];
@@ -106,8 +74,6 @@ GC::Cad_spline_surface turned(const GC::Cad_spline_surface& s) {
     }
   return t;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(splines_that_continue_each_other) {
   std::mt19937 random(seed());
@@ -180,7 +146,7 @@ BOOST_AUTO_TEST_CASE(lines_inside_splines) {
 BOOST_AUTO_TEST_CASE(sides_of_knot_lines) {
   std::mt19937 random(seed() + 6);
   const GC::Cad_spline_surface s = random_surface(random, {0.5, 0.5, 0.5});
-  GC::Cad_spline_surface above{3, 3, s.u_knots, clamped(3, {}), {}, {}}, below = above;
+  GC::Cad_spline_surface above{3, 3, s.u_knots, clamped(3), {}, {}}, below = above;
   for (std::size_t i = 0; i < 8; ++i) {
     below.points.insert(below.points.end(), s.points.begin() + i * 7, s.points.begin() + i * 7 + 4);
     above.points.insert(above.points.end(), s.points.begin() + i * 7 + 3, s.points.begin() + i * 7 + 7);
@@ -196,7 +162,7 @@ BOOST_AUTO_TEST_CASE(sides_of_knot_lines) {
 // x(t) is odd about t = 1/2 and vanishes at multiples of 1/4, y(t) is even: the edges agree at these, and as a whole when one is reversed.
 BOOST_AUTO_TEST_CASE(edges_that_agree_backwards_only) {
   const double x[] = {0, 3, -6.5, 6.5, -3, 0}, y[] = {5, 1, -1, -1, 1, 5};
-  GC::Cad_spline_surface a{5, 1, clamped(5, {}), clamped(1, {}), {}, {}}, b = a;
+  GC::Cad_spline_surface a{5, 1, clamped(5, {}), clamped(1), {}, {}}, b = a;
   for (int i = 0; i < 6; ++i)
     for (double z : {0., 1.}) {
       a.points.push_back({x[i], y[i], z});
@@ -219,7 +185,7 @@ BOOST_AUTO_TEST_CASE(mirrored_splines) {
 
 BOOST_AUTO_TEST_CASE(seam_of_a_closed_spline) {
   std::mt19937 random(seed() + 2);
-  GC::Cad_spline_surface s{5, 1, clamped(5, {}), clamped(1, {}), {}, {}};
+  GC::Cad_spline_surface s{5, 1, clamped(5, {}), clamped(1), {}, {}};
   P3 p[2][3];
   for (int j = 0; j < 2; ++j) {
     p[j][0] = {0, 0, double(j)};
@@ -252,14 +218,10 @@ BOOST_AUTO_TEST_CASE(factors_of_rational_edges) {
   BOOST_TEST(verdict(side(a, line(0, 0, 1, 0)), side(b, line(0, 0, 1, 0))) == "undecided");
 }
 
-namespace {
-
 // A plane and a cylinder that touches it along the axis of y: the normal of both points down.
 const GC::Cad_frame lying{{0, 0, 2}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}};
 const GC::Edge_side ground = side(plane(), line(0, 0, 0, 1), 0, true),
                     fillet = side(Elementary{Kind::cylinder, lying, 2}, line(0, 0, 0, -1));
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(planes_and_cylinders) {
   BOOST_TEST(verdict(ground, fillet, -1, 5) == "G1 curvature");

@@ -4,42 +4,13 @@
 
 // Curves in space and the faces that they belong to: distances and foot points that are known.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE foot_points
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
-#include "support/random.h"
+#include "support/cad_sides.h"
 
-#include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
-#include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
-#include <tuple>
-#include <utility>
 #include <variant>
-#include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-typedef GC::Cad_elementary_surface Elementary;
-typedef Elementary::Kind Kind;
-
-namespace {
-
-const double pi = 3.141592653589793;
-const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 const GC::Cad_placement turned{{{0, -1, 0, 5}, {1, 0, 0, 7}, {0, 0, 1, -2}}};
-const GC::Cad_frame standard{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-
-template <class Surface, class Curve>
-GC::Edge_side side(const Surface& surface, const Curve& curve, const GC::Cad_placement& placement = unmoved) {
-  return {std::make_shared<GC::Cad_surface>(surface), std::make_shared<GC::Cad_curve<2>>(curve), placement, false};
-}
-GC::Cad_line<2> line(double u, double v, double du, double dv) { return {{u, v}, {du, dv}}; }
 template <class Curve> GC::Edge_curve in_space(const Curve& curve, const GC::Cad_placement& placement = unmoved) {
   return {std::make_shared<GC::Cad_curve<3>>(curve), placement};
 }
@@ -53,8 +24,6 @@ void check_is(const GC::Enclosure& e, double value, double error) {
   BOOST_TEST_CONTEXT("enclosure " << e << " of " << value)
   BOOST_TEST((e.lower <= value + error && value - error <= e.upper && e.upper - e.lower <= 0.01 * e.upper + 1e-9));
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(distances_of_curves) {
   const GC::Edge_side plane = side(Elementary{Kind::plane, standard}, line(0, 0, 1, 0));
@@ -350,7 +319,6 @@ BOOST_AUTO_TEST_CASE(knot_lines) {
 BOOST_AUTO_TEST_CASE(errors) {
   const GC::Edge_side plane = side(Elementary{Kind::plane, standard}, line(0, 0, 1, 0));
   const GC::Edge_curve edge = in_space(GC::Cad_line<3>{{0, 0, 0}, {1, 0, 0}});
-  const double infinity = std::numeric_limits<double>::infinity();
   CHECK_ERROR(GC::curve_deviation(plane, edge, 1, 0), empty_domain);
   CHECK_ERROR(GC::curve_deviation(plane, edge, 0, infinity), not_finite);
   CHECK_ERROR(GC::curve_deviation(plane, in_space(GC::Cad_line<3>{{0, 0, 0}, {infinity, 0, 0}}), 0, 1), not_finite);

@@ -4,47 +4,23 @@
 
 // Tells whether edges are sharp everywhere: with angles that are known along the edge.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE is_sharp_edge
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
-#include "support/random.h"
+#include "support/cad_sides.h"
 
-#include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
 #include <variant>
 
-namespace GC = CGAL::Geometric_continuity;
-typedef GC::Cad_elementary_surface Elementary;
-typedef Elementary::Kind Kind;
-
-namespace {
-
 const double degree = 0.017453292519943295;
-const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-const GC::Cad_frame standard{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-template <class Surface>
-GC::Edge_side side(const Surface& surface, const GC::Cad_line<2>& line, bool reversed = false) {
-  return {std::make_shared<GC::Cad_surface>(surface), std::make_shared<GC::Cad_curve<2>>(line), unmoved, reversed};
-}
 // The plane z = 0 along the axis of x, and a ruled surface below y = 0 that rises like `start` at x = 0 and like `end` at x = 1: the angle
 // is the arc tangent of the slope.
-const GC::Edge_side ground = side(Elementary{Kind::plane, standard}, {{0, 0}, {1, 0}});
+const GC::Edge_side ground = side(Elementary{Kind::plane, standard}, line(0, 0, 1, 0));
 GC::Edge_side ramp(double start, double end) {
   return side(
       GC::Cad_spline_surface{
           1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, -1, start}, {0, 0, 0}, {1, -1, end}, {1, 0, 0}}, {}},
-      {{0, 1}, {1, 0}});
+      line(0, 1, 1, 0));
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(slopes) {
   using GC::Verdict;
@@ -78,8 +54,7 @@ BOOST_AUTO_TEST_CASE(slopes) {
 // The smallest angle of random slopes is known: at an end, or 0 where the slope changes its sign.
 BOOST_AUTO_TEST_CASE(random_slopes) {
   const unsigned seed = first_seed();
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(seed);
   std::uniform_real_distribution<double> slope(-1, 1), angle(0.001, 0.8);
   for (int i = 0; i < 200; ++i) {
     const double start = slope(random), end = slope(random), bound = angle(random);
@@ -93,7 +68,7 @@ BOOST_AUTO_TEST_CASE(random_slopes) {
 // The normal of a cone vanishes at the apex, where lines of two cones meet at an angle.
 BOOST_AUTO_TEST_CASE(points_without_a_normal) {
   const Elementary cone{Kind::cone, standard, 0, 0.5}, wide{Kind::cone, standard, 0, 0.75};
-  const GC::Edge_side a = side(cone, {{0, 0}, {0, 1}}), b = side(wide, {{0, 0}, {0, 1}});
+  const GC::Edge_side a = side(cone, line(0, 0, 0, 1)), b = side(wide, line(0, 0, 0, 1));
   BOOST_TEST(GC::is_sharp_edge(a, b, 0, 1, 0.24) == GC::Verdict::proved);
   BOOST_TEST(GC::is_sharp_edge(a, b, 0, 1, 0.26) == GC::Verdict::refuted);
   // a patch of which one side is a point, at the end of the edge
@@ -125,12 +100,12 @@ BOOST_AUTO_TEST_CASE(undecided_parts) {
                                   {0, 0, 1, 1},
                                   {{0, -1, 1}, {0, 0, 0}, {0.5, -1, 3}, {0.5, 0, 0}, {1, -1, 1}, {1, 0, 0}},
                                   {}},
-           {{0, 1}, {1, 0}});
+           line(0, 1, 1, 0));
   BOOST_TEST(GC::is_sharp_edge(ground, bulging, 0, 1, right_half) == GC::Verdict::undecided);
   BOOST_TEST(GC::is_sharp_edge(ground, bulging, 0, 1, 0.78) == GC::Verdict::proved);
   const GC::Cad_spline_surface roof{
       1, 1, {0, 0, 0.5, 1, 1}, {0, 0, 1, 1}, {{-1, 0, 1}, {-1, 1, 1}, {0, 0, 0}, {0, 1, 0}, {1, 0, 1}, {1, 1, 1}}, {}};
-  const GC::Cad_line<2> across{{0.125, 0.1}, {0.7, 0.3}};
+  const GC::Cad_line<2> across = line(0.125, 0.1, 0.7, 0.3);
   BOOST_TEST(GC::is_sharp_edge(side(roof, across), side(roof, across, true), 0, 1, 2.5) == GC::Verdict::proved);
   BOOST_TEST(GC::is_sharp_edge(side(roof, across), side(roof, across), 0, 1, 0.1) == GC::Verdict::refuted);
 }

@@ -4,42 +4,13 @@
 
 // What belongs to the poles of surfaces: lengths that are known, and what is no pole; foot points next to poles.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE range_at_pole
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
-#include "support/random.h"
+#include "support/cad_sides.h"
 
-#include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
-#include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <random>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-typedef GC::Cad_elementary_surface Elementary;
-typedef Elementary::Kind Kind;
+const GC::Cad_placement turned{{{0, -1, 0, 5}, {1, 0, 0, 7}, {0, 0, 1, -2}}};
 typedef std::optional<std::pair<double, double>> Found;
 
-namespace {
-
-const double pi = 3.141592653589793;
-const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
-const GC::Cad_placement turned{{{0, -1, 0, 5}, {1, 0, 0, 7}, {0, 0, 1, -2}}};
-const GC::Cad_frame standard{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-
-template <class Surface, class Curve>
-GC::Edge_side side(const Surface& surface, const Curve& curve, const GC::Cad_placement& placement = unmoved) {
-  return {std::make_shared<GC::Cad_surface>(surface), std::make_shared<GC::Cad_curve<2>>(curve), placement, false};
-}
-GC::Cad_line<2> line(double u, double v, double du, double dv) { return {{u, v}, {du, dv}}; }
 Found at(const GC::Edge_side& a, double first, double last, double t, double bound) {
   return GC::range_at_pole(a, a, first, last, t, bound);
 }
@@ -64,8 +35,6 @@ GC::Cad_spline_surface fan(const std::vector<GC::Cad_point<3>>& tip) {
   }
   return s;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(elementary_surfaces) {
   const unsigned seed = first_seed();

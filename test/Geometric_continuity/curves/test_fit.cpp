@@ -4,8 +4,6 @@
 
 // Curves near polylines. Joins are decided exactly on the control points; distances are compared with those of many points.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/exact_splines.h"
 #include "support/plain_traits.h"
 
@@ -13,21 +11,11 @@
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(fit)
 
-namespace {
-
 using GC::Closure;
-typedef GC::Traits_2<CGAL::Epick> Plane;
 typedef GC::Traits_3<Exact> Space;
-typedef std::vector<Plane::Point> Points;
+typedef std::vector<Epick_2::Point> Points;
 typedef GC::Coordinate_vector<double, 4> Column; // of any dimension up to 4
 
 template <class Point> Column doubles(const Point& p) {
@@ -118,11 +106,9 @@ Points wave(int n) {
   return p;
 }
 int pieces(const Points& p, double tolerance, Closure closure, int order, double corner_angle = 45) {
-  return check(GC::fit<Plane>(p.begin(), p.end(), tolerance, closure, order, corner_angle), p, tolerance, closure,
+  return check(GC::fit<Epick_2>(p.begin(), p.end(), tolerance, closure, order, corner_angle), p, tolerance, closure,
                order);
 }
-
-} // namespace
 
 // As few pieces as known constructions have, and perhaps one more at the end: quarters of a circle by cubics are wrong by 2.7e-4 of
 // the radius.
@@ -140,9 +126,9 @@ BOOST_AUTO_TEST_CASE(smooth_polylines) {
 
 BOOST_AUTO_TEST_CASE(corners) {
   for (const int order : {1, 2}) {
-    const Points rectangle = {Plane::Point(2, 0), Plane::Point(4, 0), Plane::Point(4, 3), Plane::Point(0, 3),
-                              Plane::Point(0, 0)};
-    const auto curve = GC::fit<Plane>(rectangle.begin(), rectangle.end(), 0.01, Closure::closed, order);
+    const Points rectangle = {Epick_2::Point(2, 0), Epick_2::Point(4, 0), Epick_2::Point(4, 3), Epick_2::Point(0, 3),
+                              Epick_2::Point(0, 0)};
+    const auto curve = GC::fit<Epick_2>(rectangle.begin(), rectangle.end(), 0.01, Closure::closed, order);
     BOOST_CHECK_EQUAL(check(curve, rectangle, 0.01, Closure::closed, order), 4); // from a corner on
     BOOST_CHECK(curve.vertices == std::vector<int>({1, 2, 3, 4, 1}));
     BOOST_CHECK(curve.corners == std::vector<int>({0, 1, 2, 3}));
@@ -155,7 +141,7 @@ BOOST_AUTO_TEST_CASE(corners) {
       BOOST_CHECK_EQUAL(pieces(rectangle, tolerance, Closure::closed, order, 91), 5);
       Points half = circle(100);
       half.resize(50);
-      const auto d = GC::fit<Plane>(half.begin(), half.end(), tolerance, Closure::closed, order);
+      const auto d = GC::fit<Epick_2>(half.begin(), half.end(), tolerance, Closure::closed, order);
       check(d, half, tolerance, Closure::closed, order);
       BOOST_CHECK_EQUAL(d.corners.size(), 2u);
     }
@@ -164,7 +150,7 @@ BOOST_AUTO_TEST_CASE(corners) {
 
 // Zigzags that are narrower than the tolerance, where they start and end as well, and a square that is smaller than it.
 BOOST_AUTO_TEST_CASE(polylines_within_the_tolerance) {
-  typedef Plane::Point P;
+  typedef Epick_2::Point P;
   Points zigzag, square = {P(5, 5), P(6, 5), P(6, 6), P(5, 6)};
   for (int i = 0; i < 60; ++i) zigzag.emplace_back(i % 2, 0.001 * i);
   for (const int order : {1, 2}) {
@@ -175,7 +161,7 @@ BOOST_AUTO_TEST_CASE(polylines_within_the_tolerance) {
 }
 
 BOOST_AUTO_TEST_CASE(degenerate_polylines) {
-  typedef Plane::Point P;
+  typedef Epick_2::Point P;
   for (const int order : {1, 2}) {
     BOOST_CHECK_EQUAL(pieces({P(1, 1), P(3, 2)}, 0.01, Closure::open, order), 1);
     BOOST_CHECK_EQUAL(pieces({P(0, 0), P(1, 1), P(2, 2), P(5, 5), P(6, 6)}, 0.01, Closure::open, order), 1);
@@ -212,7 +198,7 @@ BOOST_AUTO_TEST_CASE(small_tolerances, *boost::unit_test::label("long")) {
   const Points regular = circle(5), p = {{0, 0}, {4, 0}, {5, 3}, {2, 5}, {-1, 3}};
   const auto fits = [](const Points& pentagon, double tolerance, int order) {
     for (const double corner : {45., 90.}) {
-      const auto curve = GC::fit<Plane>(pentagon.begin(), pentagon.end(), tolerance, Closure::closed, order, corner);
+      const auto curve = GC::fit<Epick_2>(pentagon.begin(), pentagon.end(), tolerance, Closure::closed, order, corner);
       BOOST_CHECK_EQUAL(check(curve, pentagon, tolerance, Closure::closed, order), 5);
       BOOST_CHECK_EQUAL(curve.corners.size(), corner < 72 ? 5u : 0u);
       for (int k = 0; k < 5; ++k) { // at each vertex the curve goes on as both segments do
@@ -279,7 +265,7 @@ BOOST_AUTO_TEST_CASE(single_precision) {
   for (const auto& x : wave(200)) p.emplace_back(float(x.x()), float(x.y()));
   for (const int order : {1, 2}) {
     const auto curve = GC::fit<Float>(p.begin(), p.end(), 0.02f, Closure::open, order);
-    std::vector<GC::Bezier_curve<Plane>> pieces;
+    std::vector<GC::Bezier_curve<Epick_2>> pieces;
     for (const auto& s : curve.segments()) {
       Points points;
       for (const auto& x : s) points.emplace_back(x.x(), x.y());
@@ -300,7 +286,7 @@ BOOST_AUTO_TEST_CASE(floating_point_numbers_of_boost) {
   std::vector<Plain::Point> same;
   for (const auto& x : p) same.push_back({{Number(x.x()), Number(x.y())}});
   for (const int order : {1, 2}) {
-    const auto curve = GC::fit<Plane>(p.begin(), p.end(), 0.02, Closure::open, order);
+    const auto curve = GC::fit<Epick_2>(p.begin(), p.end(), 0.02, Closure::open, order);
     const auto plain = GC::fit<Plain>(same.begin(), same.end(), Number(0.02), Closure::open, order);
     BOOST_REQUIRE_EQUAL(plain.control_points().size(), curve.control_points().size());
     for (std::size_t i = 0; i < curve.control_points().size(); ++i)
@@ -309,31 +295,31 @@ BOOST_AUTO_TEST_CASE(floating_point_numbers_of_boost) {
 }
 
 BOOST_AUTO_TEST_CASE(errors) {
-  typedef Plane::Point P;
+  typedef Epick_2::Point P;
   const Points p = circle(10);
   const auto points_of = [](const Points& q, Closure closure = Closure::open) {
-    GC::fit<Plane>(q.begin(), q.end(), 0.01, closure);
+    GC::fit<Epick_2>(q.begin(), q.end(), 0.01, closure);
   };
   CHECK_ERROR(points_of({}), wrong_number_of_points);
   CHECK_ERROR(points_of({P(1, 1)}), wrong_number_of_points);
   CHECK_ERROR(points_of({P(1, 1), P(1, 1)}), wrong_number_of_points);
   CHECK_ERROR(points_of({P(1, 1), P(2, 1), P(1, 1)}, Closure::closed), wrong_number_of_points);
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
   BOOST_CHECK_EQUAL(error_of([&] { points_of({P(1, 1), P(2, nan), P(3, 3)}); }), "not_finite: fit: the point 1");
   CHECK_ERROR(points_of({P(1, 1), P(infinity, 1)}), not_finite);
   const auto with = [&](double tolerance, int order = 1, double angle = 45) {
-    GC::fit<Plane>(p.begin(), p.end(), tolerance, Closure::open, order, angle);
+    GC::fit<Epick_2>(p.begin(), p.end(), tolerance, Closure::open, order, angle);
   };
   for (const double tolerance : {0., -1., 1e-14}) CHECK_ERROR(with(tolerance), unreachable_tolerance);
   for (const double tolerance : {nan, infinity}) CHECK_ERROR(with(tolerance), not_finite);
   for (const int order : {-1, 0, 3}) CHECK_ERROR(with(0.1, order), parameter_outside_domain);
   for (const double angle : {-1., 181., nan}) CHECK_ERROR(with(0.1, 1, angle), parameter_outside_domain);
   const Points huge = {P(1e308, 0), P(0, 1e308), P(-1e308, 0)}, tiny = {P(1e-308, 0), P(0, 1e-308)};
-  BOOST_CHECK_LE(GC::fit<Plane>(huge.begin(), huge.end(), 1e300).distance, 1e300);
-  CHECK_ERROR(GC::fit<Plane>(tiny.begin(), tiny.end(), 1e-310), unreachable_tolerance);
+  BOOST_CHECK_LE(GC::fit<Epick_2>(huge.begin(), huge.end(), 1e300).distance, 1e300);
+  CHECK_ERROR(GC::fit<Epick_2>(tiny.begin(), tiny.end(), 1e-310), unreachable_tolerance);
   const Points zeros(3, P(0, 0));
   for (const Closure closure : {Closure::open, Closure::closed})
-    CHECK_ERROR(GC::fit<Plane>(zeros.begin(), zeros.end(), 0.1, closure), wrong_number_of_points);
+    CHECK_ERROR(GC::fit<Epick_2>(zeros.begin(), zeros.end(), 0.1, closure), wrong_number_of_points);
   typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
   const Q c[] = {1, 2, 3};
   const std::vector<Any::Point> planar = {Any::Point(2, c, c + 2), Any::Point(2, c + 1, c + 3)};

@@ -5,44 +5,17 @@
 // Rational Bezier and B-spline curves and arcs of conics: on random curves with big rational numbers, where an identity that holds
 // is one, on doubles within the bound of their roundings, and where weights are negative or zero.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/random.h"
 
 #include <CGAL/Aff_transformation_2.h>
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <random>
-#include <string>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(rational_curves)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Q2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Q3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Qd;
-typedef GC::Traits_3<CGAL::Epeck> Lazy3;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> D2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> D3;
-typedef GC::Traits_2<CGAL::Epick> Epick2;
-typedef std::tuple<Q2, Qd, D3> All;
-typedef std::tuple<Q2, Qd, Lazy3> Exact_traits;
-typedef std::tuple<Q2, D2> Planar;
-typedef std::tuple<Q3, Epick2, D2> Ellipses;
-
-namespace {
+typedef std::tuple<Exact_2, Exact_d, Double_3> All;
+typedef std::tuple<Exact_2, Exact_d, Epeck_3> Exact_traits;
+typedef std::tuple<Exact_2, Double_2> Planar;
+typedef std::tuple<Exact_3, Epick_2, Double_2> Ellipses;
 
 std::mt19937_64 engine(first_seed());
 
@@ -69,8 +42,7 @@ template <class Traits> typename Traits::Vector vector() {
   return GC::to_vector<Traits>(GC::coordinates<Traits>(point<Traits>()));
 }
 
-template <class Traits> GC::Rational_bezier_curve<Traits> curve(int m) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> GC::Rational_bezier_curve<Traits> curve(int m) {
   std::vector<typename Traits::Point> points;
   std::vector<FT> weights;
   for (int j = 0; j <= m; ++j) {
@@ -80,8 +52,7 @@ template <class Traits> GC::Rational_bezier_curve<Traits> curve(int m) {
   return {points, weights, FT(-1), FT(FT(3) / FT(2))};
 }
 
-template <class Traits> GC::Rational_bspline_curve<Traits> spline(int p) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> GC::Rational_bspline_curve<Traits> spline(int p) {
   std::vector<FT> knots, weights;
   for (int u : {0, 1, 3, 3, 4, 6, 7}) // unclamped at its end, and a double inner knot
     for (int i = u == 0 ? p : 0; i >= 0; --i) knots.push_back(FT(u));
@@ -116,11 +87,8 @@ template <class Traits, class X, class Y> bool same_point(const X& x, const Y& y
 
 template <class Traits> typename Traits::FT square(const GC::Coordinates<Traits>& x) { return dot(x, x); }
 
-} // namespace
-
 // x w = p, derived by Leibniz' rule, on the numerator and the denominator as Bernstein polynomials.
-BOOST_AUTO_TEST_CASE_TEMPLATE(jets_are_those_of_the_quotient, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(jets_are_those_of_the_quotient, Traits, All) {
   for (int m = 0; m <= 5; ++m) {
     const GC::Rational_bezier_curve<Traits> c = curve<Traits>(m);
     const FT u = FT(FT(-1) + parameter<FT>() * FT(5) / FT(2));
@@ -140,8 +108,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(jets_are_those_of_the_quotient, Traits, All) {
   CHECK_ERROR(curve<Traits>(2).jet(FT(0), -1), negative_count);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(operations_keep_the_points, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(operations_keep_the_points, Traits, All) {
   const GC::Rational_bezier_curve<Traits> c = curve<Traits>(4);
   const FT a = c.domain().first, b = c.domain().second, middle = FT(FT(1) / FT(8));
   const auto parts = c.split(middle);
@@ -164,8 +131,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(operations_keep_the_points, Traits, All) {
   CHECK_ERROR(c.elevate(-1), negative_count);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_factor_of_all_weights_changes_nothing, Traits, Exact_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(a_factor_of_all_weights_changes_nothing, Traits, Exact_traits) {
   const GC::Rational_bezier_curve<Traits> c = curve<Traits>(3);
   std::vector<FT> weights;
   const FT factor = weight<FT>();
@@ -176,8 +142,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_factor_of_all_weights_changes_nothing, Traits, E
 }
 
 // Another rational parameter: smooth of every geometric order, and of order 0 in the parameter.
-BOOST_AUTO_TEST_CASE_TEMPLATE(reparametrised_parts_are_geometrically_smooth, Traits, Exact_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(reparametrised_parts_are_geometrically_smooth, Traits, Exact_traits) {
   for (int m = 2; m <= 4; ++m) {
     const auto parts = curve<Traits>(m).split(FT(0));
     const GC::Rational_bezier_curve<Traits> right = parts.second.reparametrised(FT(FT(7) / FT(3)));
@@ -197,8 +162,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(reparametrised_parts_are_geometrically_smooth, Tra
   CHECK_ERROR(curve<Traits>(2).reparametrised(FT(0)), zero_weight);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(polynomial_curves_are_recognised, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(polynomial_curves_are_recognised, Traits, All) {
   std::vector<typename Traits::Point> p;
   for (int j = 0; j <= 3; ++j) p.push_back(point<Traits>());
   const GC::Bezier_curve<Traits> c(p.begin(), p.end(), FT(1), FT(3));
@@ -215,8 +179,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(polynomial_curves_are_recognised, Traits, All) {
                GC::is_g3_join(c, c)));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(splines_and_their_pieces, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(splines_and_their_pieces, Traits, All) {
   for (int p = 1; p <= 3; ++p) {
     const GC::Rational_bspline_curve<Traits> c = spline<Traits>(p);
     const auto pieces = c.bezier_pieces();
@@ -256,8 +219,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(splines_and_their_pieces, Traits, All) {
   CHECK_ERROR((GC::Rational_bspline_curve<Traits>(none.begin(), none.end())), wrong_number_of_points);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(the_denominator_must_be_positive, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(the_denominator_must_be_positive, Traits, All) {
   const std::vector<typename Traits::Point> p = {point<Traits>(), point<Traits>(), point<Traits>()};
   const auto make = [&](const FT& a, const FT& b, const FT& c) {
     const std::vector<FT> w = {a, b, c};
@@ -318,20 +280,19 @@ BOOST_AUTO_TEST_CASE(lifted_with_more_weights) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_not_finite_is_refused) {
-  const std::vector<D2::Point> p = {{0, 0}, {1, 1}};
+  const std::vector<Double_2::Point> p = {{0, 0}, {1, 1}};
   for (double w : {HUGE_VAL, -HUGE_VAL, std::nan("")}) {
     const std::vector<double> weights = {1, w};
-    CHECK_ERROR((GC::Rational_bezier_curve<D2>(p.begin(), p.end(), weights.begin(), weights.end())), not_finite);
+    CHECK_ERROR((GC::Rational_bezier_curve<Double_2>(p.begin(), p.end(), weights.begin(), weights.end())), not_finite);
   }
-  const std::vector<D2::Point> far = {{0, 0}, {1e300, 1}};
+  const std::vector<Double_2::Point> far = {{0, 0}, {1e300, 1}};
   const std::vector<double> heavy = {1, 1e300};
-  CHECK_ERROR((GC::Rational_bezier_curve<D2>(far.begin(), far.end(), heavy.begin(), heavy.end()).homogeneous()),
+  CHECK_ERROR((GC::Rational_bezier_curve<Double_2>(far.begin(), far.end(), heavy.begin(), heavy.end()).homogeneous()),
               not_finite);
 }
 
 // Half a circle has an infinite control point.
-BOOST_AUTO_TEST_CASE_TEMPLATE(infinite_control_points, Traits, Planar) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(infinite_control_points, Traits, Planar) {
   typedef typename Traits::Point Point;
   const GC::Rational_bezier_curve<Traits, 2> half = GC::circular_arc<Traits>(Point(2, 1), Point(3, 1), FT(1));
   BOOST_CHECK(half.weight(1) == FT(0) && half.control_point(1) == Point(0, 1) &&
@@ -350,8 +311,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(infinite_control_points, Traits, Planar) {
   BOOST_CHECK(flat(FT(FT(1) / FT(2))) == Point(FT(FT(1) / FT(2)), FT(0)) && flat.control_point(1) == Point(0, 0));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(arcs_lie_on_their_circles, Traits, Exact_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(arcs_lie_on_their_circles, Traits, Exact_traits) {
   const auto on_circle = [](const auto& arc, const GC::Coordinates<Traits>& centre, const FT& radius_squared) {
     for (int i = 0; i <= 8; ++i)
       if (square<Traits>(GC::coordinates<Traits>(arc(FT(FT(i) / FT(8)))) - centre) != radius_squared) return false;
@@ -400,27 +360,29 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(arcs_lie_on_their_circles, Traits, Exact_traits) {
 
 // Points of a kernel tell their traits class.
 BOOST_AUTO_TEST_CASE(arcs_of_points_of_a_kernel) {
-  const Q2::Point a(1, 2), b(4, 6), c(-3, 7);
-  const Q2::Vector u(1, 2), v(-3, 1);
-  const Q3::Point d(1, 2, 3), e(4, 6, 1);
-  const Q3::Vector axis(1, -1, 2);
+  const Exact_2::Point a(1, 2), b(4, 6), c(-3, 7);
+  const Exact_2::Vector u(1, 2), v(-3, 1);
+  const Exact_3::Point d(1, 2, 3), e(4, 6, 1);
+  const Exact_3::Vector axis(1, -1, 2);
   const Q r = Q(1) / Q(3);
-  BOOST_CHECK(GC::circular_arc(a, b, r) == GC::circular_arc<Q2>(a, b, r));
-  BOOST_CHECK(GC::circular_arc(d, e, axis, r) == GC::circular_arc<Q3>(d, e, axis, r));
-  BOOST_CHECK(GC::elliptical_arc(a, u, v, r) == GC::elliptical_arc<Q2>(a, u, v, r));
-  BOOST_CHECK(GC::circular_arc_through(a, b, c) == GC::circular_arc_through<Q2>(a, b, c));
-  BOOST_CHECK(GC::circular_arc_with_tangent(a, u, c) == GC::circular_arc_with_tangent<Q2>(a, u, c));
-  BOOST_CHECK(GC::conic_arc(a, u, b, v, Q2::Point(3, 5)) == GC::conic_arc<Q2>(a, u, b, v, Q2::Point(3, 5)));
-  BOOST_CHECK(GC::ellipse(a, u, v) == GC::ellipse<Q2>(a, u, v));
-  BOOST_CHECK(GC::ellipse<Q2>(CGAL::ORIGIN, u, v) == GC::ellipse(Q2::Point(0, 0), u, v)); // what converts to points
+  BOOST_CHECK(GC::circular_arc(a, b, r) == GC::circular_arc<Exact_2>(a, b, r));
+  BOOST_CHECK(GC::circular_arc(d, e, axis, r) == GC::circular_arc<Exact_3>(d, e, axis, r));
+  BOOST_CHECK(GC::elliptical_arc(a, u, v, r) == GC::elliptical_arc<Exact_2>(a, u, v, r));
+  BOOST_CHECK(GC::circular_arc_through(a, b, c) == GC::circular_arc_through<Exact_2>(a, b, c));
+  BOOST_CHECK(GC::circular_arc_with_tangent(a, u, c) == GC::circular_arc_with_tangent<Exact_2>(a, u, c));
+  BOOST_CHECK(GC::conic_arc(a, u, b, v, Exact_2::Point(3, 5)) ==
+              GC::conic_arc<Exact_2>(a, u, b, v, Exact_2::Point(3, 5)));
+  BOOST_CHECK(GC::ellipse(a, u, v) == GC::ellipse<Exact_2>(a, u, v));
+  BOOST_CHECK(GC::ellipse<Exact_2>(CGAL::ORIGIN, u, v) ==
+              GC::ellipse(Exact_2::Point(0, 0), u, v)); // what converts to points
 }
 
 BOOST_AUTO_TEST_CASE(arcs_about_a_centre_and_an_axis) {
-  const Q2::Point centre(1, 2), start(Q(1) / Q(3), 5);
+  const Exact_2::Point centre(1, 2), start(Q(1) / Q(3), 5);
   for (const Q& r : std::vector<Q>{Q(1) / Q(9), Q(2), Q(1), Q(-3) / Q(7)}) {
-    const auto arc = GC::circular_arc<Q2>(centre, start, r);
+    const auto arc = GC::circular_arc<Exact_2>(centre, start, r);
     BOOST_CHECK(arc(Q(0)) == start);
-    const Q2::Vector x = arc(Q(1)) - centre, a = start - centre;
+    const Exact_2::Vector x = arc(Q(1)) - centre, a = start - centre;
     // the tangent of half the angle 4 atan(r) is 2 r / (1 - r^2)
     const Q cosine = x * a / a.squared_length(), sine = (a.x() * x.y() - a.y() * x.x()) / a.squared_length();
     BOOST_CHECK(cosine * cosine + sine * sine == 1 && (Q(1) - r * r) * sine == Q(2) * r * (Q(1) + cosine));
@@ -428,50 +390,50 @@ BOOST_AUTO_TEST_CASE(arcs_about_a_centre_and_an_axis) {
     BOOST_CHECK(turn->sign == (r < 0 ? -1 : 1) && turn->square == Q(1) / a.squared_length());
     for (int i = 0; i <= 8; ++i) BOOST_CHECK((arc(Q(i) / Q(8)) - centre).squared_length() == a.squared_length());
   }
-  CHECK_ERROR(GC::circular_arc<Q2>(centre, centre, Q(1)), zero_direction);
-  CHECK_ERROR(GC::circular_arc<Q2>(centre, start, Q(0)), empty_domain);
+  CHECK_ERROR(GC::circular_arc<Exact_2>(centre, centre, Q(1)), zero_direction);
+  CHECK_ERROR(GC::circular_arc<Exact_2>(centre, start, Q(0)), empty_domain);
 
-  const Q3::Vector axis(1, 2, 3);
-  const Q3::Point foot(4, 5, 6), from(1, 1, 7);
+  const Exact_3::Vector axis(1, 2, 3);
+  const Exact_3::Point foot(4, 5, 6), from(1, 1, 7);
   for (const Q& r : std::vector<Q>{Q(1) / Q(9), Q(2), Q(-3) / Q(7)}) {
-    const auto arc = GC::circular_arc<Q3>(foot, from, axis, r);
+    const auto arc = GC::circular_arc<Exact_3>(foot, from, axis, r);
     const Q height = (from - foot) * axis;
     BOOST_CHECK(arc(Q(0)) == from);
     for (int i = 0; i <= 8; ++i) {
-      const Q3::Vector x = arc(Q(i) / Q(8)) - foot;
+      const Exact_3::Vector x = arc(Q(i) / Q(8)) - foot;
       BOOST_CHECK(x * axis == height && x.squared_length() == (from - foot).squared_length());
     }
     // the rotation of the end, as surfaces of revolution make it: tan(angle / 2) / |axis|
     const Q tangent = Q(2) * r / (Q(1) - r * r * axis.squared_length());
-    const Q3::Vector x = from - foot, along = (height / axis.squared_length()) * axis, u = x - along;
+    const Exact_3::Vector x = from - foot, along = (height / axis.squared_length()) * axis, u = x - along;
     const Q s = tangent * tangent * axis.squared_length();
-    const Q3::Vector turned =
+    const Exact_3::Vector turned =
         ((Q(1) - s) / (Q(1) + s)) * u + (Q(2) * tangent / (Q(1) + s)) * CGAL::cross_product(axis, u);
     BOOST_CHECK(arc(Q(1)) == foot + along + turned);
   }
-  CHECK_ERROR(GC::circular_arc<Q3>(foot, foot + axis, axis, Q(1)), zero_direction);
-  CHECK_ERROR(GC::circular_arc<Q3>(foot, from, Q3::Vector(0, 0, 0), Q(1)), zero_direction);
+  CHECK_ERROR(GC::circular_arc<Exact_3>(foot, foot + axis, axis, Q(1)), zero_direction);
+  CHECK_ERROR(GC::circular_arc<Exact_3>(foot, from, Exact_3::Vector(0, 0, 0), Q(1)), zero_direction);
 }
 
 BOOST_AUTO_TEST_CASE(arcs_of_conics) {
-  const Q2::Point p(0, 0), r(4, 0), q(1, 2);
-  for (const Q2::Vector& end : {Q2::Vector(1, -3), Q2::Vector(0, 3), Q2::Vector(-1, -5)}) {
-    const auto arc = GC::conic_arc<Q2>(p, Q2::Vector(0, 1), r, end, q);
+  const Exact_2::Point p(0, 0), r(4, 0), q(1, 2);
+  for (const Exact_2::Vector& end : {Exact_2::Vector(1, -3), Exact_2::Vector(0, 3), Exact_2::Vector(-1, -5)}) {
+    const auto arc = GC::conic_arc<Exact_2>(p, Exact_2::Vector(0, 1), r, end, q);
     BOOST_CHECK(arc(Q(0)) == p && arc(Q(1)) == r && arc(Q(1) / Q(2)) == q);
     const auto a = arc.start_jet(1)[1], b = arc.end_jet(1)[1];
     BOOST_CHECK(a[0] == 0 && a[1] > 0 && b[0] * end.y() == b[1] * end.x());
   }
-  CHECK_ERROR(GC::conic_arc<Q2>(p, Q2::Vector(1, 0), r, Q2::Vector(0, 1), q), singular_frame);
-  CHECK_ERROR(GC::conic_arc<Q2>(p, Q2::Vector(0, 1), r, Q2::Vector(1, 0), q), singular_frame);
-  CHECK_ERROR(GC::conic_arc<Q2>(p, Q2::Vector(0, 0), r, Q2::Vector(1, 0), q), zero_direction);
-  CHECK_ERROR(GC::conic_arc<Q2>(p, Q2::Vector(0, 1), r, Q2::Vector(1, -3), Q2::Point(-1, -2)), zero_weight);
+  CHECK_ERROR(GC::conic_arc<Exact_2>(p, Exact_2::Vector(1, 0), r, Exact_2::Vector(0, 1), q), singular_frame);
+  CHECK_ERROR(GC::conic_arc<Exact_2>(p, Exact_2::Vector(0, 1), r, Exact_2::Vector(1, 0), q), singular_frame);
+  CHECK_ERROR(GC::conic_arc<Exact_2>(p, Exact_2::Vector(0, 0), r, Exact_2::Vector(1, 0), q), zero_direction);
+  CHECK_ERROR(GC::conic_arc<Exact_2>(p, Exact_2::Vector(0, 1), r, Exact_2::Vector(1, -3), Exact_2::Point(-1, -2)),
+              zero_weight);
   // in space, where the projection counts
-  const auto arc = GC::conic_arc<Q3>({0, 0, 0}, {0, 1, 0}, {4, 0, 0}, {1, -3, 9}, {1, 2, 5});
-  BOOST_CHECK(arc(Q(1) / Q(2)) == Q3::Point(1, 2, 0));
+  const auto arc = GC::conic_arc<Exact_3>({0, 0, 0}, {0, 1, 0}, {4, 0, 0}, {1, -3, 9}, {1, 2, 5});
+  BOOST_CHECK(arc(Q(1) / Q(2)) == Exact_3::Point(1, 2, 0));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(an_ellipse_is_closed_and_smooth, Traits, Ellipses) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(an_ellipse_is_closed_and_smooth, Traits, Ellipses) {
   GC::Coordinates<Traits> c(dimension<Traits>()), u = c, v = c;
   c[0] = FT(1);
   u[0] = FT(3);
@@ -493,17 +455,17 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(an_ellipse_is_closed_and_smooth, Traits, Ellipses)
 
 // Exact values for circles: no variation of curvature, and the energy is the square of the angle.
 BOOST_AUTO_TEST_CASE(measures_of_circles) {
-  const auto arc = GC::circular_arc<Q2>({1, 2}, {4, 6}, Q(1) / Q(2));
+  const auto arc = GC::circular_arc<Exact_2>({1, 2}, {4, 6}, Q(1) / Q(2));
   const double angle = 4 * std::atan(0.5);
   BOOST_CHECK_SMALL(GC::fairness(arc), 1e-20);
   BOOST_CHECK_CLOSE_FRACTION(GC::bending_energy(arc), angle * angle, 1e-8);
-  const auto circle = GC::ellipse<D3>({0, 0, 0}, {0, 3e150, 0}, {0, 0, 3e150});
+  const auto circle = GC::ellipse<Double_3>({0, 0, 0}, {0, 3e150, 0}, {0, 0, 3e150});
   BOOST_CHECK_CLOSE_FRACTION(GC::bending_energy(circle), 4 * M_PI * M_PI, 1e-8);
   const auto extrema = GC::curvature_extrema(arc);
   BOOST_CHECK(extrema.extrema.empty() && extrema.inflections.empty());
   BOOST_CHECK(extrema.greatest.curvature.lower <= 0.2 && 0.2 <= extrema.greatest.curvature.upper);
   // a cubic with an inflection, in another parameter
-  const GC::Rational_bezier_curve<Q2> s({{0, 0}, {1, 2}, {2, -2}, {3, 0}}, {Q(1), Q(1), Q(1), Q(1)});
+  const GC::Rational_bezier_curve<Exact_2> s({{0, 0}, {1, 2}, {2, -2}, {3, 0}}, {Q(1), Q(1), Q(1), Q(1)});
   const auto before = GC::curvature_extrema(s), after = GC::curvature_extrema(s.reparametrised(Q(3)));
   BOOST_CHECK(before.inflections.size() == 1 && after.inflections.size() == 1);
   BOOST_CHECK(before.extrema.size() == after.extrema.size() && before.extrema.size() == 2);
@@ -512,9 +474,9 @@ BOOST_AUTO_TEST_CASE(measures_of_circles) {
 }
 
 BOOST_AUTO_TEST_CASE(lines_and_arcs) {
-  const GC::Rational_bezier_curve<Q2> line(GC::Bezier_curve<Q2>{{-5, 0}, {0, 0}}),
-      arc = GC::circular_arc<Q2>({0, 2}, {0, 0}, Q(1) / Q(3)),
-      larger = GC::circular_arc<Q2>({0, 3}, {0, 0}, Q(1) / Q(3));
+  const GC::Rational_bezier_curve<Exact_2> line(GC::Bezier_curve<Exact_2>{{-5, 0}, {0, 0}}),
+      arc = GC::circular_arc<Exact_2>({0, 2}, {0, 0}, Q(1) / Q(3)),
+      larger = GC::circular_arc<Exact_2>({0, 3}, {0, 0}, Q(1) / Q(3));
   const auto join = GC::continuity(line, arc);
   BOOST_CHECK(join.g_order == 1 && *join.tangent_equal && !*join.curvature_equal);
   BOOST_CHECK(GC::continuity(arc.reverse(), larger).g_order == 0); // back on the same side
@@ -523,12 +485,12 @@ BOOST_AUTO_TEST_CASE(lines_and_arcs) {
   // a blend from the line to the arc, exactly curvature continuous, and fair
   const auto gamma = GC::blend(line, arc.split(Q(1) / Q(2)).second, GC::Fair());
   BOOST_CHECK(GC::is_g2_join(line, gamma) && GC::is_g2_join(gamma, arc.split(Q(1) / Q(2)).second));
-  BOOST_CHECK(GC::knot_continuity(GC::Rational_bspline_curve<Q2>(arc).insert(Q(1) / Q(2)), Q(1) / Q(2)).c_order == 3);
+  BOOST_CHECK(GC::knot_continuity(GC::Rational_bspline_curve<Exact_2>(arc).insert(Q(1) / Q(2)), Q(1) / Q(2)).c_order ==
+              3);
 }
 
 // All vertices on the circle, and the middle of each chord no farther away than the tolerance; boxes that contain what they should.
-BOOST_AUTO_TEST_CASE_TEMPLATE(polylines_and_boxes, Traits, Planar) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(polylines_and_boxes, Traits, Planar) {
   typedef typename Traits::Point Point;
   const auto arc = GC::circular_arc<Traits>(Point(0, 0), Point(1, 0), FT(3)); // 286 degrees
   for (int n : {10, 1000, 100000}) {
@@ -559,8 +521,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(polylines_and_boxes, Traits, Planar) {
 }
 
 // The next segment behind a rational curve is polynomial and has its jet there.
-BOOST_AUTO_TEST_CASE_TEMPLATE(extensions, Traits, Exact_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(extensions, Traits, Exact_traits) {
   for (int m = 1; m <= 4; ++m) {
     const GC::Rational_bezier_curve<Traits> c = curve<Traits>(m);
     const GC::Rational_bspline_curve<Traits> s(c);

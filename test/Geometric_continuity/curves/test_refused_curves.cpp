@@ -4,8 +4,6 @@
 
 // Counts, domains and numbers that curves refuse, and what large degrees and large coordinates do not disturb.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/errors.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -35,16 +33,14 @@ BOOST_AUTO_TEST_SUITE(refused_curves)
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double;
 typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Epick;
-typedef GC::Bezier_curve<Double> Curve;
-typedef GC::Bezier_curve<Double, 3> Cubic;
-typedef Double::Point Point;
+typedef GC::Bezier_curve<Double_3> Curve;
+typedef GC::Bezier_curve<Double_3, 3> Cubic;
+typedef Double_3::Point Point;
 
 namespace {
 
-const double infinity = std::numeric_limits<double>::infinity(), undefined = std::numeric_limits<double>::quiet_NaN();
+const double undefined = std::numeric_limits<double>::quiet_NaN();
 const std::array<Point, 4> points{Point(0, 0, 0), Point(1, 2, 0), Point(3, 1, 1), Point(4, 0, 5)};
 
 } // namespace
@@ -52,11 +48,11 @@ const std::array<Point, 4> points{Point(0, 0, 0), Point(1, 2, 0), Point(3, 1, 1)
 BOOST_AUTO_TEST_CASE(negative_counts) {
   const Curve c(points.begin(), points.end());
   const Cubic f(c);
-  const GC::Composite_bezier_curve<Double> composite(points.begin(), points.end(), {0, 1});
-  const GC::Bspline_curve<Double> spline(c);
-  const GC::Cubic_blended_curve<Double, GC::Bezier_basis> blended(f);
+  const GC::Composite_bezier_curve<Double_3> composite(points.begin(), points.end(), {0, 1});
+  const GC::Bspline_curve<Double_3> spline(c);
+  const GC::Cubic_blended_curve<Double_3, GC::Bezier_basis> blended(f);
   std::vector<Point> out;
-  std::vector<GC::Curve_piece_box<Double, int>> boxes;
+  std::vector<GC::Curve_piece_box<Double_3, int>> boxes;
   for (int n : {-1, -2, -4, -5, std::numeric_limits<int>::min()}) {
     CHECK_ERROR(c.elevate(n), negative_count);
     CHECK_ERROR(f.elevate(n), negative_count);
@@ -90,7 +86,7 @@ BOOST_AUTO_TEST_CASE(domains_of_infinite_length) {
   const double a = -1.7e308, b = 1.7e308;
   const Curve c(points.begin(), points.end());
   const Cubic f(c);
-  typedef GC::Composite_bezier_curve<Double> Composite;
+  typedef GC::Composite_bezier_curve<Double_3> Composite;
   CHECK_ERROR(Curve(points.begin(), points.end(), a, b), not_finite);
   CHECK_ERROR(Cubic(points.begin(), points.end(), a, b), not_finite);
   const std::array<Epick::Point, 2> epick_points{Epick::Point(0, 0, 0), Epick::Point(1, 2, 0)};
@@ -99,7 +95,7 @@ BOOST_AUTO_TEST_CASE(domains_of_infinite_length) {
   CHECK_ERROR(f.with_domain(a, b), not_finite);
   CHECK_ERROR(Composite(points.begin(), points.end(), {a, b}), not_finite);
   CHECK_ERROR(Composite(points.begin(), points.end(), {a, 0, 1, b}), not_finite);
-  CHECK_ERROR((GC::Cubic_blended_curve<Double, GC::Bezier_basis>(points).bezier(a, b)), not_finite);
+  CHECK_ERROR((GC::Cubic_blended_curve<Double_3, GC::Bezier_basis>(points).bezier(a, b)), not_finite);
   const std::vector<Curve> long_curves{c.with_domain(a, 0), c.reverse().with_domain(0, b)};
   CHECK_ERROR(Composite(long_curves.begin(), long_curves.end()), not_finite);
   const Curve half = c.with_domain(a / 2, b / 2); // and this one is evaluated
@@ -132,10 +128,10 @@ BOOST_AUTO_TEST_CASE(energy_is_the_integral_of_a_product) {
   std::mt19937 random(1);
   for (int m : {0, 1, 2, 3, 7, 20})
     for (int k = 0; k <= m + 1; ++k) {
-      std::vector<Exact::Point> p;
+      std::vector<Exact_3::Point> p;
       for (int j = 0; j <= m; ++j)
         p.push_back({Q(static_cast<int>(random() % 99)) / Q(7), -static_cast<int>(random() % 99), j * j});
-      const GC::Bezier_curve<Exact> c(p.begin(), p.end(), Q(-1), Q(2) / Q(3));
+      const GC::Bezier_curve<Exact_3> c(p.begin(), p.end(), Q(-1), Q(2) / Q(3));
       Q integral(0), length = Q(5) / Q(3);
       for (int i = 0; i < 3; ++i) {
         GC::Bernstein_polynomial<Q> x = c.coordinate_polynomial(i);
@@ -202,24 +198,19 @@ BOOST_AUTO_TEST_CASE(numbers_that_enter) {
     CHECK_ERROR(GC::Matrix_basis<double>{GC::Basis_matrix<double>(rows)}.matrix<double>(), not_finite);
     std::array<Point, 4> p = points;
     p[2] = Point(0, bad, 0);
-    CHECK_ERROR((GC::Cubic_blended_curve<Double, GC::Bezier_basis>(p)), not_finite);
-    CHECK_ERROR((GC::Composite_bezier_curve<Double>(p.begin(), p.end(), {0, 1})), not_finite);
-    CHECK_ERROR(GC::Bspline_curve<Double>(p.begin(), p.end(), GC::Knot_vector<double>(3, 0., 1.)), not_finite);
-    std::vector<GC::Coordinates<Double>> columns(4, GC::Coordinates<Double>(3));
+    CHECK_ERROR((GC::Cubic_blended_curve<Double_3, GC::Bezier_basis>(p)), not_finite);
+    CHECK_ERROR((GC::Composite_bezier_curve<Double_3>(p.begin(), p.end(), {0, 1})), not_finite);
+    CHECK_ERROR(GC::Bspline_curve<Double_3>(p.begin(), p.end(), GC::Knot_vector<double>(3, 0., 1.)), not_finite);
+    std::vector<GC::Coordinates<Double_3>> columns(4, GC::Coordinates<Double_3>(3));
     columns[3][1] = bad;
     CHECK_ERROR(
-        GC::Bspline_curve<Double>(GC::Bspline_curve<Double>::Function(GC::Knot_vector<double>(3, 0., 1.), columns)),
+        GC::Bspline_curve<Double_3>(GC::Bspline_curve<Double_3>::Function(GC::Knot_vector<double>(3, 0., 1.), columns)),
         not_finite);
   }
 }
 
 // Messages name what was asked for.
 BOOST_AUTO_TEST_CASE(names) {
-  const auto text = [](const auto& x) {
-    std::ostringstream os;
-    os << x;
-    return os.str();
-  };
   BOOST_CHECK_EQUAL(to_string(GC::Closing::open), "open");
   BOOST_CHECK_EQUAL(to_string(GC::Closing::smooth), "smooth");
   BOOST_CHECK_EQUAL(to_string(GC::Closing::cusp), "cusp");
@@ -229,12 +220,12 @@ BOOST_AUTO_TEST_CASE(names) {
   BOOST_CHECK_EQUAL(text(GC::Parametrisation::uniform), "uniform");
   BOOST_CHECK_EQUAL(text(GC::Parametrisation::chordal), "chordal");
   BOOST_CHECK_EQUAL(text(GC::Parametrisation::centripetal), "centripetal");
-  const GC::Rational_bezier_curve<Exact> conic({Exact::Point(0, 0, 0), Exact::Point(1, 2, 0), Exact::Point(3, 2, 1)},
-                                               {Q(1), Q(3) / Q(2), Q(1)});
-  BOOST_CHECK_EQUAL(
-      text(conic),
-      "Rational " + text(GC::Bezier_curve<Exact>{Exact::Point(0, 0, 0), Exact::Point(1, 2, 0), Exact::Point(3, 2, 1)}) +
-          ", weights 1 3/2 1");
+  const GC::Rational_bezier_curve<Exact_3> conic(
+      {Exact_3::Point(0, 0, 0), Exact_3::Point(1, 2, 0), Exact_3::Point(3, 2, 1)}, {Q(1), Q(3) / Q(2), Q(1)});
+  BOOST_CHECK_EQUAL(text(conic), "Rational " +
+                                     text(GC::Bezier_curve<Exact_3>{Exact_3::Point(0, 0, 0), Exact_3::Point(1, 2, 0),
+                                                                    Exact_3::Point(3, 2, 1)}) +
+                                     ", weights 1 3/2 1");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -5,38 +5,19 @@
 // The certified deviation along edges: the enclosures contain the exact value, are at most four units in the last place
 // wide on well-scaled numbers, and lead to honest verdicts.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/enclosures.h"
-#include "support/errors.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(edge_deviation)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Exact;
-typedef GC::Traits_3<CGAL::Epick> Space;
 using enclosures::angle_is;
 using enclosures::encloses_root;
 using enclosures::ulps;
 using GC::Verdict;
-
-namespace {
 
 typedef GC::Bernstein_polynomial<Exact> Polynomial;
 typedef GC::Edge_rows<Exact> Rows;
@@ -90,8 +71,6 @@ void check_largest_angle(const Rows& a, const Rows& b, const Exact& sine_squared
   }
   BOOST_CHECK(GC::deviation(a, b.reversed()).reversed);
 }
-
-} // namespace
 
 // The slope h of the second surface has its largest value at an irrational parameter.
 BOOST_AUTO_TEST_CASE(largest_angle_along_an_edge) {
@@ -278,20 +257,15 @@ BOOST_AUTO_TEST_CASE(edge_verdicts) {
 
 // Where a normal vanishes on a whole edge there is no angle.
 BOOST_AUTO_TEST_CASE(edges_without_a_normal) {
-  typedef GC::Bezier_patch<Space> Patch;
-  typedef Space::Point Point;
+  typedef GC::Bezier_patch<Epick_3> Patch;
+  typedef Epick_3::Point Point;
   const Patch a({{Point(0, 0, 0), Point(0, 1, 0)}, {Point(1, 0, 0), Point(1, 1, 0)}}),
       folded({{Point(0, 0, 0), Point(0, 0, 0), Point(0, -1, 0)}, {Point(1, 0, 0), Point(1, 0, 0), Point(1, -1, 0)}}),
       pole({{Point(0, 0, 0), Point(0, -1, 0)}, {Point(1, 0, 0), Point(0, -1, 0)}});
-  const auto text = [](const GC::Edge_deviation& d) {
-    std::ostringstream os;
-    os << d;
-    return os.str();
-  };
   BOOST_CHECK_EQUAL(text(GC::deviation(a, v0, pole, v0)), "gap 0, normal angle 0 degrees");
   for (const auto& [x, y] : {std::pair{a, folded}, std::pair{folded, a}}) {
     BOOST_CHECK_EQUAL(text(GC::deviation(x, v0, y, v0)), "gap 0, a normal vanishes");
-    const auto spans = GC::Bspline_surface<Space>(x).insert_u(0.5);
+    const auto spans = GC::Bspline_surface<Epick_3>(x).insert_u(0.5);
     BOOST_CHECK_EQUAL(text(GC::deviation(spans, v0, y, v0)), "gap 0, a normal vanishes");
     const auto edge = GC::edge_continuity(x, v0, y, v0);
     BOOST_CHECK(edge.g_order == 0 && edge.normal_vanishes && !edge.deviation);
@@ -314,8 +288,8 @@ BOOST_AUTO_TEST_CASE(rows_without_coefficients) {
 
 // In release builds too, in which preconditions are not checked.
 BOOST_AUTO_TEST_CASE(edges_that_have_nothing_in_common) {
-  typedef GC::Bezier_patch<Space> Patch;
-  typedef Space::Point Point;
+  typedef GC::Bezier_patch<Epick_3> Patch;
+  typedef Epick_3::Point Point;
   const Patch a({{Point(0, 0, 0), Point(0, 1, 0)}, {Point(1, 0, 0), Point(1, 1, 0)}}),
       b({{Point(0, 0, 5), Point(0, -1, 5)}, {Point(1, 0, 5), Point(1, -1, 5)}});
   constexpr GC::Patch_edge v0 = GC::Patch_edge::v0;
@@ -333,12 +307,12 @@ BOOST_AUTO_TEST_CASE(edges_that_have_nothing_in_common) {
 
 // A knot line with a jump is continuous within a tolerance.
 BOOST_AUTO_TEST_CASE(knot_lines_within_a_tolerance) {
-  typedef GC::Bspline_surface<Space> Surface;
+  typedef GC::Bspline_surface<Epick_3> Surface;
   const double unit = 0x1p-30;
   const auto surface = [](double jump, double slope) {
     const double x[4] = {0, 1, 1, 2}, z[4] = {0, 0, jump, jump + slope};
-    std::vector<std::vector<Space::Point>> net;
-    for (int i = 0; i < 4; ++i) net.push_back({Space::Point(x[i], 0, z[i]), Space::Point(x[i], 1, z[i])});
+    std::vector<std::vector<Epick_3::Point>> net;
+    for (int i = 0; i < 4; ++i) net.push_back({Epick_3::Point(x[i], 0, z[i]), Epick_3::Point(x[i], 1, z[i])});
     return Surface(net, GC::Knot_vector<double>(1, {0, 0, 1, 1, 2, 2}), GC::Knot_vector<double>(1, {0, 0, 1, 1}));
   };
   const Surface jump = surface(unit, 0), kink = surface(0, 0.125);
@@ -351,7 +325,7 @@ BOOST_AUTO_TEST_CASE(knot_lines_within_a_tolerance) {
   BOOST_CHECK_EQUAL(GC::order_within(kink, kinks[0], {0.124, 0}).proved_order(), 0);
   // along the other parameter, behind another knot; and a line that is none
   const double x[5] = {0, 0.5, 1, 1, 2}, z[5] = {0, 0, 0, unit, unit};
-  std::vector<std::vector<Space::Point>> net(2);
+  std::vector<std::vector<Epick_3::Point>> net(2);
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 2; ++j) net[j].emplace_back(x[i], j, z[i]);
   const Surface other(net, GC::Knot_vector<double>(1, {0, 0, 1, 1}),

@@ -4,36 +4,21 @@
 
 // Joins of curves of several segments, and of the user's own: the decisions read the ends where they are.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <iostream>
-#include <random>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(curve_ends)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Epick> Traits;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact_traits;
 typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Bezier;
 typedef GC::Composite_bezier_curve<Traits> Composite;
 typedef GC::Bspline_curve<Traits> Bspline;
-typedef GC::Bezier_curve<Exact_traits> Exact_bezier;
+typedef GC::Bezier_curve<Exact_2> Exact_bezier;
 
 // A Bézier curve of the user's own that opts in.
 struct Own_bezier {
@@ -66,8 +51,8 @@ struct Own_curve {
 
 // ---------------------------------------------------------------- the pieces at the ends, in an exact kernel
 
-template <class Curve> std::vector<Exact_traits::Point> exact_points(const Curve& c) {
-  std::vector<Exact_traits::Point> points;
+template <class Curve> std::vector<Exact_2::Point> exact_points(const Curve& c) {
+  std::vector<Exact_2::Point> points;
   for (const Point& p : c) points.emplace_back(Q(p.x()), Q(p.y()));
   return points;
 }
@@ -78,17 +63,17 @@ template <class Numbers> std::vector<Q> exact_numbers(const Numbers& numbers) {
 }
 
 std::vector<Exact_bezier> pieces(const Bezier& c) {
-  const std::vector<Exact_traits::Point> p = exact_points(c);
+  const std::vector<Exact_2::Point> p = exact_points(c);
   return {Exact_bezier(p.begin(), p.end(), Q(c.domain().first), Q(c.domain().second))};
 }
 std::vector<Exact_bezier> pieces(const Composite& c) {
-  const std::vector<Exact_traits::Point> p = exact_points(c);
-  const GC::Composite_bezier_curve<Exact_traits> exact(p.begin(), p.end(), exact_numbers(c.knots()));
+  const std::vector<Exact_2::Point> p = exact_points(c);
+  const GC::Composite_bezier_curve<Exact_2> exact(p.begin(), p.end(), exact_numbers(c.knots()));
   return {exact.segments().begin(), exact.segments().end()};
 }
 std::vector<Exact_bezier> pieces(const Bspline& c) {
-  const std::vector<Exact_traits::Point> p = exact_points(c);
-  return GC::Bspline_curve<Exact_traits>(p.begin(), p.end(), GC::Knot_vector<Q>(c.degree(), exact_numbers(c.knots())))
+  const std::vector<Exact_2::Point> p = exact_points(c);
+  return GC::Bspline_curve<Exact_2>(p.begin(), p.end(), GC::Knot_vector<Q>(c.degree(), exact_numbers(c.knots())))
       .bezier_pieces();
 }
 
@@ -217,8 +202,8 @@ BOOST_AUTO_TEST_CASE(ends_without_bezier_points) {
     BOOST_CHECK_EQUAL(order(plain, last), order(last, last));
     BOOST_CHECK_EQUAL(order(plain, plain), order(last, first));
   }
-  const std::vector<Exact_traits::Point> q = exact_points(plain);
-  const GC::Bspline_curve<Exact_traits> exact(q.begin(), q.end(), GC::Knot_vector<Q>(3, exact_numbers(plain.knots())));
+  const std::vector<Exact_2::Point> q = exact_points(plain);
+  const GC::Bspline_curve<Exact_2> exact(q.begin(), q.end(), GC::Knot_vector<Q>(3, exact_numbers(plain.knots())));
   const auto pieces = exact.bezier_pieces();
   BOOST_CHECK(GC::is_c_join<2>(pieces[0], pieces[1]));
   BOOST_CHECK(!GC::is_c_join<0>(exact, exact));

@@ -4,43 +4,19 @@
 
 // Corners, kinks, G1 and G2: the angle is compared exactly, handles at the node and lines drawn as cubics are seen as they are drawn.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Visual_class
-#include <boost/test/unit_test.hpp>
 
 #include "support/enclosures.h"
-#include "support/errors.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Sqrt_extension.h>
-
 #include <boost/mpl/list.hpp>
 
-#include <cmath>
-#include <cstdint>
-#include <iostream>
-#include <limits>
-#include <map>
-#include <optional>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Corner_threshold Bound;
 using GC::Visual_class;
 
-typedef boost::mpl::list<GC::Traits_2<CGAL::Epick>, GC::Traits_2<CGAL::Simple_cartesian<double>>,
-                         GC::Traits_2<CGAL::Simple_cartesian<Q>>, GC::Traits_2<CGAL::Epeck>>
-    Kernels;
+typedef boost::mpl::list<Epick_2, Double_2, Exact_2, Epeck_2> Kernels;
 
 template <class Traits, int Degree = GC::dynamic_degree>
 GC::Bezier_curve<Traits, Degree> curve(const std::vector<std::vector<double>>& rows, double scale = 1) {
@@ -157,9 +133,7 @@ BOOST_AUTO_TEST_CASE(angles_near_five_degrees) {
 }
 
 BOOST_AUTO_TEST_CASE(random_angles) {
-  const unsigned seed = 17;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(17);
   const double pi = std::acos(-1.);
   const auto number = [&](int bits) {
     return static_cast<std::int64_t>(random() >> (64 - bits)) - (1LL << (bits - 1));
@@ -270,7 +244,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(curves_of_no_length, Traits, Kernels) {
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite) {
   typedef GC::Traits_2<CGAL::Epick> Traits;
-  const double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
   for (double x : {infinity, -infinity, nan}) {
     CHECK_ERROR(visual_class(curve<Traits>({{0, 0}, {x, 0}}), curve<Traits>({{x, 0}, {2, 0}})), not_finite);
     CHECK_ERROR(visual_class(curve<Traits>({{x, 0}, {0, 0}}), curve<Traits>({{0, 0}, {2, 0}})), not_finite);
@@ -281,9 +255,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite) {
 
 // Small integers, where all grades occur: against continuity(), the cross product and 90 digits of the tangent.
 BOOST_AUTO_TEST_CASE_TEMPLATE(random_joins, Traits, Kernels) {
-  const unsigned seed = 2026;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(2026);
   const auto number = [&](int size) { return static_cast<double>(static_cast<int>(random() % (2 * size + 1)) - size); };
   Q tangent = 0, unit = 1;
   for (int i = 2; i < 90; ++i) tangent += Q(tangent_of_5[i] - '0') * (unit /= 10);
@@ -349,9 +321,7 @@ BOOST_AUTO_TEST_CASE(degrees_enclose) {
   // pi with 60 digits; x degrees are x pi/180 radians
   const Q pi = Q("314159265358979323846264338327950288419716939937510582097494") /
                Q("100000000000000000000000000000000000000000000000000000000000");
-  const unsigned seed = 7;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937_64 random(seed);
+  std::mt19937_64 random = seeded<std::mt19937_64>(7);
   for (int i = 0; i < 1000; ++i) {
     const double digits = static_cast<double>(random() >> 11);
     const double x = std::ldexp(digits, -52 - static_cast<int>(random() % 200));

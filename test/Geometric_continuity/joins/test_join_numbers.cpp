@@ -4,33 +4,14 @@
 
 // continuity() where numbers are tiny or huge, in high dimensions, and without memory from the heap.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE join_numbers
-#include <boost/test/unit_test.hpp>
 
 #include "support/allocations.h"
-#include "support/errors.h"
+#include "support/test.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Rounded;
-typedef GC::Traits_3<CGAL::Epick> Filtered;
 
 // ---------------------------------------------------------------- tiny and huge numbers
 
@@ -52,7 +33,7 @@ template <class Traits> struct Halves {
 // Powers of two change nothing but what they must.
 BOOST_AUTO_TEST_CASE(powers_of_two) {
   for (const int e : {-500, -254, -100, 0, 100, 254, 500}) {
-    const Halves<Rounded> same(std::ldexp(1, e), 1, 1);
+    const Halves<Double_3> same(std::ldexp(1, e), 1, 1);
     const GC::Join_continuity<double> join = GC::continuity(same.left, same.right);
     BOOST_CHECK_EQUAL(join.c_order, 3);
     BOOST_CHECK_EQUAL(join.g_order, 3);
@@ -61,7 +42,7 @@ BOOST_AUTO_TEST_CASE(powers_of_two) {
     BOOST_CHECK(join.regular && *join.tangent_equal && *join.curvature_equal && *join.curvature_vector_equal &&
                 *join.torsion_equal);
     for (const int f : {-100, -40, 40, 100}) {
-      const Halves<Rounded> slow(std::ldexp(1, e), 1, std::ldexp(1, f));
+      const Halves<Double_3> slow(std::ldexp(1, e), 1, std::ldexp(1, f));
       const GC::Join_continuity<double> other = GC::continuity(slow.left, slow.right);
       BOOST_CHECK_EQUAL(other.c_order, 0);
       BOOST_CHECK_EQUAL(other.g_order, 3);
@@ -69,10 +50,11 @@ BOOST_AUTO_TEST_CASE(powers_of_two) {
       BOOST_CHECK(other.betas() == (std::vector<double>{std::ldexp(1, -f), 0, 0}));
     }
     // a curvature that differs is seen at every scale
-    Halves<Rounded> bent(std::ldexp(1, e), 1, 1);
-    std::vector<Rounded::Point> p(bent.right.begin(), bent.right.end());
-    p[2] = Rounded::Point(p[2].x(), p[2].y(), p[2].z() * 2);
-    const GC::Join_continuity<double> broken = GC::continuity(bent.left, GC::Bezier_curve<Rounded>(p.begin(), p.end()));
+    Halves<Double_3> bent(std::ldexp(1, e), 1, 1);
+    std::vector<Double_3::Point> p(bent.right.begin(), bent.right.end());
+    p[2] = Double_3::Point(p[2].x(), p[2].y(), p[2].z() * 2);
+    const GC::Join_continuity<double> broken =
+        GC::continuity(bent.left, GC::Bezier_curve<Double_3>(p.begin(), p.end()));
     BOOST_CHECK_EQUAL(broken.c_order, 1);
     BOOST_CHECK_EQUAL(broken.g_order, 1);
     BOOST_CHECK(!*broken.curvature_equal && !*broken.torsion_equal);
@@ -82,45 +64,45 @@ BOOST_AUTO_TEST_CASE(powers_of_two) {
 // Decimal scales round the points: whatever is decided, no number is undefined.
 BOOST_AUTO_TEST_CASE(powers_of_ten) {
   for (const double scale : {1e-300, 1e-150, 1e-80, 1e80, 1e150, 1e300}) {
-    const Halves<Rounded> halves(scale, 1, 1);
+    const Halves<Double_3> halves(scale, 1, 1);
     const GC::Join_continuity<double> join = GC::continuity(halves.left, halves.right);
     BOOST_CHECK(join.regular && join.curvature_equal && join.curvature_vector_equal && join.torsion_equal);
     for (const double beta : join.betas()) BOOST_CHECK(std::isfinite(beta));
     // straight lines, which are exact: G3
-    const Rounded::Point a(0, 0, 0), b(scale, 0, 0), c(2 * scale, 0, 0);
+    const Double_3::Point a(0, 0, 0), b(scale, 0, 0), c(2 * scale, 0, 0);
     const GC::Join_continuity<double> line =
-        GC::continuity(GC::Bezier_curve<Rounded>{a, b}, GC::Bezier_curve<Rounded>{b, c});
+        GC::continuity(GC::Bezier_curve<Double_3>{a, b}, GC::Bezier_curve<Double_3>{b, c});
     BOOST_CHECK_EQUAL(line.g_order, 3);
     BOOST_CHECK(line.betas() == (std::vector<double>{1, 0, 0}));
-    const Halves<Filtered> exact(scale, 1, 1);
+    const Halves<Epick_3> exact(scale, 1, 1);
     BOOST_CHECK(GC::continuity(exact.left, exact.right).regular);
   }
 }
 
 // What exceeds the numbers is refused.
 BOOST_AUTO_TEST_CASE(overflow) {
-  const Halves<Rounded> fast(1, 1, 0x1p-400);
+  const Halves<Double_3> fast(1, 1, 0x1p-400);
   CHECK_ERROR(GC::continuity(fast.left, fast.right), not_finite); // the third derivative
-  const GC::Bezier_curve<Rounded> left = Halves<Rounded>::curve({{0, 0, 0}, {1, 0, 0}}, 0x1p-600, 1),
-                                  right = Halves<Rounded>::curve({{0x1p-600, 0, 0}, {0x1p600, 0, 0}}, 1, 1);
+  const GC::Bezier_curve<Double_3> left = Halves<Double_3>::curve({{0, 0, 0}, {1, 0, 0}}, 0x1p-600, 1),
+                                   right = Halves<Double_3>::curve({{0x1p-600, 0, 0}, {0x1p600, 0, 0}}, 1, 1);
   const GC::Join_continuity<double> join = GC::continuity(left, right);
   BOOST_CHECK_EQUAL(join.g_order, 3);
   CHECK_ERROR(join.betas(), not_finite);
 }
 
 BOOST_AUTO_TEST_CASE(negative_orders) {
-  const Halves<Rounded> rounded(1, 1, 1);
-  const Halves<Filtered> filtered(1, 1, 1);
+  const Halves<Double_3> rounded(1, 1, 1);
+  const Halves<Epick_3> filtered(1, 1, 1);
   CHECK_ERROR(GC::continuity(rounded.left, rounded.right, -1), negative_count);
   CHECK_ERROR(GC::continuity(filtered.left, filtered.right, -1), negative_count);
   CHECK_ERROR(GC::continuity(filtered.left.end_jet(2), filtered.right.start_jet(2), -1), negative_count);
-  CHECK_ERROR(GC::Chain_accumulator<GC::Bezier_curve<Filtered>>(-1), negative_count);
+  CHECK_ERROR(GC::Chain_accumulator<GC::Bezier_curve<Epick_3>>(-1), negative_count);
 }
 
 // ---------------------------------------------------------------- exact joins of doubles
 
 BOOST_AUTO_TEST_CASE(no_memory_from_the_heap) {
-  const Halves<Filtered> halves(0.125, 1, 1), slow(3, 1, 2);
+  const Halves<Epick_3> halves(0.125, 1, 1), slow(3, 1, 2);
   const std::size_t before = allocations;
   const GC::Join_continuity<Q> join = GC::continuity(halves.left, halves.right),
                                other = GC::continuity(slow.left, slow.right);
@@ -138,9 +120,7 @@ BOOST_AUTO_TEST_CASE(no_memory_from_the_heap) {
 BOOST_AUTO_TEST_CASE(frenet_order_in_high_dimensions) {
   typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Traits;
   typedef GC::Curve_jet<Traits> Jet;
-  const unsigned seed = 2026;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 engine(seed);
+  std::mt19937 engine = seeded(2026);
   const auto small = [&]() { return Q(static_cast<int>(engine() % 7) - 3); };
   for (const int n : {5, 19, 40}) {
     Jet x(n, n);

@@ -4,29 +4,16 @@
 
 // Joins of segments of paths: the short way for Bezier curves of short numbers answers as the general one, and encloses the jets.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/joins/path_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <optional>
-#include <sstream>
-#include <string>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(path_continuity)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Plane;
-typedef Plane::Point Point;
-typedef GC::Bezier_curve<Plane> Curve;
-typedef GC::Path_segment<Plane> Segment;
-typedef GC::Path_join<Plane> Join;
-
-namespace {
+typedef Exact_2::Point Point;
+typedef GC::Bezier_curve<Exact_2> Curve;
+typedef GC::Path_segment<Exact_2> Segment;
+typedef GC::Path_join<Exact_2> Join;
 
 template <class FT> std::string text(const GC::Join_continuity<FT>& join) {
   std::ostringstream os;
@@ -64,8 +51,6 @@ bool has_enclosures(const Curve& left, const Curve& right) {
   return enclosed;
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(joins_of_curves) {
   const Curve curve =
       Curve{Point(-1, Q(1) / 7), Point(0, 5), Point(2, -3), Point(3, Q(1) / 3), Point(4, Q(-2) / 11), Point(9, 1)}
@@ -86,7 +71,7 @@ BOOST_AUTO_TEST_CASE(joins_of_curves) {
 
 BOOST_AUTO_TEST_CASE(joins_of_arcs) {
   const auto arc = [](const Q& rotation) {
-    return Segment{GC::Elliptical_arc<Plane>(Point(1, 0), Point(2, 1), {Q(3), Q(4), rotation, false, true})};
+    return Segment{GC::Elliptical_arc<Exact_2>(Point(1, 0), Point(2, 1), {Q(3), Q(4), rotation, false, true})};
   };
   const Segment line{Curve{Point(0, 0), Point(1, 0)}}, known = arc(Q(90)), rotated = arc(Q(30));
   const auto never = [](const auto&, const auto&) { BOOST_ERROR("called"); };
@@ -109,7 +94,7 @@ BOOST_AUTO_TEST_CASE(directions_that_differ_by_too_little) {
   const Segment line{Curve{Point(10, 0), Point(10, 1)}};
   Q rotation(1);
   for (int bits = 0; bits < 1200; bits += 100, rotation /= Q(0x1p100)) {
-    const Segment arc{GC::Elliptical_arc<Plane>(Point(0, 0), Point(10, 0), {Q(5), Q(4), rotation, false, true})};
+    const Segment arc{GC::Elliptical_arc<Exact_2>(Point(0, 0), Point(10, 0), {Q(5), Q(4), rotation, false, true})};
     BOOST_CHECK_EQUAL(GC::continuity(arc, line).has_value(), bits <= 1000);
     BOOST_CHECK(GC::visual_class(arc, line) == (bits <= 1000 ? std::optional(GC::Visual_class::kink) : std::nullopt));
     const GC::Enclosure angle = *GC::tangent_angle(arc, line); // of (25 - 16) / 25 times the rotation, nearly

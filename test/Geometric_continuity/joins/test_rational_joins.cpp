@@ -5,34 +5,15 @@
 // Joins of rational curves: what is decided on control points and weights agrees with what is decided on jets in an exact field, for
 // parts of one curve in other rational parameters, and with one control point or weight altered.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <iostream>
-#include <random>
-#include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(rational_joins)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Q2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Q3;
-typedef std::tuple<Q2, Q3, GC::Traits_2<CGAL::Simple_cartesian<double>>, GC::Traits_3<CGAL::Epick>,
-                   GC::Traits_3<CGAL::Simple_cartesian<float>>>
-    All;
-
-namespace {
+typedef std::tuple<Exact_2, Exact_3, Double_2, Epick_3, GC::Traits_3<CGAL::Simple_cartesian<float>>> All;
 
 constexpr unsigned seed = 2026;
 std::mt19937 engine(seed);
@@ -57,7 +38,7 @@ template <class Traits, class Left, class Right> void compare(const Left& left, 
   typedef Q Field;
   const GC::Coordinate_jet<Field, N> x = left.template end_jet_over<Field>(3),
                                      y = right.template start_jet_over<Field>(3);
-  typedef std::conditional_t<N == 2, Q2, Q3> Exact;
+  typedef std::conditional_t<N == 2, Exact_2, Exact_3> Exact;
   const auto join = GC::continuity(GC::Curve_jet<Exact>(x), GC::Curve_jet<Exact>(y), 3);
   const bool g1 = GC::is_g1_join(left, right), g2 = GC::is_g2_join(left, right), g3 = GC::is_g3_join(left, right),
              f3 = GC::is_f3_join(left, right);
@@ -77,10 +58,7 @@ template <class Traits, class Left, class Right> void compare(const Left& left, 
   n.torsion += join.torsion_equal.value_or(false);
 }
 
-} // namespace
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(points_and_weights_decide_as_jets_do, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(points_and_weights_decide_as_jets_do, Traits, All) {
   typedef GC::Rational_bezier_curve<Traits> Curve;
   std::cout << "seed " << seed << '\n';
   Counts n;
@@ -187,8 +165,7 @@ BOOST_AUTO_TEST_CASE(weights_below_the_normal_numbers) {
 }
 
 // A derivative with the factor 1/3, which no floating-point number is.
-BOOST_AUTO_TEST_CASE_TEMPLATE(c1_join_with_a_rounded_factor, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(c1_join_with_a_rounded_factor, Traits, All) {
   typedef GC::Rational_bezier_curve<Traits> Curve;
   const auto on_axis = [](int x) {
     GC::Coordinates<Traits> c(GC::dimension_v<Traits>);
@@ -204,30 +181,31 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(c1_join_with_a_rounded_factor, Traits, All) {
 // Other ends than those of four positive weights are read by their jets.
 BOOST_AUTO_TEST_CASE(other_ends) {
   Counts n;
-  std::vector<Q3::Point> p;
-  for (int j = 0; j <= 4; ++j) p.push_back(point<Q3>());
+  std::vector<Exact_3::Point> p;
+  for (int j = 0; j <= 4; ++j) p.push_back(point<Exact_3>());
   for (const std::vector<Q>& w : {std::vector<Q>{1, 1, 1, Q(-1) / 8, 1}, {1, 1, 1, 0, 1}, {2, 3, 4, 5, 6}}) {
-    const auto parts = GC::Rational_bezier_curve<Q3>(p.begin(), p.end(), w.begin(), w.end()).split(Q(7) / 8);
-    compare<Q3>(parts.first, parts.second.reparametrised(Q(3)), n);
-    compare<Q3>(parts.second, parts.first, n);
+    const auto parts = GC::Rational_bezier_curve<Exact_3>(p.begin(), p.end(), w.begin(), w.end()).split(Q(7) / 8);
+    compare<Exact_3>(parts.first, parts.second.reparametrised(Q(3)), n);
+    compare<Exact_3>(parts.second, parts.first, n);
     // an unclamped end
     const std::vector<Q> knots = {0, 1, 2, 3, 4, 5, 6, 7, 8};
-    const GC::Rational_bspline_curve<Q3> spline(p.begin(), p.end(), w.begin(), w.end(), GC::Knot_vector<Q>(3, knots));
-    compare<Q3>(spline, spline.reverse(), n);
+    const GC::Rational_bspline_curve<Exact_3> spline(p.begin(), p.end(), w.begin(), w.end(),
+                                                     GC::Knot_vector<Q>(3, knots));
+    compare<Exact_3>(spline, spline.reverse(), n);
     BOOST_CHECK(GC::knot_continuity(spline, Q(4)).c_order == 2);
-    const GC::Rational_bezier_curve<Q3> positive(p.begin(), p.end(), w.begin(), w.end());
-    compare<Q3>(spline, positive, n);
-    compare<Q3>(positive, spline, n);
+    const GC::Rational_bezier_curve<Exact_3> positive(p.begin(), p.end(), w.begin(), w.end());
+    compare<Exact_3>(spline, positive, n);
+    compare<Exact_3>(positive, spline, n);
     for (const Q& weight : {Q(1), Q(Q(-1) / Q(16))}) { // the second one may be negative where there is no zero
       const std::vector<Q> v{1, weight, 1, 1, 1};
-      const GC::Rational_bezier_curve<Q3> dent(p.begin(), p.end(), v.begin(), v.end());
-      compare<Q3>(dent.reverse(), dent, n);
-      compare<Q3>(dent.reverse(), positive, n);
-      compare<Q3>(positive.reverse(), dent, n);
+      const GC::Rational_bezier_curve<Exact_3> dent(p.begin(), p.end(), v.begin(), v.end());
+      compare<Exact_3>(dent.reverse(), dent, n);
+      compare<Exact_3>(dent.reverse(), positive, n);
+      compare<Exact_3>(positive.reverse(), dent, n);
       // unclamped, with the weights of a polynomial curve
-      compare<Q3>(
-          GC::Rational_bspline_curve<Q3>(GC::Bspline_curve<Q3>(p.begin(), p.end(), GC::Knot_vector<Q>(3, knots))), dent,
-          n);
+      compare<Exact_3>(GC::Rational_bspline_curve<Exact_3>(
+                           GC::Bspline_curve<Exact_3>(p.begin(), p.end(), GC::Knot_vector<Q>(3, knots))),
+                       dent, n);
     }
   }
   BOOST_CHECK_GE(n.g3, 3);

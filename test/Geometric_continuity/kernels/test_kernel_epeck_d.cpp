@@ -2,7 +2,6 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Epeck_d
 
 #include <CGAL/Epeck_d.h>
@@ -11,15 +10,11 @@
 // Every test runs on the one traits class, with dimensions known at run time only.
 typedef CGAL::Geometric_continuity::Traits_d<CGAL::Epeck_d<CGAL::Dynamic_dimension_tag>> Traits_n;
 typedef Traits_n Traits2, Traits3;
-constexpr bool exact = true;
-constexpr bool cancels = true;
+constexpr bool exact = true, cancels = true;
 constexpr int rounds = 3;
 
 template <class Test> void in_every_space(Test test) {
-  test(Traits_n(), 2);
-  test(Traits_n(), 3);
-  test(Traits_n(), 4);
-  test(Traits_n(), 5);
+  test(Traits_n(), 2), test(Traits_n(), 3), test(Traits_n(), 4), test(Traits_n(), 5);
 }
 
 #include "kernels/typed_smoke.h"

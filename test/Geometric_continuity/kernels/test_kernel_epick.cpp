@@ -2,36 +2,20 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Exact_predicates_inexact_constructions_kernel
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
+#include "support/test.h"
 
-#include <type_traits>
+#include <CGAL/Geometric_continuity.h>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Geometric_continuity::Traits_2<Kernel> Traits2;
 typedef CGAL::Geometric_continuity::Traits_3<Kernel> Traits3;
 static_assert(std::is_same_v<Traits2::Predicate_FT, CGAL::Exact_rational>);
 static_assert(std::is_same_v<Traits3::Predicate_FT, CGAL::Exact_rational>);
-constexpr bool exact = false, exact_predicates = true;
-constexpr bool cancels = true;
+constexpr bool exact = false, exact_predicates = true, cancels = true;
 constexpr int rounds = 20;
 
-template <class Test> void in_every_space(Test test) {
-  test(Traits2(), 2);
-  test(Traits3(), 3);
-}
+template <class Test> void in_every_space(Test test) { test(Traits2(), 2), test(Traits3(), 3); }
 
-#include "algebra/typed_Bernstein_polynomial.h"
-#include "algebra/typed_Plane_coordinates.h"
-#include "blends/typed_quintic_blend.h"
-#include "blends/typed_septic_blend.h"
-#include "curves/typed_Bezier_curve.h"
-#include "curves/typed_Cubic_blended_curve.h"
-#include "curves/typed_is_planar.h"
-#include "extensions/typed_alternatives.h"
-#include "joins/typed_join_continuity.h"
-#include "local/typed_Curve_jet.h"
+#include "kernels/typed_all.h"

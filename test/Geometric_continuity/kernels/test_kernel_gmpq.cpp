@@ -2,7 +2,6 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Cartesian_Gmpq
 
 #include <CGAL/Cartesian.h>
@@ -14,15 +13,11 @@ typedef CGAL::Cartesian<CGAL::Gmpq> Kernel;
 typedef CGAL::Geometric_continuity::Traits_2<Kernel> Traits2;
 typedef CGAL::Geometric_continuity::Traits_3<Kernel> Traits3;
 typedef CGAL::Geometric_continuity::Traits_d<CGAL::Cartesian_d<CGAL::Gmpq>> Traits_n;
-constexpr bool exact = true;
-constexpr bool cancels = true;
+constexpr bool exact = true, cancels = true;
 constexpr int rounds = 6;
 
 template <class Test> void in_every_space(Test test) {
-  test(Traits2(), 2);
-  test(Traits3(), 3);
-  test(Traits_n(), 4);
-  test(Traits_n(), 5);
+  test(Traits2(), 2), test(Traits3(), 3), test(Traits_n(), 4), test(Traits_n(), 5);
 }
 
 #include "kernels/typed_smoke.h"

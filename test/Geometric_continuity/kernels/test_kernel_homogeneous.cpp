@@ -2,7 +2,6 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Homogeneous_Gmpz
 
 #include <CGAL/Cartesian_d.h>
@@ -14,14 +13,9 @@ typedef CGAL::Homogeneous<CGAL::Gmpz> Kernel;
 typedef CGAL::Geometric_continuity::Traits_2<Kernel> Traits2;
 typedef CGAL::Geometric_continuity::Traits_3<Kernel> Traits3;
 typedef CGAL::Geometric_continuity::Traits_d<CGAL::Cartesian_d<Kernel::FT>> Traits_n;
-constexpr bool exact = true;
-constexpr bool cancels = false;
+constexpr bool exact = true, cancels = false;
 constexpr int rounds = 1;
 
-template <class Test> void in_every_space(Test test) {
-  test(Traits2(), 2);
-  test(Traits3(), 3);
-  test(Traits_n(), 4);
-}
+template <class Test> void in_every_space(Test test) { test(Traits2(), 2), test(Traits3(), 3), test(Traits_n(), 4); }
 
 #include "kernels/typed_smoke.h"

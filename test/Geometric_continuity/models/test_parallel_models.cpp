@@ -5,33 +5,12 @@
 // The numbers in which a model is given, and the cores that decide it, make no difference: decimals, and the same model in whole
 // numbers that are doubles, are decided alike, edge by edge.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/limited.h"
 #include "support/random.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cstddef>
-#include <sstream>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(parallel_models)
-
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
-typedef GC::Traits_3<CGAL::Epick> Filtered;
 
 typedef Random_integers<> Random;
 
@@ -71,7 +50,7 @@ struct Grid_of_points {
 
 // The decimal x 10^-6, or x itself as a double.
 template <class Traits> typename Traits::FT number(int x) {
-  if constexpr (std::is_same_v<Traits, Exact>)
+  if constexpr (std::is_same_v<Traits, Exact_3>)
     return Q(x) / Q(1000000);
   else
     return x;
@@ -92,8 +71,7 @@ template <class Traits> std::vector<std::vector<typename Traits::Point>> net(con
   return points;
 }
 
-template <class Traits> GC::Knot_vector<typename Traits::FT> unit_knots() {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> GC::Knot_vector<typename Traits::FT> unit_knots() {
   return GC::Knot_vector<FT>(3, FT(0), FT(1));
 }
 
@@ -190,9 +168,7 @@ std::vector<std::string> lines(const GC::Model_continuity<Q>& model) {
   };
   for (const auto& edge : model.edges) add(edge, edge.continuity);
   for (const auto& line : model.knot_lines) add(line, line.line.continuity);
-  std::ostringstream os;
-  os << model.summary;
-  result.push_back(os.str());
+  result.push_back(text(model.summary));
   return result;
 }
 
@@ -202,15 +178,13 @@ void check_equal(const std::vector<std::string>& x, const std::vector<std::strin
     BOOST_CHECK_MESSAGE(x[i] == y[i], "seed " << seed << "\n" << x[i] << "\n" << y[i]);
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(decimals_and_doubles, Class, Classes) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     Random random(seed);
     const Grid_of_points grid(6, random);
     Random weights(seed), same_weights(seed);
-    const auto decimals = Class::template model<Exact>(grid, weights);
-    const auto doubles = Class::template model<Filtered>(grid, same_weights);
+    const auto decimals = Class::template model<Exact_3>(grid, weights);
+    const auto doubles = Class::template model<Epick_3>(grid, same_weights);
     const GC::Model_continuity<Q> expected = GC::model_continuity(decimals);
     BOOST_CHECK(expected.summary.g2 > 0 && expected.summary.creases > 0 && expected.summary.collapsed > 0);
     const std::vector<std::string> text = lines(expected);
@@ -230,7 +204,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(decimals_and_doubles, Class, Classes) {
 // One spline over simple knots, cut into surfaces with the same knots, some of them turned, over other domains, with other speeds
 // across their edges, or lifted: in fixed length all spans of an edge are decided at once, or none.
 BOOST_AUTO_TEST_CASE(splines_over_simple_knots) {
-  typedef GC::Bspline_surface<Exact> Surface;
+  typedef GC::Bspline_surface<Exact_3> Surface;
   typedef GC::Knot_vector<Q> Knots;
   for (unsigned seed = 1; seed <= 2; ++seed) {
     Random random(seed);
@@ -243,7 +217,7 @@ BOOST_AUTO_TEST_CASE(splines_over_simple_knots) {
     };
     const Knots all = knots(0, parts * spans);
     const int m = all.number_of_coefficients();
-    std::vector<std::vector<Exact::Point>> net(m);
+    std::vector<std::vector<Exact_3::Point>> net(m);
     for (int i = 0; i < m; ++i)
       for (int j = 0; j < m; ++j)
         net[i].push_back({Q(1296 * (100 * i + random.integer(0, 30))), Q(1296 * (100 * j + random.integer(0, 30))),
@@ -251,17 +225,17 @@ BOOST_AUTO_TEST_CASE(splines_over_simple_knots) {
     Surface whole(net, all, all);
     for (int k = 1; k < parts; ++k) whole = whole.insert_u(Q(spans * k), 2).insert_v(Q(spans * k), 2);
     std::vector<Surface> exact;
-    std::vector<GC::Bspline_surface<Filtered>> doubles;
+    std::vector<GC::Bspline_surface<Epick_3>> doubles;
     const int step = spans + 2; // six control points in each direction
     for (int i = 0; i < parts; ++i)
       for (int j = 0; j < parts; ++j) {
-        std::vector<std::vector<Exact::Point>> part(step + 1);
+        std::vector<std::vector<Exact_3::Point>> part(step + 1);
         const int kind = (i + 2 * j) % 5;
         for (int k = 0; k <= step; ++k)
           for (int l = 0; l <= step; ++l) {
-            Exact::Point x = whole.control_point(step * i + k, step * j + l);
-            if (kind == 4 && 0 < k && k < step && 0 < l && l < step) x = Exact::Point(x.x(), x.y(), Q(x.z() + 36));
-            if (kind == 3 && k == 2 && 0 < l && l < step) x = Exact::Point(x.x(), x.y(), Q(x.z() + 36)); // only G1
+            Exact_3::Point x = whole.control_point(step * i + k, step * j + l);
+            if (kind == 4 && 0 < k && k < step && 0 < l && l < step) x = Exact_3::Point(x.x(), x.y(), Q(x.z() + 36));
+            if (kind == 3 && k == 2 && 0 < l && l < step) x = Exact_3::Point(x.x(), x.y(), Q(x.z() + 36)); // only G1
             part[k].push_back(x);
           }
         const int factor = kind == 2 ? 2 : 1;
@@ -279,10 +253,10 @@ BOOST_AUTO_TEST_CASE(splines_over_simple_knots) {
           for (const Q& y : u) x.push_back(CGAL::to_double(y));
           return GC::Knot_vector<double>(u.degree(), x);
         };
-        std::vector<std::vector<Filtered::Point>> points(s.number_of_points_u());
+        std::vector<std::vector<Epick_3::Point>> points(s.number_of_points_u());
         for (int k = 0; k < s.number_of_points_u(); ++k)
           for (int l = 0; l < s.number_of_points_v(); ++l) {
-            const Exact::Point& x = s.control_point(k, l);
+            const Exact_3::Point& x = s.control_point(k, l);
             BOOST_REQUIRE(Q(CGAL::to_double(x.z())) == x.z());
             points[k].emplace_back(CGAL::to_double(x.x()), CGAL::to_double(x.y()), CGAL::to_double(x.z()));
           }
@@ -298,12 +272,12 @@ BOOST_AUTO_TEST_CASE(splines_over_simple_knots) {
 
 // Edges with the same control points are the same if their weights are, up to a factor.
 BOOST_AUTO_TEST_CASE(weights_of_edges) {
-  typedef GC::Rational_bezier_patch<Filtered> Patch;
+  typedef GC::Rational_bezier_patch<Epick_3> Patch;
   const auto patch = [](int side, std::vector<double> weights) {
-    std::vector<std::vector<Filtered::Point>> points(3);
+    std::vector<std::vector<Epick_3::Point>> points(3);
     std::vector<std::vector<double>> w;
     for (int i = 0; i < 3; ++i) {
-      points[i] = {Filtered::Point(i, 0, i * i), Filtered::Point(i, side, i)};
+      points[i] = {Epick_3::Point(i, 0, i * i), Epick_3::Point(i, side, i)};
       w.push_back({weights[i], 1});
     }
     return Patch(points, w);
@@ -326,7 +300,7 @@ BOOST_AUTO_TEST_CASE(weights_of_edges) {
 BOOST_AUTO_TEST_CASE(errors_on_several_cores) {
   Random random(2026);
   const Grid_of_points grid(8, random);
-  const auto model = Patches::model<Exact>(grid, random);
+  const auto model = Patches::model<Exact_3>(grid, random);
   const auto message = [&](auto tag) {
     try {
       limited(GC::Work_limit(1), [&] { return GC::model_continuity<decltype(tag)>(model); });
@@ -336,7 +310,7 @@ BOOST_AUTO_TEST_CASE(errors_on_several_cores) {
     return std::string();
   };
   const std::string expected = message(CGAL::Sequential_tag());
-  BOOST_CHECK(expected.find("work_limit") != std::string::npos);
+  BOOST_CHECK(contains(expected, "work_limit"));
   for (int i = 0; i < 20; ++i) BOOST_CHECK_EQUAL(message(CGAL::Parallel_if_available_tag()), expected);
 }
 

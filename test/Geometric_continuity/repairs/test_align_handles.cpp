@@ -4,30 +4,13 @@
 
 // Kinks are repaired on the grid: no pair of parallel vectors is nearer, for random and for special legs.
 
-#include "support/errors.h"
+#include "support/test.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <random>
-#include <sstream>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(align_handles)
-
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
 
 typedef GC::Grid_vector Vector;
 typedef std::pair<std::int64_t, std::int64_t> Cost; // the squares of the larger and of the smaller move
@@ -96,12 +79,8 @@ void check(const Vector& a, const Vector& b, int r) {
   BOOST_CHECK(cost(b, a, mirrored->left, mirrored->right) == found);
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(random_kinks_against_all_pairs) {
-  const unsigned seed = 20817;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(20817);
   int checked = 0;
   while (checked < 400) {
     const int size = std::uniform_int_distribution<int>(1, 70)(random);
@@ -119,9 +98,7 @@ BOOST_AUTO_TEST_CASE(random_kinks_against_all_pairs) {
 }
 
 BOOST_AUTO_TEST_CASE(vectors_on_the_grid) {
-  std::ostringstream os;
-  os << GC::Grid_vector{-3, 7};
-  BOOST_CHECK_EQUAL(os.str(), "(-3, 7)");
+  BOOST_CHECK_EQUAL(text(GC::Grid_vector{-3, 7}), "(-3, 7)");
   BOOST_CHECK((primitive(GC::Grid_vector{0, 0}) == GC::Grid_vector{0, 0}));
 }
 
@@ -164,9 +141,7 @@ BOOST_AUTO_TEST_CASE(short_handles_beside_the_longest_ones) {
   const std::int64_t n = GC::max_handle_coordinate;
   check({10, 0}, {n, n - 1}, 8);
   check({-7, 3}, {-n, 5}, 6);
-  const unsigned seed = 60461;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(60461);
   for (int checked = 0; checked < 300;) {
     const std::int64_t size = std::int64_t(1) << std::uniform_int_distribution<int>(5, 28)(random);
     std::uniform_int_distribution<std::int64_t> small(-12, 12), large(-size, size);
@@ -195,9 +170,7 @@ BOOST_AUTO_TEST_CASE(short_handles_beside_the_longest_ones) {
 
 // A bound changes nothing but whether there is a result.
 BOOST_AUTO_TEST_CASE(allowed_moves) {
-  const unsigned seed = 3391;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(3391);
   int within = 0, beyond = 0;
   while (within < 300 || beyond < 300) {
     const std::int64_t size = std::int64_t(1) << std::uniform_int_distribution<int>(2, 28)(random);
@@ -260,9 +233,7 @@ BOOST_AUTO_TEST_CASE(one_handle_is_fixed) {
                GC::align_handle({-7, 1}, {-20, -10}) == Vector{-4, -2}));
   BOOST_CHECK((GC::align_handle({1, 0}, {-13, 0}) == Vector{-1, 0})); // the nearest that points there
   BOOST_CHECK((GC::align_handle({10, 9}, {101, 97}) == Vector{101, 97}));
-  const unsigned seed = 4711;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(4711);
   std::uniform_int_distribution<int> coordinate(-40, 40);
   for (int i = 0; i < 2000; ++i) {
     const Vector leg{coordinate(random), coordinate(random)}, d{coordinate(random), coordinate(random)};

@@ -4,20 +4,10 @@
 
 // Swept surfaces: their jets and normals.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/archetype.h"
 #include "support/swept_surfaces.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_CASE(extrusion_is_linear) {
   Random random;
@@ -271,7 +261,7 @@ BOOST_AUTO_TEST_CASE(bad_input) {
   CHECK_ERROR(Revolution(c, a, z, {Q(1), Q(-1)}), empty_domain);
   CHECK_ERROR(Revolution(c, a, z).jet(Q(0), Q(0), -1), jet_order_too_low);
   CHECK_ERROR(Extrusion(c, z).jet(Q(0), Q(0), -1), jet_order_too_low);
-  const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
   const GC::Bezier_curve<Double> d = int_curve<Double>({{1, 0, 0}, {2, 0, 1}});
   typedef GC::Revolution_surface_3<GC::Bezier_curve<Double>> Rounded;
   CHECK_ERROR(Rounded(d, Double::Point(0, nan, 0), Double::Vector(0, 0, 1)), not_finite);

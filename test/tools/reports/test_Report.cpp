@@ -4,21 +4,12 @@
 
 // No report says more than the classes of what was given allow, whatever they are, and all formats agree.
 #define BOOST_TEST_MODULE Report
-#include "Geometric_continuity/support/random.h"
+#include "support/random.h"
+
 #include "reports/Report.h"
 #include "reports/report_page.h"
-
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <iostream>
-#include <optional>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
 
 namespace {
 
@@ -131,8 +122,7 @@ std::vector<Thing> random_things(std::mt19937& random) {
 
 BOOST_AUTO_TEST_CASE(no_format_says_more_than_the_classes_allow) {
   const unsigned seed = first_seed();
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(seed);
   std::ostringstream errors; // of the runs without anything to decide
   std::streambuf* const standard = std::cerr.rdbuf(errors.rdbuf());
   for (int i = 0; i < 3000; ++i) {
@@ -220,8 +210,7 @@ std::string data_of(const Report_page& page) {
 
 BOOST_AUTO_TEST_CASE(no_page_says_more_than_the_classes_allow) {
   const unsigned seed = first_seed();
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(seed);
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
   for (int i = 0; i < 3000; ++i) {
     const std::size_t most = 1 + below(12);

@@ -4,18 +4,11 @@
 
 // Rounded numbers are what printf() writes with %g, in each rounding mode of the processor.
 #define BOOST_TEST_MODULE words
+#include "support/random.h"
+
 #include "reports/words.h"
-
-#include "Geometric_continuity/support/random.h"
-
-#include <boost/test/unit_test.hpp>
-
 #include <cfenv>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <limits>
-#include <string>
 
 namespace {
 

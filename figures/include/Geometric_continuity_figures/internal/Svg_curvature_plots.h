@@ -125,6 +125,7 @@ private:
       const double next = svg_length(jet[1]), step = i == 0 ? 0 : 0.5 * (speed + next) / curve.samples;
       speed = next;
       way += step;
+      // equivalent [* -> +, 1]: how slow a curve is where its curvature is not plotted
       if (speed * speed < 1e-12) continue; // too slow to be measured
       double k = svg_length(*curvature_vector(jet));
       weighted.emplace_back(k, step);

@@ -89,6 +89,8 @@ public:
   double depth_around(const Svg_pixel& p) const {
     const int x = static_cast<int>(std::lround(per_pixel * p[0])) + 1,
               y = static_cast<int>(std::lround(per_pixel * p[1])) + 1;
+    // unreachable: protects memory; the margin is wider than what a line between the corners of
+    //   facets can leave them
     if (x < 1 || y < 1 || x + 1 >= columns_ || y + 1 >= rows_) return nothing;
     double result = (std::numeric_limits<double>::max)();
     for (int j = y - 1; j <= y + 1; ++j)

@@ -94,6 +94,7 @@ inline double svg_normalise(const std::vector<Svg_curve*>& curves) {
 inline void svg_choose_samples(const std::vector<Svg_curve*>& curves) {
   const double most = 256, least = 8, average = most * most / static_cast<double>(curves.size());
   const auto length = [](const Svg_curve& c) { // of the control polygon
+    // equivalent [0 -> 1, 1]: how many points are drawn of a curve
     double sum = 0;
     for (std::size_t j = 1; j < c.points.size(); ++j) sum += svg_length(Svg_point(c.points[j] - c.points[j - 1]));
     return sum;

@@ -202,6 +202,7 @@ private:
 
   template <class Function> void for_each_cell(const Svg_pixel& centre, const Svg_pixel& half, Function f) const {
     const Svg_pixel low = centre - half, high = centre + half;
+    // equivalent [>= -> >, 2]: a box that only touches the panel
     if (!(low[0] <= width_ && high[0] >= 0 && low[1] <= height_ && high[1] >= 0)) return;
     const std::size_t last_x = number((std::min)(width_, high[0])), last_y = number((std::min)(height_, high[1]));
     for (std::size_t y = number((std::max)(0.0, low[1])); y <= last_y; ++y)
@@ -219,6 +220,7 @@ private:
   double free_distance(const Svg_pixel& centre, const Svg_pixel& half, double enough) const {
     const double low_x = centre[0] - half[0], high_x = centre[0] + half[0], low_y = centre[1] - half[1],
                  high_y = centre[1] + half[1];
+    // equivalent [2 -> 3, 3]: a margin of labels, one pixel wider
     double distance = (std::min)({far_away, low_x - 2, width_ - high_x - 2, low_y - 2, height_ - high_y - 2});
     const double least = (std::max)(0.0, enough);
     const auto look_around = [&](double reach) {

@@ -170,6 +170,7 @@ private:
   int compare(const Decimal& other) const {
     std::int64_t x, y;
     const int exponent = (std::min)(exponent_, other.exponent_);
+    // equivalent [1 -> 2, 2]: any positive number says that it is greater
     if (on_grid(exponent, x) && other.on_grid(exponent, y)) return x < y ? -1 : y < x ? 1 : 0;
     const Exact_rational a = value(), b = other.value();
     return a < b ? -1 : b < a ? 1 : 0;

@@ -176,6 +176,8 @@ namespace internal {
 // Row by row the values at 0 and 1 and the derivatives at 0 and 1 of t^3, t^2, t, 1 stand in the columns.
 constexpr Basis_matrix<int> hermite_constraints({{{0, 1, 0, 3}, {0, 1, 0, 2}, {0, 1, 1, 1}, {1, 1, 0, 0}}});
 constexpr Basis_matrix<int> hermite_matrix = hermite_constraints.inverse();
+// equivalent [0 -> 1, 2]: computed by the compiler, which also asserts that it is inverted by the
+//   other matrix
 constexpr Basis_matrix<int> hermite_from_bezier_matrix({{{1, 0, -3, 0}, {0, 0, 3, 0}, {0, 0, 0, -3}, {0, 1, 0, 3}}});
 constexpr Basis_matrix<int> bezier_matrix = hermite_from_bezier_matrix * hermite_matrix;
 constexpr Basis_matrix<int> bspline_matrix({{{-1, 3, -3, 1}, {3, -6, 0, 4}, {-3, 3, 3, 1}, {1, 0, 0, 0}}});

@@ -43,6 +43,7 @@ enum class Sign_pattern {
 /// \ingroup PkgGeometricContinuityAlgebra
 /// Returns the name of a pattern, as spelled in the enumeration.
 inline std::string to_string(Sign_pattern pattern) {
+  // unreachable: every value has a case
   switch (pattern) {
   case Sign_pattern::positive: return "positive";
   case Sign_pattern::negative: return "negative";
@@ -51,6 +52,7 @@ inline std::string to_string(Sign_pattern pattern) {
   case Sign_pattern::mixed: return "mixed";
   case Sign_pattern::zero: return "zero";
   }
+  // unreachable: every value has a case
   return "unknown";
 }
 
@@ -147,7 +149,9 @@ inline std::optional<Sign_pattern> decided_by_coefficients(Sign_pattern coeffici
 
 // The work of halves(): about n^2 sums of numbers that are by n digits longer than the coefficients.
 template <class NT> double bisection_steps(const Homogeneous_polynomial<NT>& p) {
+  // equivalent [1 -> 2, 1]: an estimate of work
   const double n = p.degree() + 1;
+  // equivalent [max -> min, 1]: an estimate of work
   return n * n * Work_meter::sum_steps((std::max)(number_words(p[0]), number_words(p[p.degree() / 2])));
 }
 template <class NT> void charge_bisection(const Homogeneous_polynomial<NT>& p) {

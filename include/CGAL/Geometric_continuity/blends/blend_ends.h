@@ -366,6 +366,8 @@ public:
     if (least < square_ && square_ < largest && least < square && square < largest) {
       const double chord = std::sqrt(square_), tangent = std::sqrt(square), ratio = chord / tangent,
                    doubt = 2 * (error_ / chord + error / tangent) + rounding;
+      // unreachable: differences are rounded once, which leaves little doubt
+      // equivalent [< -> <=, 2]: a limit beyond which the ratio is computed exactly
       if (doubt < 0.125 && std::abs(std::ilogb(ratio)) < largest_ratio_exponent) {
         const double low = short_double<ratio_digits>(ratio * (1 - doubt)),
                      high = short_double<ratio_digits>(ratio * (1 + doubt));

@@ -135,6 +135,7 @@ template <class Traits> typename Traits::FT round_points(Fair_points<Traits>& p)
     for (Coordinates<Traits>& x : p.points)
       for (int k = 0; k < x.dimension(); ++k) {
         const FT given = x[k];
+        // equivalent [7 -> 8, 1]: one digit more of room
         x[k] = FT(multiple_of_power(given, unit_with_room<FT>(p.size, 7)));
         moved = (std::max)(moved, FT(std::abs(x[k] - given)));
       }

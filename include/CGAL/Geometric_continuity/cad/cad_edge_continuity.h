@@ -186,6 +186,7 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
   };
 
   const Maximum_enclosure gap = largest(Edge_quantity::gap, precision.gap, [](double x) { return std::sqrt(x); });
+  // unreachable: by rounding only, of squares next to the largest number
   const bool bounded = gap.undefined.empty() && gap.unresolved.empty() && std::isfinite(gap.upper);
   result.gap = maximum(gap, {gap.defined ? root_below(gap.lower) : 0,
                              bounded ? root_above(gap.upper) : (std::numeric_limits<double>::infinity)()});
@@ -291,6 +292,7 @@ inline Edge_maximum curve_deviation(const Edge_side& side, const Edge_curve& cur
         return distance_on(range, placed_side, placed.models(range));
       },
       [](double, double) { return false; });
+  // unreachable: by rounding only, of squares next to the largest number
   const bool bounded = distance.unresolved.empty() && std::isfinite(distance.upper);
   const auto [point, derivative] = placed.jet(distance.parameter);
   return {{distance.defined ? root_below(distance.lower) : 0,

@@ -190,6 +190,8 @@ private:
       for_each_point([&](int j) CGAL_GC_FORCEINLINE_LAMBDA {
         FT x = traits.compute_coordinate_object()(points_[j], 0);
         for_each_coordinate([&](int i) CGAL_GC_FORCEINLINE_LAMBDA {
+          // equivalent [> -> >=, 1]: a coordinate that is counted twice; where the sum is not
+          //   finite each number is checked
           if (i > 0) x += traits.compute_coordinate_object()(points_[j], i);
         });
         sum += x;

@@ -619,6 +619,7 @@ private:
           return internal::coordinate_row<FT, M>(dimension() + 1, [&](int l) { return homogeneous_coordinate(i, l); });
         },
         [&](int j, const Row& y) {
+          // unreachable: tells compilers what holds
           if (j <= 3) p[j] = y; // as a compiler may not see
         });
     internal::project_short<FT>(p, dimension(), k, x);

@@ -341,6 +341,7 @@ enum class Closing {
 /// \ingroup PkgGeometricContinuityCurves
 /// Returns the name of a way to close, as spelled in the enumeration.
 inline std::string to_string(Closing closing) {
+  // unreachable: every value has a case
   switch (closing) {
   case Closing::open: return "open";
   case Closing::smooth: return "smooth";
@@ -348,6 +349,7 @@ inline std::string to_string(Closing closing) {
   case Closing::corner: return "corner";
   case Closing::singular: return "singular";
   }
+  // unreachable: every value has a case
   return "unknown";
 }
 

@@ -139,6 +139,7 @@ struct Curvature_variation {
 struct Squared_curvature {
   template <int N> std::array<double, 2> operator()(const Double_derivatives<N>& d) const {
     const double g = dot(d[0], d[0]), speed = std::sqrt(g);
+    // equivalent [0 -> 1, 2]: the length is not used where the integral is infinite
     if (!(g > 0)) return {0, std::numeric_limits<double>::infinity()};
     const Coordinate_vector<double, N> second = d[1] - (dot(d[0], d[1]) / g) * d[0];
     return {speed, dot(second, second) / (g * speed)};

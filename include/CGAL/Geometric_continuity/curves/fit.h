@@ -66,6 +66,7 @@ template <class FT> FT grid_number_in(double x, int exponent) {
     FT sum(0);
     for (double rest = std::ldexp(x, exponent); rest != 0;) {
       int e;
+      // equivalent [24 -> 25, 2]: halves of the parts: more of them, with the same sum
       const double part = std::ldexp(std::trunc(std::ldexp(std::frexp(rest, &e), 24)), e - 24);
       sum += short_number_in<FT>(part);
       rest -= part;

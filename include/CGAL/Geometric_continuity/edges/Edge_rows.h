@@ -248,6 +248,7 @@ enum class Edge_defect {
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns the name of a defect, as spelled in the enumeration.
 inline std::string to_string(Edge_defect defect) {
+  // unreachable: every value has a case
   switch (defect) {
   case Edge_defect::none: return "none";
   case Edge_defect::gap: return "gap";
@@ -257,6 +258,7 @@ inline std::string to_string(Edge_defect defect) {
   case Edge_defect::fold: return "fold";
   case Edge_defect::curvature: return "curvature";
   }
+  // unreachable: every value has a case
   return "unknown";
 }
 
@@ -268,6 +270,7 @@ inline std::ostream& operator<<(std::ostream& os, Edge_defect defect) { return o
 /// Returns how severe a defect is, from 0 for none to 6 for a gap: it decides which of several spans is called the worst. In
 /// increasing severity: none, curvature, collapsed, vanishing normal, fold, crease, gap.
 inline int severity(Edge_defect defect) {
+  // unreachable: every value has a case
   switch (defect) {
   case Edge_defect::none: return 0;
   case Edge_defect::curvature: return 1;
@@ -277,6 +280,7 @@ inline int severity(Edge_defect defect) {
   case Edge_defect::crease: return 5;
   case Edge_defect::gap: return 6;
   }
+  // unreachable: every value has a case
   return 7;
 }
 

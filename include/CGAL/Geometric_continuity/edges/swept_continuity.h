@@ -41,6 +41,7 @@ template <class Left, class Right> struct Profile_join {
 
   Profile_join(const Left& l, const Right& r) {
     take(end_jet<Field>(l, 2), left);
+    // equivalent [2 -> 3, 1]: a derivative more, which is not used
     take(start_jet<Field>(r, 2), right);
   }
 
@@ -122,6 +123,7 @@ extrusion_continuity(const Left& left, const Right& right, const typename Left::
   const Join join(left, right);
   const auto w = Join::vector(internal::direction_coordinates<Traits, Field>(direction, "extrusion_continuity"));
   const auto rows = [&](const auto& x, const Field& inwards) {
+    // equivalent [+ -> -, 1]: a direction and its opposite sweep the same surface
     return Edge_rows<Field>{{x[0], x[0] + w}, {inwards * x[1]}, {x[2]}};
   };
   return edge_continuity(rows(join.left, Field(-1)), rows(join.right, Field(1)));

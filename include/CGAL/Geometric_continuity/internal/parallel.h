@@ -38,6 +38,7 @@ template <class Concurrency_tag, class Work>
 void for_each_block(std::size_t n, const Work& work, [[maybe_unused]] std::size_t grain = 1024) {
 #ifdef CGAL_LINKED_WITH_TBB
   if constexpr (std::is_convertible_v<Concurrency_tag, Parallel_tag>) {
+    // unreachable: where TBB may use one core only
     if (!several_cores()) return work(std::size_t(0), n);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, grain),
                       [&work, steps = Per_object_limit::steps()](const tbb::blocked_range<std::size_t>& r) {
@@ -76,11 +77,13 @@ public:
   Task(const Task&) = delete;
   Task& operator=(const Task&) = delete;
   ~Task() {
+    // unreachable: a task that was not run, as on one core
     if (!group_) return;
     group_->cancel();
     group_->wait();
   }
   template <class Function> void run(Function f) {
+    // unreachable: where TBB may use one core only
     if (!several_cores()) return f();
     if (!group_) group_.emplace();
     group_->run([f, steps = Per_object_limit::steps()] {
@@ -89,6 +92,7 @@ public:
     });
   }
   void wait() {
+    // unreachable: a task that was not run, as on one core
     if (group_) group_->wait();
   }
 };

@@ -88,6 +88,7 @@ template <class NT> NT from_long_integer(const Rotation_bounds::Integer& x) {
   constexpr int digits = 30;
   NT y(0);
   const Rotation_bounds::Integer size = abs(x);
+  // equivalent [0 -> 1, 2]: an enclosure with 30 digits less: more bits decide
   for (int shift = size.is_zero() ? 0 : static_cast<int>(msb(size)) / digits * digits; 0 <= shift; shift -= digits)
     y = NT(y * NT(1 << digits)) + NT(static_cast<int>(Rotation_bounds::Integer((size >> shift) & ((1 << digits) - 1))));
   return x < 0 ? NT(-y) : y;
@@ -150,6 +151,7 @@ public:
     // The products as rounded, cosine and sine, and each operation are wrong by 2^-52, cosine and sine by 2^-51: 5 * 2^-52 in sum,
     // in every rounding mode. Below the normal numbers nothing is decided.
     const double c = std::abs(cross), excess = c * cosine_ - dot * sine_;
+    // equivalent [< -> <=, 1]: the excess is not zero here
     if (std::abs(excess) > 0x1p-49 * (c + std::abs(dot)) + 1.001 * error + 0x1p-900) return 0 < excess;
     return std::nullopt;
   }
@@ -225,6 +227,7 @@ enum class Visual_class {
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns `gap`, `corner`, `kink`, `G1` or `G2`.
 inline std::string to_string(Visual_class grade) {
+  // unreachable: every value has a case
   switch (grade) {
   case Visual_class::gap: return "gap";
   case Visual_class::corner: return "corner";
@@ -232,6 +235,7 @@ inline std::string to_string(Visual_class grade) {
   case Visual_class::g1: return "G1";
   case Visual_class::g2: return "G2";
   }
+  // unreachable: every value has a case
   return "unknown";
 }
 

@@ -101,6 +101,8 @@ template <class Curve> struct Bspline_ends {
     for (int i = 1; i < before; ++i)
       if (c.knots()[k - i] != c.knots()[k]) return false;
     for (int i = 1; i < after; ++i)
+      // equivalent [+ -> -, 1]: asks for more than is needed: the jet decides then
+      // equivalent [1 -> 2, 1]: asks for more than is needed: the jet decides then
       if (c.knots()[k + 1 + i] != c.knots()[k + 1]) return false;
     return true;
   }

@@ -155,6 +155,7 @@ std::optional<bool> exceeds(const Left_end& a, const Right_end& b, const Corner_
   if constexpr (is_double<typename Traits::FT>) {
     // Differences, products and sums are rounded by 2^-52 in every rounding mode, once each.
     const Leg_products<double> r(a.template vector<double>(), b.template vector<double>());
+    // equivalent [* -> +, 1]: a larger bound leaves more to the exact decision
     const double error = 0x1p-49 * r.size;
     if (0x1p-800 < r.size && r.size < 0x1p800) {
       if (error < std::abs(r.cross))

@@ -95,6 +95,7 @@ public:
         }
         return betas;
       }
+      // unreachable: of a field in which no shape parameter is computed from control points
       return {};
     }
     if (forms_.empty()) return {}; // none in this field
@@ -181,6 +182,9 @@ public:
   }
 
   std::optional<Order_up_to_rounding> order_up_to_rounding(int g_order) const {
+    // unreachable: the points are kept only where the order is not reached
+    // equivalent [|| g_order >= max_order_ -> nothing, 1]: an early end: no larger order is asked
+    //   for
     if (dimension_ == 0 || g_order >= max_order_) return std::nullopt;
     typedef Coordinate_vector<double, 3> Vector; // with a zero in the plane
     constexpr double most = 16;

@@ -317,6 +317,7 @@ std::optional<Visual_class> visual_class(const Path_join<Traits>& join,
   if (left.end() != right.start()) return Visual_class::gap;
   if (corner) return *corner ? Visual_class::corner : Visual_class::kink;
   // Readers of paths make lines of cubics that are drawn as lines, so that a handle that is retracted here is one that bends.
+  // equivalent [2 -> 3, 1]: deciding the order 3 as well changes nothing below it
   return continuity(join, 2)->g_order >= 2 ? Visual_class::g2 : Visual_class::g1;
 }
 

@@ -228,6 +228,7 @@ std::size_t curvature_and_torsion(const Jet_arrays<FT, 3, k>& jets, FT* curvatur
     constexpr std::size_t most = 256;
     FT squares[most];
     std::size_t zeros = 0;
+    // equivalent [< -> <=, 1]: a block without a jet
     for (std::size_t first = begin; first < end; first += most) {
       const std::size_t last = (std::min)(first + most, end);
       CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
@@ -444,6 +445,7 @@ std::optional<std::vector<typename Traits::Vector>> frenet_frame_derivatives(con
   typedef Geometric_continuity::Coordinates<Traits> Coordinates;
   const std::optional<Frenet_matrix<typename Traits::FT>> w = frenet_matrix(jet);
   const std::optional<Frenet_frame<Traits>> frame = frenet_frame(jet);
+  // unreachable: by rounding only: both are empty for dependent derivatives
   if (!w || !frame) return std::nullopt;
   const Frenet_frame<Traits> unit = frame->normalized();
   std::vector<Coordinates> e;

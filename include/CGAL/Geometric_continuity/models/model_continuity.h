@@ -37,11 +37,13 @@ enum class Model_edge_kind {
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Returns the name of a kind, as spelled in the enumeration.
 inline std::string to_string(Model_edge_kind kind) {
+  // unreachable: every value has a case
   switch (kind) {
   case Model_edge_kind::shared: return "shared";
   case Model_edge_kind::boundary: return "boundary";
   case Model_edge_kind::collapsed: return "collapsed";
   }
+  // unreachable: every value has a case
   return "unknown";
 }
 
@@ -53,11 +55,12 @@ inline std::ostream& operator<<(std::ostream& os, Model_edge_kind kind) { return
 /// An edge of a model, with the decision if it is shared.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Model_edge {
-  Model_edge_kind kind;                  ///< whether there is a second patch
-  std::size_t patch_a;                   ///< the number of the patch, from 0 on
-  Patch_edge edge_a;                     ///< its edge
-  std::optional<std::size_t> patch_b;    ///< the other patch of a shared edge; the same one where a patch closes up
-  std::optional<Patch_edge> edge_b;      ///< its edge
+  Model_edge_kind kind;               ///< whether there is a second patch
+  std::size_t patch_a;                ///< the number of the patch, from 0 on
+  Patch_edge edge_a;                  ///< its edge
+  std::optional<std::size_t> patch_b; ///< the other patch of a shared edge; the same one where a patch closes up
+  std::optional<Patch_edge> edge_b;   ///< its edge
+  // equivalent [false -> true, 1]: assigned for every edge
   bool non_manifold = false;             ///< more than two patches have the edge
   Spline_edge_continuity<FT> continuity; ///< of a shared edge, with a verdict for each span of the knots
 

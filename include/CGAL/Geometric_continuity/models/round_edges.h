@@ -203,6 +203,8 @@ private:
     sides_.emplace(ends[0], std::make_pair(result_.blends.size(), Patch_edge::u0));
     sides_.emplace(ends[1], std::make_pair(result_.blends.size(), Patch_edge::u1));
     if constexpr (is_quintic_surface_strategy_v<Strategy>)
+      // unreachable: for curves that do not fit: blends begin along lines across the edge, which
+      //   both halves have at a corner
       for (int attempt = 0; attempt < 2 && (sides[0] || sides[1]); ++attempt) {
         try {
           Surface s = blend(
@@ -211,6 +213,7 @@ private:
           for (const std::size_t other : neighbours) meeting_.emplace_back(other, result_.blends.size());
           return s;
         } catch (const Error& error) {
+          // unreachable: for work or numbers that exceed their limits with given sides only
           if (error.code() == Error_code::work_limit || error.code() == Error_code::not_finite) throw;
         }
         for (std::optional<Side>& side : sides)

@@ -70,6 +70,7 @@ std::vector<typename Coefficients::value_type> bspline_derivatives(const Knot_ve
 template <class FT, class Coefficients>
 typename Coefficients::value_type bspline_value(const Knot_vector<FT>& knots, const Coefficients& c, const FT& u) {
   internal::check_number_of_coefficients(knots, c, "bspline_value");
+  // equivalent [0 -> 1, 1]: a derivative more, which is not used
   return internal::derivatives_on_span(knots, c, knots.span(u), u, 0)[0];
 }
 

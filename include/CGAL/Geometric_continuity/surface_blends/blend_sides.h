@@ -335,6 +335,7 @@ public:
     if constexpr (Kind::is_rational) take_factor(curve, cross, start, end, upper);
     elevate(curve, place + "the curve");
     start.take_curve(derivatives(curve, 0));
+    // equivalent [1 -> 2, 1]: any number but 0 is the other end
     end.take_curve(derivatives(curve, 1));
     if (cross.empty()) return;
     if (!upper)

@@ -281,6 +281,7 @@ std::array<Edge_spline<FT, N>, 6> rows_of_blend(const Blend_end<FT, N>& start, c
   std::array<Edge_spline<FT, N>, 6> rows = {std::move(s[0]), std::move(s[1]), std::move(s[2]),
                                             std::move(e[2]), std::move(e[1]), std::move(e[0])};
   unite(rows);
+  // equivalent [0 -> 1, 1]: united rows have the same knots
   check_not_torn(rows[0].knots());
   return rows;
 }

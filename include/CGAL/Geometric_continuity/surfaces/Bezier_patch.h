@@ -122,6 +122,7 @@ Surface_jet<Traits> bezier_jet(int p, int q, int d, const std::pair<typename Tra
     }
   const FT s = local_parameter(u, domain_u), t = local_parameter(v, domain_v);
   const FT hu = FT(domain_u.second - domain_u.first), hv = FT(domain_v.second - domain_v.first);
+  // equivalent [1 -> 2, 3]: memory only
   Blocks row(q + 1), column(p + 1), rows(static_cast<std::size_t>(k + 1) * (p + 1)); // derivatives with respect to v
   for (int x = 0; x < d; x += width) {
     for (int i = 0; i <= p; ++i) {

@@ -4,38 +4,17 @@
 
 // The words of a text, their lines and numbers: the same however the stream cuts it, on one core and on several.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/internal/Token_reader.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/tags.h>
-
-#include <algorithm>
 #include <cerrno>
-#include <cstddef>
-#include <functional>
 #include <istream>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <stdexcept>
 #include <streambuf>
-#include <string>
-#include <string_view>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(token_reader)
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-
-namespace {
 
 constexpr std::size_t whole = std::numeric_limits<std::size_t>::max();
 
@@ -152,8 +131,6 @@ void check_refused(const std::string& text, const std::string& error, Words expe
   check_words(text, expected);
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(words_and_lines) {
   for (const char* text : {"", " ", "\n", "\n\n \t\n", "a", "a\n", "\na", " a b ", "a\nb\n\nc", "a\r\nb\r\n", "a\vb\fc",
                            "abcdefg hijklmn", "abcdef\nghijkl\nm", "abc abc abc abc", "1 2 3 4 5 6 7 8 9\n10 11 12\n13",
@@ -163,9 +140,7 @@ BOOST_AUTO_TEST_CASE(words_and_lines) {
 
 // Random words, many of them numbers, with blank parts that are longer than what is delivered at once.
 BOOST_AUTO_TEST_CASE(random_texts) {
-  const unsigned seed = 20261122;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(20261122);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   for (int i = 0; i < 40; ++i) {
     std::string text;

@@ -5,43 +5,20 @@
 // The Taylor models of points, normals and curvatures along an edge enclose their values, also on ranges that are so wide that what the
 // polynomials leave out is large; and they are narrow on those that are not.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/random.h"
+#include "support/cad_sides.h"
 #include "support/sampled_edges.h"
 
 #include <CGAL/Geometric_continuity/cad/internal/Edge_bounds.h>
 #include <CGAL/Geometric_continuity/cad/internal/Side_evaluator.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <memory>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Side_evaluator)
-
-namespace GC = CGAL::Geometric_continuity;
-typedef GC::Cad_elementary_surface Elementary;
-typedef Elementary::Kind Kind;
-typedef GC::Cad_point<3> P3;
-
-namespace {
 
 std::mt19937 random_bits;
 
 double between(double a, double b) { return std::uniform_real_distribution<double>(a, b)(random_bits); }
 
-std::vector<double> bezier_knots(int degree) {
-  std::vector<double> k(degree + 1, 0.);
-  k.insert(k.end(), degree + 1, 1.);
-  return k;
-}
 template <int D> GC::Cad_spline_curve<D> bezier(int degree, bool rational, double size) {
-  GC::Cad_spline_curve<D> c{degree, bezier_knots(degree), {}, {}};
+  GC::Cad_spline_curve<D> c{degree, clamped(degree), {}, {}};
   for (int i = 0; i <= degree; ++i) {
     GC::Cad_point<D> p;
     for (int k = 0; k < D; ++k) p[k] = k == 0 ? size * i / degree : between(0.2, 0.8);
@@ -51,7 +28,7 @@ template <int D> GC::Cad_spline_curve<D> bezier(int degree, bool rational, doubl
   return c;
 }
 GC::Cad_spline_surface patch(int p, int q, bool rational) {
-  GC::Cad_spline_surface s{p, q, bezier_knots(p), bezier_knots(q), {}, {}};
+  GC::Cad_spline_surface s{p, q, clamped(p), clamped(q), {}, {}};
   for (int i = 0; i <= p; ++i)
     for (int j = 0; j <= q; ++j) {
       s.points.push_back({double(i) / p, double(j) / q + between(-0.05, 0.05), between(-0.3, 0.3)});
@@ -102,8 +79,6 @@ struct Outside {
   }
 };
 
-} // namespace
-
 // The range of a coordinate that turns back holds its values and little else; where numbers are so large that sums of them might overflow,
 // nothing is known.
 BOOST_AUTO_TEST_CASE(ranges_of_coordinates) {
@@ -132,17 +107,13 @@ BOOST_AUTO_TEST_CASE(ranges_of_coordinates) {
 
 // The range of an edge is divided next to where it crosses knot lines, however it runs.
 BOOST_AUTO_TEST_CASE(crossed_knot_lines) {
-  const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   const std::vector<double> knots{0, 0, 0.25, 0.5, 1, 1};
   const auto ends = [&](bool swapped, double from, double by) {
-    GC::Cad_spline_surface s{1, 1, knots, bezier_knots(1), std::vector<P3>(8), {}};
+    GC::Cad_spline_surface s{1, 1, knots, clamped(1), std::vector<P3>(8), {}};
     if (swapped) std::swap(s.u_knots, s.v_knots);
-    const GC::Cad_line<2> line =
-        swapped ? GC::Cad_line<2>{{0.5, from}, {0, by}} : GC::Cad_line<2>{{from, 0.5}, {by, 0}};
-    const GC::Edge_side side{std::make_shared<GC::Cad_surface>(s), std::make_shared<GC::Cad_curve<2>>(line), unmoved,
-                             false};
+    const GC::Edge_side a = side(s, swapped ? line(0.5, from, 0, by) : line(from, 0.5, by, 0));
     const CGAL::Protect_FPU_rounding<true> upwards;
-    return GC::internal::divided_range({&side}, 0, 1);
+    return GC::internal::divided_range({&a}, 0, 1);
   };
   for (const bool swapped : {false, true}) {
     BOOST_TEST((ends(swapped, 0, 1) == std::vector<double>{0, 0.25, 0.5, 1}));
@@ -165,13 +136,12 @@ BOOST_AUTO_TEST_CASE(crossed_knot_lines) {
 
 // At a corner where both derivatives have one direction the normal is proved to vanish, in whichever plane that lies.
 BOOST_AUTO_TEST_CASE(vanishing_normals) {
-  const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
   const auto vanishes = [&](const P3& along_u, const P3& along_v) {
-    const GC::Edge_side side{std::make_shared<GC::Cad_surface>(GC::Cad_spline_surface{
-                                 1, 1, bezier_knots(1), bezier_knots(1), {{0, 0, 0}, along_v, along_u, {9, 8, 5}}, {}}),
-                             std::make_shared<GC::Cad_curve<2>>(GC::Cad_line<2>{{0, 0}, {0, 1}}), unmoved, false};
+    const GC::Edge_side a =
+        side(GC::Cad_spline_surface{1, 1, clamped(1), clamped(1), {{0, 0, 0}, along_v, along_u, {9, 8, 5}}, {}},
+             line(0, 0, 0, 1));
     const CGAL::Protect_FPU_rounding<true> upwards;
-    return GC::internal::Vanishing_normal(side).is_on(GC::internal::Edge_range(0, 0.5), false);
+    return GC::internal::Vanishing_normal(a).is_on(GC::internal::Edge_range(0, 0.5), false);
   };
   BOOST_TEST(vanishes({2, 4, 6}, {1, 2, 3}));
   BOOST_TEST(vanishes({-1, 0, 2}, {1, 0, -2}));
@@ -183,8 +153,7 @@ BOOST_AUTO_TEST_CASE(vanishing_normals) {
 BOOST_AUTO_TEST_CASE(models_enclose_what_they_stand_for) {
   const unsigned seed = first_seed();
   random_bits.seed(seed);
-  const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}},
-      moved{{{0.48, -0.8, 0.36, 5}, {0.64, 0.6, 0.48, -2}, {0.6, 0, -0.8, 1}}}; // with a mirror
+  const GC::Cad_placement moved{{{0.48, -0.8, 0.36, 5}, {0.64, 0.6, 0.48, -2}, {0.6, 0, -0.8, 1}}}; // with a mirror
   const GC::Cad_frame frame{{1, 2, 3}, {0, 0.6, 0.8}, {1, 0, 0}, {0, 0.8, -0.6}};
   typedef GC::Cad_conic<2> Conic;
   // How many models on short ranges of each surface are narrow. A few are not, where a normal nearly vanishes: there a series of the
@@ -219,18 +188,17 @@ BOOST_AUTO_TEST_CASE(models_enclose_what_they_stand_for) {
     };
     for (const auto& [surface_name, surface] : surfaces)
       for (const auto& [curve_name, curve] : curves) {
-        const GC::Edge_side side{std::make_shared<GC::Cad_surface>(surface), std::make_shared<GC::Cad_curve<2>>(curve),
-                                 round % 2 ? moved : unmoved, round == 1};
+        const GC::Edge_side a = side(surface, curve, round == 1, round % 2 ? moved : unmoved);
         BOOST_TEST_CONTEXT(curve_name << " on " << surface_name << ", seed " << seed << ", round " << round) {
           int known = 0;
           for (double length : {1., 0.5, 0.25, 0.0625}) {
             const double first = between(0, 1 - length);
-            const Outside o(side, first, first + length);
+            const Outside o(a, first, first + length);
             BOOST_TEST(o.outside == 0);
             known += o.known;
           }
           const double first = between(0, 0.9);
-          const Outside tiny(side, first, first + 0x1p-8);
+          const Outside tiny(a, first, first + 0x1p-8);
           BOOST_TEST(tiny.outside == 0);
           BOOST_TEST((tiny.known == 7 * 11 || (tiny.known == 3 * 11 && !tiny.steady)));
           narrow[surface_name] += tiny.r < 1e-7;

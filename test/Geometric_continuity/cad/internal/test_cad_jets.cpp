@@ -5,30 +5,16 @@
 // Series of CAD curves and surfaces over ranges of parameters enclose those at each point, which are the derivatives of the same splines in
 // exact numbers; and the pieces that a range touches.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/cad/internal/Cad_surface_jet.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <memory>
-#include <random>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(cad_jets)
 
-namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Interval;
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
-
-namespace {
 
 constexpr unsigned seed = 20261127;
 std::mt19937 random_bits(seed);
@@ -70,13 +56,13 @@ GC::Cad_spline_curve<3> spline(int degree, bool rational) {
   const std::size_t n = u.size() - degree - 1;
   return {degree, u, points(n), weights(n, rational)};
 }
-GC::Rational_bspline_curve<Exact> exact(const GC::Cad_spline_curve<3>& c) {
-  std::vector<Exact::Point> p;
+GC::Rational_bspline_curve<Exact_3> exact(const GC::Cad_spline_curve<3>& c) {
+  std::vector<Exact_3::Point> p;
   for (const GC::Cad_point<3>& x : c.points) p.emplace_back(Q(x[0]), Q(x[1]), Q(x[2]));
   std::vector<Q> w(c.weights.begin(), c.weights.end());
   const std::vector<Q> u(c.knots.begin(), c.knots.end());
   if (w.empty()) w.assign(p.size(), Q(1));
-  return GC::Rational_bspline_curve<Exact>(p, w, GC::Knot_vector<Q>(c.degree, u));
+  return GC::Rational_bspline_curve<Exact_3>(p, w, GC::Knot_vector<Q>(c.degree, u));
 }
 
 template <class Parameter_range> std::pair<double, double> part_of(const Parameter_range& range) {
@@ -90,15 +76,13 @@ double within(const std::pair<double, double>& range) {
 
 bool contains(const Interval& x, const Q& y) { return Q(x.inf()) <= y && y <= Q(x.sup()); }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(series_of_splines) {
   BOOST_TEST_MESSAGE("seed " << seed);
   const CGAL::Protect_FPU_rounding<true> upwards;
   for (int round = 0; round < 200; ++round) {
     const int degree = whole(1, 4);
     const GC::Cad_spline_curve<3> c = spline(degree, whole(0, 1));
-    const GC::Rational_bspline_curve<Exact> truth = exact(c);
+    const GC::Rational_bspline_curve<Exact_3> truth = exact(c);
     for (std::size_t s = degree; s + degree + 1 < c.knots.size(); ++s) {
       if (!(c.knots[s] < c.knots[s + 1])) continue;
       const std::pair<double, double> range = part_of(std::make_pair(c.knots[s], c.knots[s + 1]));

@@ -7,42 +7,17 @@
 //
 // Set GEOMETRIC_CONTINUITY_EDGES for the number of edges of each class and GEOMETRIC_CONTINUITY_SEED for other numbers.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <iostream>
-#include <limits>
-#include <numeric>
-#include <random>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(filtered_edges)
 
-namespace GC = CGAL::Geometric_continuity;
 using GC::Patch_edge;
 using GC::internal::Stage;
 constexpr Patch_edge u0 = Patch_edge::u0, u1 = Patch_edge::u1, v0 = Patch_edge::v0, v1 = Patch_edge::v1;
 
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_3<CGAL::Epick> Space;
-typedef GC::Bezier_patch<Space> Patch;
-
-namespace {
+typedef GC::Bezier_patch<Epick_3> Patch;
 
 // Stages switched on one by one; multi-precision is always there.
 struct Stages {
@@ -274,7 +249,7 @@ struct Connection {
 
 // The layers in any of the 8 orientations, with a map of the coordinates.
 template <class Map> std::pair<Patch, Patch_edge> placed(const std::vector<Curve>& layers, int orientation, Map map) {
-  std::vector<std::vector<Space::Point>> net;
+  std::vector<std::vector<Epick_3::Point>> net;
   for (std::size_t i = 0; i < layers[0].size(); ++i) {
     net.emplace_back();
     for (const Curve& layer : layers) {
@@ -330,8 +305,6 @@ void report(const char* name, const Random& r, const Counter& c) {
   std::cout << '\n';
   BOOST_CHECK_EQUAL(c.mismatches, 0);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(smooth_edges) {
   Random r;
@@ -497,7 +470,7 @@ BOOST_AUTO_TEST_CASE(other_degrees) {
     check(quartic, v0, a.first, v0, counter);
     check(a.first.elevate(1, 0), v0, quartic, v0, counter);
     check_edges(r, edges(r, large), as_given, counter);
-    const GC::Bspline_surface<Space> spline(a.first);
+    const GC::Bspline_surface<Epick_3> spline(a.first);
     BOOST_CHECK(GC::is_g2_edge(spline, v0, quartic, v0) && GC::is_g1_edge(quartic, v0, spline, v0) &&
                 GC::is_g0_edge(spline, v0, spline, v0) && !GC::is_g1_edge(spline, v0, spline, v0));
     BOOST_CHECK(GC::is_g2_edge(a.first, v0, b.first, v0) && GC::is_g1_edge(a.first, v0, b.first, v0) &&
@@ -513,7 +486,8 @@ BOOST_AUTO_TEST_CASE(other_degrees) {
 
 BOOST_AUTO_TEST_CASE(not_finite) {
   const auto patch = [](double z) {
-    return Patch({{Space::Point(0, 0, 0), Space::Point(0, 1, z)}, {Space::Point(1, 0, 0), Space::Point(1, 1, 0)}});
+    return Patch(
+        {{Epick_3::Point(0, 0, 0), Epick_3::Point(0, 1, z)}, {Epick_3::Point(1, 0, 0), Epick_3::Point(1, 1, 0)}});
   };
   for (double z : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     BOOST_CHECK_EXCEPTION((void)GC::is_g1_edge(patch(0), v0, patch(z), v0), GC::Error,
@@ -540,8 +514,8 @@ BOOST_AUTO_TEST_CASE(not_finite) {
 // T2 = (gamma C' + beta T1) / alpha with numbers each of which is short, but not over one denominator: 7000 over 7.
 BOOST_AUTO_TEST_CASE(ratios_that_become_long) {
   const auto patch = [](double length, const std::array<double, 2>& start, const std::array<double, 2>& end) {
-    return Patch({{Space::Point(0, 0, 0), Space::Point(start[0], start[1], 0)},
-                  {Space::Point(length, 0, 0), Space::Point(length + end[0], end[1], 0)}});
+    return Patch({{Epick_3::Point(0, 0, 0), Epick_3::Point(start[0], start[1], 0)},
+                  {Epick_3::Point(length, 0, 0), Epick_3::Point(length + end[0], end[1], 0)}});
   };
   struct Case {
     double length, a;
@@ -561,8 +535,8 @@ BOOST_AUTO_TEST_CASE(ratios_that_become_long) {
 // Second differences much larger than the first ones, which rounded numbers do not judge.
 BOOST_AUTO_TEST_CASE(steep_second_layers) {
   const auto patch = [](double y, double z) {
-    return Patch({{Space::Point(0, 0, 0), Space::Point(0, y, 0), Space::Point(0, 2 * y, z)},
-                  {Space::Point(1, 0, 0), Space::Point(1, y, 0), Space::Point(1, 2 * y, z)}});
+    return Patch({{Epick_3::Point(0, 0, 0), Epick_3::Point(0, y, 0), Epick_3::Point(0, 2 * y, z)},
+                  {Epick_3::Point(1, 0, 0), Epick_3::Point(1, y, 0), Epick_3::Point(1, 2 * y, z)}});
   };
   for (const double z : {0x1p99, 0x1p101, 0x1p300}) {
     BOOST_CHECK(GC::is_g1_edge(patch(1, 0), v0, patch(-1, z), v0) &&
@@ -570,7 +544,7 @@ BOOST_AUTO_TEST_CASE(steep_second_layers) {
     BOOST_CHECK(GC::is_g2_edge(patch(1, z), v0, patch(-1, z), v0));
   }
   // what has not the order 2 has not the order 3, which needs more numbers
-  const auto spline = [&](double y, double z) { return GC::Bspline_surface<Space>(patch(y, z)).insert_u(0.5); };
+  const auto spline = [&](double y, double z) { return GC::Bspline_surface<Epick_3>(patch(y, z)).insert_u(0.5); };
   BOOST_CHECK(!GC::is_g3_edge(patch(1, 0), v0, patch(-1, 1), v0) &&
               !GC::is_g3_edge(spline(1, 0), v0, spline(-1, 1), v0));
   BOOST_CHECK(GC::is_g3_edge(patch(1, 0), v0, patch(-1, 0), v0) && GC::is_g3_edge(spline(1, 0), v0, spline(-1, 0), v0));
@@ -578,18 +552,15 @@ BOOST_AUTO_TEST_CASE(steep_second_layers) {
 
 // ---------------------------------------------------------------- rational numbers, and the spans of splines
 
-namespace {
-
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Rational_space;
-typedef GC::Bezier_patch<Rational_space> Rational_patch;
-typedef GC::Bspline_surface<Rational_space> Rational_spline;
+typedef GC::Bezier_patch<Exact_3> Rational_patch;
+typedef GC::Bspline_surface<Exact_3> Rational_spline;
 
 // With coordinates divided by a whole number.
 Rational_patch rational(const Patch& s, int divisor) {
-  std::vector<std::vector<Rational_space::Point>> net(s.degree_u() + 1);
+  std::vector<std::vector<Exact_3::Point>> net(s.degree_u() + 1);
   for (int i = 0; i <= s.degree_u(); ++i)
     for (int j = 0; j <= s.degree_v(); ++j) {
-      const Space::Point& p = s.control_point(i, j);
+      const Epick_3::Point& p = s.control_point(i, j);
       net[i].emplace_back(Q(p.x()) / divisor, Q(p.y()) / divisor, Q(p.z()) / divisor);
     }
   return Rational_patch(net);
@@ -602,7 +573,7 @@ Rational_spline with_knots(const Rational_patch& s, Patch_edge edge, const std::
   return runs_along_u(edge) ? r.insert_v(Q(1) / 2) : r.insert_u(Q(1) / 2);
 }
 
-GC::Bspline_surface<Space> in_double(const Rational_spline& s) {
+GC::Bspline_surface<Epick_3> in_double(const Rational_spline& s) {
   const auto number = [](const Q& x) {
     BOOST_REQUIRE(Q(CGAL::to_double(x)) == x);
     return CGAL::to_double(x);
@@ -610,14 +581,14 @@ GC::Bspline_surface<Space> in_double(const Rational_spline& s) {
   std::vector<double> u, v;
   for (const Q& t : s.knots_u()) u.push_back(number(t));
   for (const Q& t : s.knots_v()) v.push_back(number(t));
-  std::vector<std::vector<Space::Point>> net(s.number_of_points_u());
+  std::vector<std::vector<Epick_3::Point>> net(s.number_of_points_u());
   for (int i = 0; i < s.number_of_points_u(); ++i)
     for (int j = 0; j < s.number_of_points_v(); ++j) {
-      const Rational_space::Point& p = s.control_point(i, j);
+      const Exact_3::Point& p = s.control_point(i, j);
       net[i].emplace_back(number(p.x()), number(p.y()), number(p.z()));
     }
-  return GC::Bspline_surface<Space>(net, GC::Knot_vector<double>(s.degree_u(), u),
-                                    GC::Knot_vector<double>(s.degree_v(), v));
+  return GC::Bspline_surface<Epick_3>(net, GC::Knot_vector<double>(s.degree_u(), u),
+                                      GC::Knot_vector<double>(s.degree_v(), v));
 }
 
 bool agree(const GC::Edge_continuity<Q>& x, const GC::Edge_continuity<Q>& y) {
@@ -663,8 +634,6 @@ void check_numbers_and_knots(const Patch& a, Patch_edge edge_a, const Patch& b, 
   check_surfaces(x, edge_a, y, edge_b, truth, spans);
   check_surfaces(x, edge_a, rational(b, 1), edge_b, truth, spans);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(rational_numbers_and_spans, *boost::unit_test::label("long")) {
   Random r;

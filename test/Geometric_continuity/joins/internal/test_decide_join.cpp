@@ -8,42 +8,19 @@
 // Set GEOMETRIC_CONTINUITY_JOINS for the number of joins of each class and GEOMETRIC_CONTINUITY_SEED for other numbers.
 
 #define BOOST_TEST_MODULE filtered_joins
-#include <boost/test/unit_test.hpp>
 
 #include "joins/internal/join_stages.h"
 #include "support/random.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <functional>
-#include <iostream>
-#include <limits>
-#include <optional>
-#include <random>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Join_answer;
 using GC::internal::Join_question;
 using GC::internal::Stage;
 
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Exact_predicates_inexact_constructions_kernel> Plane;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Space; // the predicates are exact although the kernel's are not
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_space;
@@ -547,8 +524,6 @@ BOOST_AUTO_TEST_CASE(high_degrees_and_short_domains) {
   }
 }
 
-namespace {
-
 // What the absolute value of a number cannot exceed.
 struct Magnitude {
   boost::multiprecision::cpp_int value;
@@ -624,8 +599,6 @@ template <Join_question question, bool weighted> void check_bits_of_form() {
           }
         }
 }
-
-} // namespace
 
 // The lengths of forms that the last stage supposes are those of the equations, for doubles of all sizes and all degrees.
 BOOST_AUTO_TEST_CASE(bits_of_forms) {

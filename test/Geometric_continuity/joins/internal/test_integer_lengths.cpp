@@ -4,15 +4,11 @@
 
 // What the residues of fixed length leave out of a form is longer than they are: the equations themselves, evaluated on bounds.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/bounded_integers.h"
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/joins/internal/Grid_join.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_ladder.h>
-
-#include <algorithm>
-#include <cstdint>
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
@@ -29,8 +25,6 @@ template <int m, int n> struct Product_type<Bounded_integer<m>, Bounded_integer<
 } // namespace CGAL
 
 BOOST_AUTO_TEST_SUITE(integer_lengths)
-
-namespace {
 
 using namespace CGAL::Geometric_continuity::internal;
 
@@ -100,8 +94,6 @@ template <Join_question question> void check_limits() {
       BOOST_CHECK_EQUAL(factors_fit<question>(Factors{w[0], w[1], w[2], w[3], w[4]}), !reaches);
     }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(limits_of_factors) {
   check_limits<Join_question::g2>();

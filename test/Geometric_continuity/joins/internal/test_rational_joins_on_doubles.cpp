@@ -7,41 +7,21 @@
 //
 // Set GEOMETRIC_CONTINUITY_JOINS for the number of joins of each class and GEOMETRIC_CONTINUITY_SEED for other numbers.
 
-#include <boost/test/unit_test.hpp>
-
 #include "joins/internal/join_stages.h"
 #include "support/random.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdlib>
-#include <optional>
-#include <random>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(rational_joins_on_doubles)
 
-namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Join_answer;
 using GC::internal::Join_question;
 using GC::internal::Stage;
 
-typedef CGAL::Exact_rational Q;
 template <int N>
 using Traits = std::conditional_t<N == 2, GC::Traits_2<CGAL::Simple_cartesian<double>>, GC::Traits_3<CGAL::Epick>>;
 template <int N> using Curve = GC::Rational_bezier_curve<Traits<N>>;
-
-namespace {
 
 const int joins = static_cast<int>(from_environment("GEOMETRIC_CONTINUITY_JOINS", 40));
 
@@ -360,8 +340,6 @@ template <int N> void check_counts(const Counter& counter) {
     if (!is_geometric(q)) BOOST_CHECK(answers[static_cast<int>(Join_answer::undefined)] >= joins);
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(plane) {
   Counter counter;

@@ -4,27 +4,14 @@
 
 // Tells whether a polynomial in two variables has a zero inside of the unit square, and what constructors say of such denominators.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/zeros_on_square.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <iostream>
-#include <random>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(zeros_on_square)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Traits;
-
-namespace {
 
 // Coefficients of u^i v^j.
 typedef std::vector<std::vector<Q>> Polynomial;
@@ -92,8 +79,6 @@ GC::Rational_bezier_patch<Traits> patch(const Polynomial& f) {
 const Polynomial u{{Q(0)}, {Q(1)}}, v{{Q(0), Q(1)}};
 Polynomial minus(const Polynomial& f, const Q& c) { return sum(f, constant(Q(-c))); }
 
-} // namespace
-
 // The middle of the interval of a number may be the number.
 BOOST_AUTO_TEST_CASE(rational_numbers) {
   typedef GC::Power_polynomial<Q> Power;
@@ -157,9 +142,7 @@ BOOST_AUTO_TEST_CASE(closed_curves) {
 
 // Sums of two squares of random polynomials that are both zero at a random point, or one of them is not.
 BOOST_AUTO_TEST_CASE(random_points) {
-  constexpr unsigned seed = 2026;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937 engine(seed);
+  std::mt19937 engine = seeded(2026);
   const auto number = [&] { return Q(static_cast<int>(engine() % 19) - 9); };
   int zeros = 0;
   for (int i = 0; i < 60; ++i) {

@@ -4,20 +4,12 @@
 
 // Repair of contours: what stays, how far handles move, mirror images, and that repairing again changes nothing.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE repair_contour
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include "commands/repair/repair_contour.h"
 
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <optional>
-#include <random>
-#include <vector>
 
 typedef GC::Grid_vector Vector;
 typedef std::vector<Vector> Points;
@@ -94,9 +86,7 @@ double squared(const Vector& v) { return static_cast<double>(v.x * v.x + v.y * v
 } // namespace
 
 BOOST_AUTO_TEST_CASE(nothing_is_harmed) {
-  const unsigned seed = 27;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(27);
   std::size_t mended = 0, kinks = 0;
   for (int i = 0; i < 400; ++i) {
     const Grid_contour given = random_contour(random, i % 2 == 0 ? 60 : 700);
@@ -142,9 +132,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_harmed) {
 }
 
 BOOST_AUTO_TEST_CASE(mirror_images) {
-  const unsigned seed = 28;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(28);
   int contours = 0;
   for (int i = 0; i < 300; ++i) {
     const Grid_contour given = random_contour(random, i % 2 == 0 ? 60 : 700);
@@ -161,9 +149,7 @@ BOOST_AUTO_TEST_CASE(mirror_images) {
 
 // Of two cubics: against all positions of both handles.
 BOOST_AUTO_TEST_CASE(least_change) {
-  const unsigned seed = 29;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(29);
   int mended = 0;
   for (int i = 0; i < 400; ++i) {
     const Vector a{8 + static_cast<int>(random() % 14), static_cast<int>(random() % 9) - 4},

@@ -4,39 +4,23 @@
 
 // Corners, kinks and angles between the segments of SVG paths.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE svg_grade
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include "formats/svg/read_svg_path.h"
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <iostream>
-#include <optional>
-#include <random>
-#include <sstream>
-#include <string>
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
 
 const double degree = std::acos(-1.) / 180;
 
 // The join of the first two segments.
-template <class Traits = Exact>
+template <class Traits = Exact_2>
 std::string grade(const std::string& path, const GC::Corner_threshold& bound = GC::Corner_threshold()) {
   const GC::Svg_subpath<Traits> s = GC::read_svg_path<Traits>(path).at(0);
   const std::optional<GC::Visual_class> g = GC::visual_class(s.segments.at(0), s.segments.at(1), bound);
   return g ? to_string(*g) : "undefined";
 }
 std::optional<GC::Enclosure> angle(const std::string& path) {
-  const GC::Svg_subpath<Exact> s = GC::read_svg_path<Exact>(path).at(0);
+  const GC::Svg_subpath<Exact_2> s = GC::read_svg_path<Exact_2>(path).at(0);
   return GC::tangent_angle(s.segments.at(0), s.segments.at(1));
 }
 
@@ -55,8 +39,8 @@ BOOST_AUTO_TEST_CASE(curves) {
   BOOST_CHECK(*angle("M0 0h1h7") == (GC::Enclosure{0, 0}));
   BOOST_CHECK_CLOSE(angle("M0 0h1v1")->lower, 90 * degree, 1e-12);
   BOOST_CHECK_CLOSE(angle("M0 0h1c0 0 0 2 3 3")->lower, 90 * degree, 1e-12);
-  const GC::Svg_subpath<Exact> x = GC::read_svg_path<Exact>("M0 0h1v1").at(0),
-                               y = GC::read_svg_path<Exact>("M5 5A1 1 0 0 1 6 6").at(0);
+  const GC::Svg_subpath<Exact_2> x = GC::read_svg_path<Exact_2>("M0 0h1v1").at(0),
+                                 y = GC::read_svg_path<Exact_2>("M5 5A1 1 0 0 1 6 6").at(0);
   BOOST_CHECK(GC::visual_class(x.segments[0], y.segments[0]) == GC::Visual_class::gap);
   BOOST_CHECK(GC::visual_class(x.segments[1], x.segments[0]) == GC::Visual_class::gap);
 }
@@ -83,15 +67,13 @@ BOOST_AUTO_TEST_CASE(arcs) {
   BOOST_CHECK_EQUAL(grade("M0 0a1 1 0 0 1 1 0a1 1 0 0 0 1 0"), "G1");
   BOOST_CHECK_EQUAL(grade("M0 0a1 1 0 0 1 1 0a1 1 0 0 1 0 1", GC::Corner_threshold(150)), "kink");
   BOOST_CHECK_EQUAL(grade("M0 0a5 5 0 0 1 1 0a7 7 0 0 0 1 0"), "kink");
-  BOOST_CHECK_EQUAL(grade<Double>("M0 0a5 5 0 0 1 1 0a7 7 0 0 0 1 0"), "kink");
-  BOOST_CHECK_EQUAL(grade<Double>("M0 0a5 5 0 0 1 1 0h9"), "corner");
+  BOOST_CHECK_EQUAL(grade<Double_2>("M0 0a5 5 0 0 1 1 0a7 7 0 0 0 1 0"), "kink");
+  BOOST_CHECK_EQUAL(grade<Double_2>("M0 0a5 5 0 0 1 1 0h9"), "corner");
 }
 
 // Arcs of circles over one chord: half of the angle of the arc is that between the arc and its chord.
 BOOST_AUTO_TEST_CASE(random_arcs) {
-  const unsigned seed = 12;
-  std::cout << "seed " << seed << '\n';
-  std::mt19937 random(seed);
+  std::mt19937 random = seeded(12);
   for (int i = 0; i < 300; ++i) {
     const int x = 1 + static_cast<int>(random() % 9), y = static_cast<int>(random() % 9),
               u = static_cast<int>(random() % 19) - 9, v = 1 + static_cast<int>(random() % 9),

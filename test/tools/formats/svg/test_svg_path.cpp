@@ -3,40 +3,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #define BOOST_TEST_MODULE svg_path
-#define BOOST_TEST_DYN_LINK
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include "formats/svg/Css_transform.h"
 #include "formats/svg/Svg_transform.h"
 #include "formats/svg/Svg_viewport.h"
 #include "formats/svg/read_svg_path.h"
 #include "formats/svg/svg_shapes.h"
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Sqrt_extension.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <iostream>
-#include <locale>
-#include <random>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
-typedef GC::Svg_subpath<Exact> Subpath;
-typedef GC::Svg_segment<Exact> Segment;
-typedef GC::Svg_transform<Exact> Transform;
-typedef Exact::Point Point;
+typedef GC::Svg_subpath<Exact_2> Subpath;
+typedef GC::Svg_segment<Exact_2> Segment;
+typedef GC::Svg_transform<Exact_2> Transform;
+typedef Exact_2::Point Point;
 typedef std::vector<Point> Points;
 
 namespace {
@@ -44,9 +24,7 @@ namespace {
 constexpr unsigned seed = 20261121;
 
 std::string text(const Q& x) {
-  std::ostringstream os;
-  GC::write_number(os, x);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_number(os, x); });
 }
 
 std::string text(const Point& p) { return text(p.x()) + ',' + text(p.y()); }
@@ -68,19 +46,19 @@ std::string text(const std::vector<Subpath>& path) {
   return s;
 }
 
-std::string read(const std::string& data) { return text(GC::read_svg_path<Exact>(data)); }
+std::string read(const std::string& data) { return text(GC::read_svg_path<Exact_2>(data)); }
 
 // The only arc of a path.
-GC::Elliptical_arc<Exact> arc(const std::string& data) {
-  const std::vector<Subpath> path = GC::read_svg_path<Exact>(data);
+GC::Elliptical_arc<Exact_2> arc(const std::string& data) {
+  const std::vector<Subpath> path = GC::read_svg_path<Exact_2>(data);
   BOOST_REQUIRE_EQUAL(path.size(), 1u);
   BOOST_REQUIRE_EQUAL(path[0].segments.size(), 1u);
   BOOST_REQUIRE(path[0].segments[0].arc());
   return *path[0].segments[0].arc();
 }
 
-GC::Curve_jet<Exact> jet(const Point& p, const Q& x1, const Q& y1, const Q& x2, const Q& y2) {
-  return GC::Curve_jet<Exact>(p, {Exact::Vector(x1, y1), Exact::Vector(x2, y2)});
+GC::Curve_jet<Exact_2> jet(const Point& p, const Q& x1, const Q& y1, const Q& x2, const Q& y2) {
+  return GC::Curve_jet<Exact_2>(p, {Exact_2::Vector(x1, y1), Exact_2::Vector(x2, y2)});
 }
 
 // The G orders of the joins from left to right, the closing one last; "?" is undecided.
@@ -94,7 +72,7 @@ std::string orders(const Subpath& subpath) {
   return s;
 }
 
-std::string orders(const std::string& data) { return orders(GC::read_svg_path<Exact>(data).at(0)); }
+std::string orders(const std::string& data) { return orders(GC::read_svg_path<Exact_2>(data).at(0)); }
 
 template <class Function> std::string error(Function f) {
   try {
@@ -200,7 +178,7 @@ BOOST_AUTO_TEST_CASE(numbers_need_no_separators_and_are_exact) {
   BOOST_CHECK_EQUAL(read("M 0 , 0\n,\t3.\r\f,5.e1"), "2L 0,0 3,50; |");
   BOOST_CHECK_EQUAL(read("M0,0-1-1+1+1"), "2L 0,0 -1,-1; 3L -1,-1 1,1; |");
   BOOST_CHECK_EQUAL(read("M0 0l.1.2l.1.2l.1.2"), "2l 0,0 1/10,1/5; 3l 1/10,1/5 1/5,2/5; 4l 1/5,2/5 3/10,3/5; |");
-  const double x = GC::read_svg_path<Double>("M0.1 0L1 1")[0].segments[0].start().x();
+  const double x = GC::read_svg_path<Double_2>("M0.1 0L1 1")[0].segments[0].start().x();
   BOOST_CHECK_EQUAL(x, 0.1);
 }
 
@@ -218,9 +196,9 @@ BOOST_AUTO_TEST_CASE(arc_flags_may_be_glued) {
 BOOST_AUTO_TEST_CASE(the_four_arcs_between_two_points) {
   const Point p(3, -4), q(3, 4);
   const auto both = [&](const std::string& flags) {
-    const GC::Elliptical_arc<Exact> a = arc("M3-4A5 5 0 " + flags + " 3 4");
+    const GC::Elliptical_arc<Exact_2> a = arc("M3-4A5 5 0 " + flags + " 3 4");
     BOOST_REQUIRE(a.is_rational());
-    return std::array<GC::Curve_jet<Exact>, 2>{*a.start_jet(2), *a.end_jet(2)};
+    return std::array<GC::Curve_jet<Exact_2>, 2>{*a.start_jet(2), *a.end_jet(2)};
   };
   BOOST_CHECK(both("01")[0] == jet(p, 4, 3, -3, 4));
   BOOST_CHECK(both("01")[1] == jet(q, -4, 3, -3, -4));
@@ -231,7 +209,7 @@ BOOST_AUTO_TEST_CASE(the_four_arcs_between_two_points) {
   BOOST_CHECK(both("11")[0] == jet(p, 4, -3, 3, 4));
   BOOST_CHECK(both("11")[1] == jet(q, -4, -3, 3, -4));
   // the derivatives go on with period 4
-  const GC::Curve_jet<Exact> five = *arc("M3-4A5 5 0 01 3 4").start_jet(5);
+  const GC::Curve_jet<Exact_2> five = *arc("M3-4A5 5 0 01 3 4").start_jet(5);
   BOOST_CHECK(five[3] == Q(-1) * five[1] && five[4] == Q(-1) * five[2] && five[5] == five[1]);
 }
 
@@ -247,7 +225,7 @@ BOOST_AUTO_TEST_CASE(arcs_with_unusual_radii_and_rotations) {
   BOOST_CHECK_EQUAL(read("M0 0A0 1 0 0 1 4 0A1 0 0 0 1 5 0"), "2A 0,0 4,0; 3A 4,0 5,0; |");
   BOOST_CHECK_EQUAL(read("M0 0A1 1 0 0 1 0 0L1 1"), "3L 0,0 1,1; |");
   // by an odd multiple of 90 degrees the radii change places, by an even one nothing changes
-  const GC::Curve_jet<Exact> upright = *arc("M0 0A2 1 0 0 1 2 1").start_jet(3);
+  const GC::Curve_jet<Exact_2> upright = *arc("M0 0A2 1 0 0 1 2 1").start_jet(3);
   BOOST_CHECK(arc("M0 0A2 1 0 0 1 2 1").start_jet(2) == jet(Point(0, 0), 2, 0, 0, 1)); // around (0, 1)
   for (const char* turned : {"1 2 90", "1 2 -90", "1 2 450", "2 1 180", "2 1 -360", "2 1 3.6e2"})
     BOOST_CHECK(arc("M0 0A" + std::string(turned) + " 0 1 2 1").start_jet(3) == upright);
@@ -263,7 +241,7 @@ BOOST_AUTO_TEST_CASE(arcs_that_are_rotated_by_multiples_of_45_degrees) {
   for (const char* turned : {"7 4 45", "7 4 -135", "7 4 405", "4 7 135", "4 7 -45", "-7 4 225"}) {
     const auto a = arc("M0 0A" + std::string(turned) + " 0 1 16 24");
     BOOST_REQUIRE(a.is_known() && a.is_rational());
-    const GC::Curve_jet<Exact> jet = *a.start_jet(2);
+    const GC::Curve_jet<Exact_2> jet = *a.start_jet(2);
     const Q r[2] = {Q(0) - jet[2][0], Q(0) - jet[2][1]}, t[2] = {jet[1][0], jet[1][1]};
     // half of the ellipse with x - c and x' as conjugate radii: (u, v) . (u', v') = 0 for u = (x + y) / 7, v = (y - x) / 4
     BOOST_CHECK(r[0] == -8 && r[1] == -12);
@@ -314,14 +292,14 @@ BOOST_AUTO_TEST_CASE(tangents_of_rotated_ellipses) {
           numbers >> rx >> ry >> angle >> x >> y;
           const std::array<double, 2> expected = tangents_of_svg(rx, ry, angle, flags[0] == '1', flags[1] == '1', x, y);
           const std::string text = std::string("M-1 0L0 0A") + radii + ' ' + rotation + ' ' + flags + ' ' + end + "h1";
-          const Subpath path = GC::read_svg_path<Exact>(text)[0];
+          const Subpath path = GC::read_svg_path<Exact_2>(text)[0];
           for (int i = 0; i < 2; ++i) {
             const auto angle_there = GC::tangent_angle(path.segments[i], path.segments[i + 1]);
             const GC::Enclosure degrees = GC::in_degrees(*angle_there);
             const double size = std::abs(expected[i]);
             BOOST_CHECK_MESSAGE(degrees.upper - degrees.lower < 1e-9 && std::abs(degrees.lower - size) < 1e-6,
                                 text << ": " << degrees << " instead of " << size);
-            const auto rounded = GC::tangent_angle<Exact>(path.segments[i].rounded(), path.segments[i + 1].rounded());
+            const auto rounded = GC::tangent_angle<Exact_2>(path.segments[i].rounded(), path.segments[i + 1].rounded());
             BOOST_CHECK_SMALL(GC::in_degrees(*rounded).lower - degrees.lower, 1e-6);
             const auto grade = GC::visual_class(path.segments[i], path.segments[i + 1]);
             BOOST_CHECK(grade == (size > 5 ? GC::Visual_class::corner : GC::Visual_class::kink));
@@ -351,7 +329,7 @@ BOOST_AUTO_TEST_CASE(joins_of_rotated_ellipses) {
   BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A2 1 30 0 0 0 0Z"), "00"); // back on itself
   // angles: 0 exactly, 180 exactly
   const auto angle = [](const std::string& text) {
-    const Subpath path = GC::read_svg_path<Exact>(text)[0];
+    const Subpath path = GC::read_svg_path<Exact_2>(text)[0];
     return *GC::tangent_angle(path.segments[0], path.segments[1]);
   };
   BOOST_CHECK_EQUAL(angle("M0 0A2 1 30 0 1 4 2A2 1 30 0 1 0 0").upper, 0);
@@ -359,13 +337,13 @@ BOOST_AUTO_TEST_CASE(joins_of_rotated_ellipses) {
   BOOST_CHECK(back.lower < std::acos(-1.) + 1e-15 && std::acos(-1.) - 1e-15 < back.upper &&
               back.upper - back.lower < 1e-15);
   // a curve with a handle at the node has no tangent
-  const Subpath retracted = GC::read_svg_path<Exact>("M0 0A2 1 30 0 1 4 2C4 2 5 3 6 5")[0];
-  BOOST_CHECK(!GC::continuity<Exact>(retracted.segments[0], retracted.segments[1])->regular);
-  BOOST_CHECK(GC::visual_class<Exact>(retracted.segments[0], retracted.segments[1]) == GC::Visual_class::corner);
-  const Subpath path = GC::read_svg_path<Exact>("M0 0A2 1 30 0 1 4 2A2 1 30 0 1 0 0")[0];
-  const GC::Svg_transform<Exact> skew({Q(3), Q(1), Q(-2), Q(5), Q(7), Q(11)});
-  BOOST_CHECK_EQUAL(GC::continuity<Exact>(path.segments[0].transform(skew), path.segments[1].transform(skew))->g_order,
-                    3);
+  const Subpath retracted = GC::read_svg_path<Exact_2>("M0 0A2 1 30 0 1 4 2C4 2 5 3 6 5")[0];
+  BOOST_CHECK(!GC::continuity<Exact_2>(retracted.segments[0], retracted.segments[1])->regular);
+  BOOST_CHECK(GC::visual_class<Exact_2>(retracted.segments[0], retracted.segments[1]) == GC::Visual_class::corner);
+  const Subpath path = GC::read_svg_path<Exact_2>("M0 0A2 1 30 0 1 4 2A2 1 30 0 1 0 0")[0];
+  const GC::Svg_transform<Exact_2> skew({Q(3), Q(1), Q(-2), Q(5), Q(7), Q(11)});
+  BOOST_CHECK_EQUAL(
+      GC::continuity<Exact_2>(path.segments[0].transform(skew), path.segments[1].transform(skew))->g_order, 3);
 }
 
 BOOST_AUTO_TEST_CASE(joins_of_arcs) {
@@ -381,10 +359,10 @@ BOOST_AUTO_TEST_CASE(joins_of_arcs) {
   BOOST_CHECK_EQUAL(orders("M0 0A5 5 0 0 1 1 0L2 0"), "0");
   BOOST_CHECK_EQUAL(orders("M-1 0L0 0A5 5 0 0 1 1 0"), "0");
   BOOST_CHECK_EQUAL(orders("M0 0A5 5 0 0 1 1 0A4 4 0 0 0 2 0"), "0"); // roots of 99 and 63: two extensions
-  const std::vector<Subpath> s = GC::read_svg_path<Exact>("M0 0A5 5 0 0 1 1 0A5 5 0 0 0 2 0");
+  const std::vector<Subpath> s = GC::read_svg_path<Exact_2>("M0 0A5 5 0 0 1 1 0A5 5 0 0 0 2 0");
   const auto join = GC::continuity(s[0].segments[0], s[0].segments[1]);
   BOOST_CHECK(join->regular && *join->tangent_equal && *join->curvature_equal && !*join->curvature_vector_equal);
-  const std::vector<Subpath> t = GC::read_svg_path<Exact>("M0 0A5 5 0 0 1 1 0A5 5 0 0 0 2 1");
+  const std::vector<Subpath> t = GC::read_svg_path<Exact_2>("M0 0A5 5 0 0 1 1 0A5 5 0 0 0 2 1");
   BOOST_CHECK(*GC::continuity(t[0].segments[0], t[0].segments[1])->curvature_equal); // with two different roots
 }
 
@@ -402,8 +380,8 @@ BOOST_AUTO_TEST_CASE(random_arcs_of_one_ellipse) {
     for (int j = 0; j < 2; ++j) {
       const Q sine_sign = (t[j + 1] - t[j]) * (1 + t[j] * t[j + 1]); // of the angle between the points
       const GC::Elliptical_arc_parameters<Q> parameters{rx, ry, Q(0), sine_sign < 0, true};
-      segments.push_back({{GC::Elliptical_arc<Exact>(point(t[j]), point(t[j + 1]), parameters)}, j, 'A', 0});
-      const GC::Curve_jet<Exact> x = *segments[j].arc()->end_jet(2);
+      segments.push_back({{GC::Elliptical_arc<Exact_2>(point(t[j]), point(t[j + 1]), parameters)}, j, 'A', 0});
+      const GC::Curve_jet<Exact_2> x = *segments[j].arc()->end_jet(2);
       BOOST_REQUIRE_MESSAGE(x[2][0] == cx - x[0][0] && x[2][1] == cy - x[0][1], "seed " << seed << ", case " << i);
     }
     BOOST_CHECK_EQUAL(GC::continuity(segments[0], segments[1], 7)->g_order, 7);
@@ -425,7 +403,7 @@ BOOST_AUTO_TEST_CASE(handles_at_the_node) {
   BOOST_CHECK_EQUAL(read("M0 0C-2-1 4 2 4 2"), "2C 0,0 -2,-1 4,2 4,2; |");
   BOOST_CHECK_EQUAL(read("M0 0C1 0 2 0 3 0"), "2C 0,0 1,0 2,0 3,0; |");
   BOOST_CHECK_EQUAL(read("M0 0C0 0 1 0 0 0"), "2C 0,0 0,0 1,0 0,0; |");
-  const std::vector<Subpath> curved = GC::read_svg_path<Exact>("M-1 0H0C0 0 2 2 4 2");
+  const std::vector<Subpath> curved = GC::read_svg_path<Exact_2>("M-1 0H0C0 0 2 2 4 2");
   BOOST_CHECK(!GC::continuity(curved[0].segments[0], curved[0].segments[1])->regular);
   // a segment of no length has no tangent
   BOOST_CHECK_EQUAL(orders("M0 0h1l0 0h1"), "00");
@@ -465,14 +443,14 @@ BOOST_AUTO_TEST_CASE(errors_have_a_place_and_a_reason) {
   check_refused("M1 1A1e308 1e308 0 0 1 2 2", 26, "the sizes of an arc differ too much");
   read("M1e308 1.7976931348623157e308l-1e300 0Q5e-324 0 4.9406564584124654e-324 1"); // the range of double
   BOOST_CHECK(error([] {
-                GC::read_svg_path<Exact>("M1 x", "a.svg:7: path");
+                GC::read_svg_path<Exact_2>("M1 x", "a.svg:7: path");
               }).find("a.svg:7: path, character 4: 'x' where a number") != std::string::npos);
-  BOOST_CHECK_THROW(GC::read_svg_path<Double>("M1e308 1l1e308 1"), GC::Error);
+  BOOST_CHECK_THROW(GC::read_svg_path<Double_2>("M1e308 1l1e308 1"), GC::Error);
 }
 
 BOOST_AUTO_TEST_CASE(transforms) {
   const auto image = [](const std::string& list, const Point& p) {
-    return text(GC::parse_svg_transform<Exact>(list)(p));
+    return text(GC::parse_svg_transform<Exact_2>(list)(p));
   };
   const Point p(3, 4);
   BOOST_CHECK_EQUAL(image("", p), "3,4");
@@ -494,7 +472,7 @@ BOOST_AUTO_TEST_CASE(transforms) {
   BOOST_CHECK_EQUAL(image("scale(2)translate(10,0)rotate(90)", p), "12,6");
   // other angles: a rotation exactly, by nearly the angle; tan() and cos() are within a few ulp of double
   for (const char* angle : {"30", "-12.5", "44.999", "45", "46", "100", "179.9", "-91", "720.5"}) {
-    const Transform map = GC::parse_svg_transform<Exact>("rotate(" + std::string(angle) + ")");
+    const Transform map = GC::parse_svg_transform<Exact_2>("rotate(" + std::string(angle) + ")");
     const std::array<Q, 6>& m = map.matrix();
     BOOST_CHECK(m[0] * m[0] + m[1] * m[1] == 1 && m[2] == -m[1] && m[3] == m[0]);
     const double radians = std::stod(angle) * std::acos(-1.0) / 180;
@@ -503,10 +481,10 @@ BOOST_AUTO_TEST_CASE(transforms) {
   }
   for (const char* angle : {"30", "-60", "100", "-179"}) {
     const double t = std::tan(std::stod(angle) * std::acos(-1.0) / 180);
-    const Transform map = GC::parse_svg_transform<Exact>("skewX(" + std::string(angle) + ")");
+    const Transform map = GC::parse_svg_transform<Exact_2>("skewX(" + std::string(angle) + ")");
     BOOST_CHECK_SMALL(CGAL::to_double(map.matrix()[2]) / t - 1, 1e-14);
   }
-  const auto refused = [](const std::string& list) { return error([&] { GC::parse_svg_transform<Exact>(list); }); };
+  const auto refused = [](const std::string& list) { return error([&] { GC::parse_svg_transform<Exact_2>(list); }); };
   BOOST_CHECK_EQUAL(refused("scale(1) turn(3)"), "malformed_input: transform, character 10: 'turn' is not a transform");
   BOOST_CHECK_EQUAL(refused("skewX(90)"), "malformed_input: transform, character 7: a skew by a right angle");
   BOOST_CHECK_EQUAL(refused("scale(1"), "malformed_input: transform, character 8: the end where ')' is expected");
@@ -518,7 +496,7 @@ BOOST_AUTO_TEST_CASE(transforms) {
 
 // A list of rotations about one centre is one rotation, however long.
 BOOST_AUTO_TEST_CASE(rotations_about_one_centre_are_one) {
-  const auto map = [](const std::string& list) { return GC::parse_svg_transform<Exact>(list).matrix(); };
+  const auto map = [](const std::string& list) { return GC::parse_svg_transform<Exact_2>(list).matrix(); };
   const auto repeated = [](const std::string& s, int n) {
     std::string result;
     for (int i = 0; i < n; ++i) result += s;
@@ -538,13 +516,14 @@ BOOST_AUTO_TEST_CASE(rotations_about_one_centre_are_one) {
               (Transform(map("rotate(90 1 2)")) * Transform(map("rotate(90 3 4)"))).matrix());
   BOOST_CHECK(map("rotate(10 1 2)rotate(10)") ==
               (Transform(map("rotate(10 1 2)")) * Transform(map("rotate(10)"))).matrix());
-  BOOST_CHECK_EQUAL(GC::parse_svg_transform<Double>("rotate(30)rotate(60)").matrix()[0], 0);
+  BOOST_CHECK_EQUAL(GC::parse_svg_transform<Double_2>("rotate(30)rotate(60)").matrix()[0], 0);
 }
 
 // Products are exact as long as their numbers are short; longer ones are rounded, and do not grow with the list.
 BOOST_AUTO_TEST_CASE(products_of_transforms_stay_short) {
-  const std::vector<Subpath> path = GC::read_svg_path<Exact>("M0 0C1 2 3 3 5 3S7 4 9 2Q10 1 12 3T15 0A5 5 0 0 1 16 0");
-  const Transform step = GC::parse_svg_transform<Exact>("translate(1,2)rotate(10)scale(.9)");
+  const std::vector<Subpath> path =
+      GC::read_svg_path<Exact_2>("M0 0C1 2 3 3 5 3S7 4 9 2Q10 1 12 3T15 0A5 5 0 0 1 16 0");
+  const Transform step = GC::parse_svg_transform<Exact_2>("translate(1,2)rotate(10)scale(.9)");
   Transform product;
   const auto length = [](const Transform& map) {
     std::size_t n = 0;
@@ -571,7 +550,7 @@ BOOST_AUTO_TEST_CASE(products_of_transforms_stay_short) {
     power = power * third;
   }
   // what rounding would make singular is refused, and so is what floating point cannot hold
-  const auto refused = [](const std::string& list) { return error([&] { GC::parse_svg_transform<Exact>(list); }); };
+  const auto refused = [](const std::string& list) { return error([&] { GC::parse_svg_transform<Exact_2>(list); }); };
   const std::string tiny = "scale(1e-300)";
   BOOST_CHECK_EQUAL(refused(tiny + ' ' + tiny), "malformed_input: transform, character 21: work_limit: Svg_transform: "
                                                 "numbers of more than 1024 bits");
@@ -583,9 +562,9 @@ BOOST_AUTO_TEST_CASE(products_of_transforms_stay_short) {
 
 BOOST_AUTO_TEST_CASE(orders_are_the_same_after_any_transform) {
   std::mt19937 random(seed);
-  const std::vector<Subpath> paths =
-      GC::read_svg_path<Exact>("M0 0C1 2 3 3 5 3S7 4 9 2Q10 1 12 3T15 0A5 5 0 0 1 16 0A5 5 0 0 0 17 0L17 1ZM2 0a2 1 0 "
-                               "0 1-2 1 2 1 0 0 1-2-1h-1c0 0 1 1 1 2");
+  const std::vector<Subpath> paths = GC::read_svg_path<Exact_2>(
+      "M0 0C1 2 3 3 5 3S7 4 9 2Q10 1 12 3T15 0A5 5 0 0 1 16 0A5 5 0 0 0 17 0L17 1ZM2 0a2 1 0 "
+      "0 1-2 1 2 1 0 0 1-2-1h-1c0 0 1 1 1 2");
   BOOST_REQUIRE_EQUAL(paths.size(), 2u);
   BOOST_CHECK_EQUAL(orders(paths[0]), "11101000");
   BOOST_CHECK_EQUAL(orders(paths[1]), "300");
@@ -597,49 +576,44 @@ BOOST_AUTO_TEST_CASE(orders_are_the_same_after_any_transform) {
 }
 
 BOOST_AUTO_TEST_CASE(basic_shapes) {
-  BOOST_CHECK_EQUAL(text({GC::svg_line<Exact>(1, 2, 3, 4)}), "2L 1,2 3,4; |");
-  BOOST_CHECK_EQUAL(text({GC::read_svg_polyline<Exact>(" 1 2 3,4-5-6")}), "2L 1,2 3,4; 3L 3,4 -5,-6; |");
-  BOOST_CHECK_EQUAL(text({GC::read_svg_polygon<Exact>("1 2 3,4")}), "2L 1,2 3,4; 3Z 3,4 1,2; Z");
-  BOOST_CHECK_EQUAL(text({GC::read_svg_polygon<Exact>("")}), "|");
-  BOOST_CHECK_NE(error([] { GC::read_svg_polygon<Exact>("1 2 3"); }), "no error");
-  BOOST_CHECK_NE(error([] { GC::read_svg_polygon<Exact>("1 2 x"); }), "no error");
-  BOOST_CHECK_EQUAL(text({GC::svg_rectangle<Exact>(1, 2, 4, 6, 0, 3)}),
+  BOOST_CHECK_EQUAL(text({GC::svg_line<Exact_2>(1, 2, 3, 4)}), "2L 1,2 3,4; |");
+  BOOST_CHECK_EQUAL(text({GC::read_svg_polyline<Exact_2>(" 1 2 3,4-5-6")}), "2L 1,2 3,4; 3L 3,4 -5,-6; |");
+  BOOST_CHECK_EQUAL(text({GC::read_svg_polygon<Exact_2>("1 2 3,4")}), "2L 1,2 3,4; 3Z 3,4 1,2; Z");
+  BOOST_CHECK_EQUAL(text({GC::read_svg_polygon<Exact_2>("")}), "|");
+  BOOST_CHECK_NE(error([] { GC::read_svg_polygon<Exact_2>("1 2 3"); }), "no error");
+  BOOST_CHECK_NE(error([] { GC::read_svg_polygon<Exact_2>("1 2 x"); }), "no error");
+  BOOST_CHECK_EQUAL(text({GC::svg_rectangle<Exact_2>(1, 2, 4, 6, 0, 3)}),
                     "2L 1,2 5,2; 3L 5,2 5,8; 4L 5,8 1,8; 5Z 1,8 1,2; Z");
   BOOST_CHECK_EQUAL(
-      text({GC::svg_rectangle<Exact>(0, 0, 4, 6, 1, 2)}),
+      text({GC::svg_rectangle<Exact_2>(0, 0, 4, 6, 1, 2)}),
       "2L 1,0 3,0; 3A arc 3,0 4,2; 4L 4,2 4,4; 5A arc 4,4 3,6; 6L 3,6 1,6; 7A arc 1,6 0,4; 8L 0,4 0,2; 9A "
       "arc 0,2 1,0; Z");
-  BOOST_CHECK_EQUAL(orders(GC::svg_rectangle<Exact>(0, 0, 4, 6, 1, 2)), "11111111");
-  BOOST_CHECK_EQUAL(orders(GC::svg_rectangle<Exact>(0, 0, 4, 6, 9, 9)), "3333");   // an ellipse
-  BOOST_CHECK_EQUAL(orders(GC::svg_rectangle<Exact>(0, 0, 4, 6, 2, 2)), "113113"); // semicircles
-  BOOST_CHECK_EQUAL(orders(GC::svg_ellipse<Exact>(1, 2, 3, 4)), "3333");
-  BOOST_CHECK(GC::svg_ellipse<Exact>(1, 2, 0, 4).segments.empty());
-  BOOST_CHECK(GC::svg_rectangle<Exact>(1, 2, 0, 4, 0, 0).segments.empty());
-  BOOST_CHECK_NE(error([] { GC::svg_ellipse<Exact>(1, 2, -1, 4); }), "no error");
-  BOOST_CHECK_NE(error([] { GC::svg_rectangle<Exact>(0, 0, 4, 6, -1, 2); }), "no error");
+  BOOST_CHECK_EQUAL(orders(GC::svg_rectangle<Exact_2>(0, 0, 4, 6, 1, 2)), "11111111");
+  BOOST_CHECK_EQUAL(orders(GC::svg_rectangle<Exact_2>(0, 0, 4, 6, 9, 9)), "3333");   // an ellipse
+  BOOST_CHECK_EQUAL(orders(GC::svg_rectangle<Exact_2>(0, 0, 4, 6, 2, 2)), "113113"); // semicircles
+  BOOST_CHECK_EQUAL(orders(GC::svg_ellipse<Exact_2>(1, 2, 3, 4)), "3333");
+  BOOST_CHECK(GC::svg_ellipse<Exact_2>(1, 2, 0, 4).segments.empty());
+  BOOST_CHECK(GC::svg_rectangle<Exact_2>(1, 2, 0, 4, 0, 0).segments.empty());
+  BOOST_CHECK_NE(error([] { GC::svg_ellipse<Exact_2>(1, 2, -1, 4); }), "no error");
+  BOOST_CHECK_NE(error([] { GC::svg_rectangle<Exact_2>(0, 0, 4, 6, -1, 2); }), "no error");
 }
 
 BOOST_AUTO_TEST_CASE(in_double) {
-  const auto path = GC::read_svg_path<Double>("M0 0h4a4 4 0 0 1 4 4M0 0A5 5 0 0 1 1 0");
+  const auto path = GC::read_svg_path<Double_2>("M0 0h4a4 4 0 0 1 4 4M0 0A5 5 0 0 1 1 0");
   BOOST_CHECK_EQUAL(GC::continuity(path[0].segments[0], path[0].segments[1])->g_order, 1);
   // the centre is (1/2, -+sqrt(99)/2), up to a few roundings
   BOOST_CHECK_CLOSE(path[1].segments[0].arc()->start_jet(2)->operator[](2)[1], std::sqrt(99.0) / 2, 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(the_locale_does_not_matter) {
-  struct Comma : std::numpunct<char> {
-    char do_decimal_point() const override { return ','; }
-    char do_thousands_sep() const override { return '.'; }
-    std::string do_grouping() const override { return "\3"; }
-  };
-  const std::locale old = std::locale::global(std::locale(std::locale::classic(), new Comma));
+  const std::locale old = std::locale::global(continental());
   const std::string path = read("M1.5,2.5 1234567.5 0"),
-                    map = text(GC::parse_svg_transform<Exact>("scale(1.5,2)")(Point(1, 1)));
+                    map = text(GC::parse_svg_transform<Exact_2>("scale(1.5,2)")(Point(1, 1)));
   const std::string message = error([] { read("M" + std::string(2000, ' ')); });
   std::locale::global(old);
   BOOST_CHECK_EQUAL(path, "2L 3/2,5/2 2469135/2,0; |");
   BOOST_CHECK_EQUAL(map, "3/2,2");
-  BOOST_CHECK(message.find("character 2002:") != std::string::npos);
+  BOOST_CHECK(contains(message, "character 2002:"));
 }
 
 // Random paths are written in random spellings and read back: every control point is the same.
@@ -718,7 +692,7 @@ BOOST_AUTO_TEST_CASE(lengths) {
 
 // The jets at the ends of segments of each kind, in the field and in an extension of it.
 BOOST_AUTO_TEST_CASE(jets_at_the_ends_of_segments) {
-  const std::vector<Subpath> path = GC::read_svg_path<Exact>("M0 0C1 2 3 4 5 6A5 5 0 0 1 6 6");
+  const std::vector<Subpath> path = GC::read_svg_path<Exact_2>("M0 0C1 2 3 4 5 6A5 5 0 0 1 6 6");
   const Segment &cubic = path[0].segments[0], &circle = path[0].segments[1];
   BOOST_CHECK(cubic.is_known() && cubic.radicand() == 0);
   BOOST_CHECK((cubic.start_jet_over<Q>(2, Q(0)) == cubic.bezier()->start_jet(2)));
@@ -731,7 +705,7 @@ BOOST_AUTO_TEST_CASE(jets_at_the_ends_of_segments) {
   for (const auto& x : {start, end}) // on the circle of radius 5 around x + x''
     BOOST_CHECK(x[2][0] * x[2][0] + x[2][1] * x[2][1] == Field(25));
   BOOST_CHECK(start[0][0] + start[2][0] == end[0][0] + end[2][0] && start[0][1] + start[2][1] == end[0][1] + end[2][1]);
-  BOOST_CHECK(!GC::read_svg_path<Exact>("M0 0A5 4 30 0 1 5 5")[0].segments[0].is_known());
+  BOOST_CHECK(!GC::read_svg_path<Exact_2>("M0 0A5 4 30 0 1 5 5")[0].segments[0].is_known());
 }
 
 namespace {
@@ -748,7 +722,7 @@ template <class Function> void check_code(Function f, GC::Error_code code) {
 } // namespace
 
 BOOST_AUTO_TEST_CASE(what_is_no_arc_is_refused) {
-  typedef GC::Elliptical_arc<Exact> Arc;
+  typedef GC::Elliptical_arc<Exact_2> Arc;
   const Point p(0, 0), q(1, 0);
   check_code([&] { Arc(p, p, {1, 1}); }, GC::Error_code::zero_direction);
   check_code([&] { Arc(p, q, {0, 1}); }, GC::Error_code::parameter_outside_domain);
@@ -758,34 +732,34 @@ BOOST_AUTO_TEST_CASE(what_is_no_arc_is_refused) {
   check_code([&] { unknown.start_jet_over<Q>(1, Q(0)); }, GC::Error_code::parameter_outside_domain);
   check_code([&] { unknown.end_jet_over<Q>(1, Q(0)); }, GC::Error_code::parameter_outside_domain);
   check_code([&] { Arc(p, q, {1, 1}).start_jet_over<Q>(-1, Q(0)); }, GC::Error_code::negative_count);
-  const Segment line = GC::svg_line<Exact>(0, 0, 1, 1).segments[0];
+  const Segment line = GC::svg_line<Exact_2>(0, 0, 1, 1).segments[0];
   check_code([&] { line.end_jet_over<Q>(-1, Q(0)); }, GC::Error_code::negative_count);
   check_code([&] { GC::continuity(line, line, -1); }, GC::Error_code::negative_count);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused) {
-  typedef GC::Elliptical_arc<Double> Arc;
-  const Double::Point p(0, 0), q(1, 0);
+  typedef GC::Elliptical_arc<Double_2> Arc;
+  const Double_2::Point p(0, 0), q(1, 0);
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-    check_code([&] { Arc(p, Double::Point(bad, 0), {1, 1}); }, GC::Error_code::not_finite);
-    check_code([&] { Arc(Double::Point(0, bad), q, {1, 1}); }, GC::Error_code::not_finite);
+    check_code([&] { Arc(p, Double_2::Point(bad, 0), {1, 1}); }, GC::Error_code::not_finite);
+    check_code([&] { Arc(Double_2::Point(0, bad), q, {1, 1}); }, GC::Error_code::not_finite);
     check_code([&] { Arc(p, q, {bad, 1}); }, GC::Error_code::not_finite);
     check_code([&] { Arc(p, q, {1, bad}); }, GC::Error_code::not_finite);
     check_code([&] { Arc(p, q, {1, 2, bad}); }, GC::Error_code::not_finite);
-    check_code([&] { GC::Svg_transform<Double>({1, 0, 0, 1, 0, bad}); }, GC::Error_code::not_finite);
-    check_code([&] { GC::svg_line<Double>(0, 1, bad, 3); }, GC::Error_code::not_finite);
-    check_code([&] { GC::svg_ellipse<Double>(0, 1, bad, 3); }, GC::Error_code::not_finite);
-    check_code([&] { GC::svg_rectangle<Double>(0, 1, bad, 3, 0, 0); }, GC::Error_code::not_finite);
-    check_code([&] { GC::svg_rectangle<Double>(0, 1, 2, 3, 0, bad); }, GC::Error_code::not_finite);
+    check_code([&] { GC::Svg_transform<Double_2>({1, 0, 0, 1, 0, bad}); }, GC::Error_code::not_finite);
+    check_code([&] { GC::svg_line<Double_2>(0, 1, bad, 3); }, GC::Error_code::not_finite);
+    check_code([&] { GC::svg_ellipse<Double_2>(0, 1, bad, 3); }, GC::Error_code::not_finite);
+    check_code([&] { GC::svg_rectangle<Double_2>(0, 1, bad, 3, 0, 0); }, GC::Error_code::not_finite);
+    check_code([&] { GC::svg_rectangle<Double_2>(0, 1, 2, 3, 0, bad); }, GC::Error_code::not_finite);
   }
   // sizes that differ so much that of lambda, 1/lambda, k_x or k_y nothing is left
   check_code([&] { Arc(p, q, {1e200, 1e200}); }, GC::Error_code::parameter_outside_domain);
   check_code([&] { Arc(p, q, {1e155, 1e155}); }, GC::Error_code::parameter_outside_domain);
   check_code([&] { Arc(p, {1, 1}, {1e200, 1e-200}); }, GC::Error_code::parameter_outside_domain);
   check_code([&] { Arc(p, {1, 1}, {1e-200, 1e200}); }, GC::Error_code::parameter_outside_domain);
-  check_code([&] { GC::parse_svg_transform<Double>("scale(1e200)scale(1e200)"); }, GC::Error_code::not_finite);
+  check_code([&] { GC::parse_svg_transform<Double_2>("scale(1e200)scale(1e200)"); }, GC::Error_code::not_finite);
   // sums beyond the largest number are found where they stand
-  const auto message = [](const char* data) { return error([&] { GC::read_svg_path<Double>(data); }); };
+  const auto message = [](const char* data) { return error([&] { GC::read_svg_path<Double_2>(data); }); };
   for (const char* data : {"M1e308 0l1e308 0", "M1e308 0h1e308", "M-1e308-1e308Q1e308 0 1e308 1T0 0"})
     BOOST_CHECK_MESSAGE(message(data).find("path data, character ") != std::string::npos &&
                             message(data).find("outside the range") != std::string::npos,
@@ -795,10 +769,10 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused) {
 
 // An arc of any size is that of size 1, scaled: by powers of two exactly.
 BOOST_AUTO_TEST_CASE(arcs_of_all_sizes) {
-  typedef GC::Elliptical_arc<Double> Arc;
+  typedef GC::Elliptical_arc<Double_2> Arc;
   const auto quarter = [](double r) { return Arc({0, r}, {-r, 0}, {r, r, 0, false, true}); }; // around the origin
   const auto half = [](double r) { return Arc({3 * r, r}, {-3 * r, -r}, {2 * r, r}); };
-  BOOST_CHECK(*quarter(2).start_jet(2) == (GC::Curve_jet<Double>({0, 2}, {{-2, 0}, {0, -2}})));
+  BOOST_CHECK(*quarter(2).start_jet(2) == (GC::Curve_jet<Double_2>({0, 2}, {{-2, 0}, {0, -2}})));
   for (const double size : {0x1p-900, 0x1p-600, 0x1p600, 0x1p900})
     for (const auto& [arc, scaled] : {std::pair(quarter(2), quarter(2 * size)), std::pair(half(2), half(2 * size))})
       for (int j = 0; j <= 3; ++j) {
@@ -809,27 +783,27 @@ BOOST_AUTO_TEST_CASE(arcs_of_all_sizes) {
 
 // Arcs with rational ends as rational curves: on all four arcs of an ellipse through two points, and on its halves.
 BOOST_AUTO_TEST_CASE(arcs_are_rational_curves) {
-  const auto on_ellipse = [](const GC::Rational_bezier_curve<Exact, 2>& c, const Exact::Point& centre, const Q& rx,
+  const auto on_ellipse = [](const GC::Rational_bezier_curve<Exact_2, 2>& c, const Exact_2::Point& centre, const Q& rx,
                              const Q& ry) {
     for (int i = 0; i <= 8; ++i) {
-      const Exact::Vector x = c(Q(i) / 8) - centre;
+      const Exact_2::Vector x = c(Q(i) / 8) - centre;
       if (x.x() * x.x() / (rx * rx) + x.y() * x.y() / (ry * ry) != 1) return false;
     }
     return true;
   };
   for (const std::string flags : {"0 0", "0 1", "1 0", "1 1"})
     for (const std::string radii : {"5 10", "4 7"}) {
-      const GC::Elliptical_arc<Exact> a = arc("M0 0A" + radii + " 0 " + flags + " 8 0");
-      const GC::Rational_bezier_curve<Exact, 2> c = *a.curve();
+      const GC::Elliptical_arc<Exact_2> a = arc("M0 0A" + radii + " 0 " + flags + " 8 0");
+      const GC::Rational_bezier_curve<Exact_2, 2> c = *a.curve();
       BOOST_CHECK(c.start_jet(0).point() == a.start() && c.end_jet(0).point() == a.end());
-      BOOST_CHECK(GC::continuity(GC::Curve_jet<Exact>(c.start_jet(4)), *a.start_jet(4)).g_order == 4);
-      BOOST_CHECK(GC::continuity(GC::Curve_jet<Exact>(c.end_jet(4)), *a.end_jet(4)).g_order == 4);
+      BOOST_CHECK(GC::continuity(GC::Curve_jet<Exact_2>(c.start_jet(4)), *a.start_jet(4)).g_order == 4);
+      BOOST_CHECK(GC::continuity(GC::Curve_jet<Exact_2>(c.end_jet(4)), *a.end_jet(4)).g_order == 4);
       const bool half = radii == "4 7";
       const int side = flags == "0 0" || flags == "1 1" ? 1 : -1; // of the centre
-      BOOST_CHECK(on_ellipse(c, Exact::Point(4, half ? Q(0) : Q(-6 * side)), half ? 4 : 5, half ? 7 : 10));
+      BOOST_CHECK(on_ellipse(c, Exact_2::Point(4, half ? Q(0) : Q(-6 * side)), half ? 4 : 5, half ? 7 : 10));
       BOOST_CHECK_EQUAL(c.weight(1) < 0, !half && flags[0] == '1');
     }
-  const GC::Elliptical_arc<Exact> irrational = arc("M0 0A5 5 0 0 0 7 0"); // its centre is
+  const GC::Elliptical_arc<Exact_2> irrational = arc("M0 0A5 5 0 0 0 7 0"); // its centre is
   BOOST_CHECK(irrational.is_known() && !irrational.is_rational() && !irrational.curve());
   BOOST_CHECK(!irrational.start_jet(1) && !irrational.end_jet(1));
 }
@@ -838,7 +812,7 @@ BOOST_AUTO_TEST_CASE(arcs_are_rational_curves) {
 BOOST_AUTO_TEST_CASE(places) {
   const std::string data = " M0,0 1.5-2e1h.5.5zm 3 , 4a1 2 3 01.5 6\nC 1 2,3 4 5 6";
   GC::Svg_path_places places;
-  GC::Svg_path_reader<Exact> reader(data, "path data", &places);
+  GC::Svg_path_reader<Exact_2> reader(data, "path data", &places);
   const auto texts = [&](std::size_t command) {
     std::string s;
     const std::size_t end =
@@ -868,13 +842,13 @@ BOOST_AUTO_TEST_CASE(places) {
 }
 
 BOOST_AUTO_TEST_CASE(segments_of_no_length) {
-  GC::Svg_subpath<Exact> s = GC::read_svg_path<Exact>("M0 0h1h0c0 0 0 0 0 0v1l0 0z").at(0);
+  GC::Svg_subpath<Exact_2> s = GC::read_svg_path<Exact_2>("M0 0h1h0c0 0 0 0 0 0v1l0 0z").at(0);
   BOOST_CHECK_EQUAL(s.segments.size(), 6u);
   s.leave_out_points();
   BOOST_CHECK_EQUAL(s.segments.size(), 3u);
   BOOST_CHECK_EQUAL(s.left_out, 3u);
   BOOST_CHECK(s.segments[0].end() == s.segments[1].start());
-  s = GC::read_svg_path<Exact>("M0 0c1 1 2 2 0 0").at(0); // there and back
+  s = GC::read_svg_path<Exact_2>("M0 0c1 1 2 2 0 0").at(0); // there and back
   s.leave_out_points();
   BOOST_CHECK_EQUAL(s.left_out, 0u);
 }
@@ -882,7 +856,7 @@ BOOST_AUTO_TEST_CASE(segments_of_no_length) {
 // After an error there is what its subpath draws before the command.
 BOOST_AUTO_TEST_CASE(paths_up_to_an_error) {
   const auto before_error = [](const std::string& data) {
-    GC::Svg_path_reader<Exact> reader(data);
+    GC::Svg_path_reader<Exact_2> reader(data);
     std::string s;
     try {
       while (const std::optional<Subpath> subpath = reader.next()) s += text({*subpath});
@@ -899,11 +873,11 @@ BOOST_AUTO_TEST_CASE(paths_up_to_an_error) {
   BOOST_CHECK_EQUAL(before_error("M0 0h1zx"), "2h 0,0 1,0; 3z 1,0 0,0; Z!");
   BOOST_CHECK_EQUAL(before_error("x"), "!");
   std::string reason;
-  BOOST_CHECK_EQUAL(text({GC::read_svg_polygon<Exact>("0 0 1 0 1 1 2", "points", &reason)}),
+  BOOST_CHECK_EQUAL(text({GC::read_svg_polygon<Exact_2>("0 0 1 0 1 1 2", "points", &reason)}),
                     "2L 0,0 1,0; 3L 1,0 1,1; |");
   BOOST_CHECK_EQUAL(reason, "points, character 14: the end where a number is expected");
   reason.clear();
-  BOOST_CHECK_EQUAL(text({GC::read_svg_polygon<Exact>("0 0 1 0", "points", &reason)}), "2L 0,0 1,0; 3Z 1,0 0,0; Z");
+  BOOST_CHECK_EQUAL(text({GC::read_svg_polygon<Exact_2>("0 0 1 0", "points", &reason)}), "2L 0,0 1,0; 3Z 1,0 0,0; Z");
   BOOST_CHECK_EQUAL(reason, "");
 }
 
@@ -911,9 +885,9 @@ BOOST_AUTO_TEST_CASE(paths_up_to_an_error) {
 BOOST_AUTO_TEST_CASE(transforms_of_css) {
   const GC::Svg_viewport<Q> viewport{Q(40), Q(20)}, unknown;
   const auto css = [&](const std::string& list) {
-    return GC::parse_css_transform<Exact>(list, "t", viewport).matrix();
+    return GC::parse_css_transform<Exact_2>(list, "t", viewport).matrix();
   };
-  const auto svg = [](const std::string& list) { return GC::parse_svg_transform<Exact>(list).matrix(); };
+  const auto svg = [](const std::string& list) { return GC::parse_svg_transform<Exact_2>(list).matrix(); };
   BOOST_CHECK(css(" rotate( 30DEG )rotate(60deg) ") == svg("rotate(90)"));
   BOOST_CHECK(css("translate(50%,10%) translateX(-1in)") == svg("translate(20 2)translate(-96)"));
   BOOST_CHECK(css("scale(50%) scaleY(2)") == svg("scale(.5)scale(1 2)"));
@@ -923,7 +897,7 @@ BOOST_AUTO_TEST_CASE(transforms_of_css) {
        {"", "scale", "scale(", "scale(1 2)", "scale(1,2,3)", "scale(1px)", "translate(1)", "rotate(1)", "rotate(1x)",
         "skewX(90deg)", "rotateX(1deg)", "translate(calc(1px))", "scale(1) x", "translate(1em)", "scale(1,)"})
     BOOST_CHECK_MESSAGE(error([&] { css(bad); }).find("malformed_input: t") == 0, bad);
-  BOOST_CHECK_NE(error([&] { GC::parse_css_transform<Exact>("translate(1%)", "t", unknown); }), "no error");
+  BOOST_CHECK_NE(error([&] { GC::parse_css_transform<Exact_2>("translate(1%)", "t", unknown); }), "no error");
   const auto origin = [&](const std::string& s) {
     const std::array<Q, 2> p = GC::parse_css_origin<Q>(s, "o", viewport, GC::Css_units::needed);
     return text(Point(p[0], p[1]));
@@ -938,7 +912,7 @@ BOOST_AUTO_TEST_CASE(transforms_of_css) {
 BOOST_AUTO_TEST_CASE(view_boxes) {
   const auto map = [](const std::string& box, const std::string& ratio, int width, int height) {
     const Transform m =
-        GC::svg_view_box_map<Exact>(GC::parse_svg_view_box<Q>(box), GC::parse_svg_aspect_ratio(ratio), width, height);
+        GC::svg_view_box_map<Exact_2>(GC::parse_svg_view_box<Q>(box), GC::parse_svg_aspect_ratio(ratio), width, height);
     return text(m(Point(5, 5))) + ' ' + text(m(Point(15, 15)));
   };
   BOOST_CHECK_EQUAL(map("5 5 10 10", "xMidYMid", 30, 20), "5,0 25,20");

@@ -126,6 +126,7 @@ private:
     part_.knots.clear();
     part_.coordinates.clear();
     part_.homogeneous.clear();
+    // equivalent [* -> +, 1]: memory only
     part_.knots.reserve(2 * size_.order);
     while (static_cast<int>(part_.knots.size()) < 2 * part_.degree + 1) part_.knots.push_back(knots_.take());
   }

@@ -111,6 +111,7 @@ public:
     if (!begun_) skip_byte_order_mark(text, end);
     if (error_) {
       text.resize(end); // not the half of a word
+      // unreachable: needs a stream that delivers characters and throws in one call
       if (text.empty()) std::rethrow_exception(std::exchange(error_, nullptr));
     } else if (!ended_ && end > 0) {
       rest_.assign(text.begin() + static_cast<std::ptrdiff_t>(end), text.end());
@@ -200,6 +201,8 @@ private:
     } catch (...) {
       next->error = std::current_exception();
       block.characters().clear();
+      // equivalent [true -> false, 1]: what is read ahead behind an error is not used: the error
+      //   is thrown first
       ended_ = true;
     }
     next->splitting.run([&block] { block.split(); });

@@ -81,6 +81,7 @@ template <class FT> std::string product_text(const FT& x, const FT& w) {
       const long double longer = size + static_cast<long double>(CGAL::to_double(Exact(product - Exact(size))));
       char digits[64];
       const std::string more(digits, std::to_chars(digits, digits + sizeof digits, longer).ptr);
+      // unreachable: by rounding only: 64 binary digits give nearly every quotient
       if (gives_x(more)) return more;
     }
     return number_text(product);

@@ -21,6 +21,7 @@ namespace internal {
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
 // The least k with n <= 2^k.
+// unreachable: computed by the compiler
 constexpr int binary_logarithm_above(int n) { return n <= 1 ? 0 : 1 + binary_logarithm_above((n + 1) / 2); }
 
 // The binomial coefficients up to a degree.

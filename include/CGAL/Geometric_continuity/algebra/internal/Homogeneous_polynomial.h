@@ -37,6 +37,7 @@ public:
   // Constructs a polynomial from n + 1 >= 1 coefficients c_k. \throws Error wrong_number_of_points without
   // coefficients
   explicit Homogeneous_polynomial(std::vector<NT> coefficients) : c_(std::move(coefficients)) {
+    // unreachable: an error of the package itself
     if (c_.empty()) throw Error(Error_code::wrong_number_of_points, "homogeneous polynomial without coefficients");
   }
 

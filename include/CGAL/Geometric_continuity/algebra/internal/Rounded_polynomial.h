@@ -61,6 +61,7 @@ public:
     return r;
   }
   template <int m, int bits> static std::optional<Rounded_polynomial> of(const Bounded_polynomial<m, bits>& p) {
+    // unreachable: no type of polynomial that is asked has so high a degree
     if (p.degree > most_degree) return std::nullopt;
     Rounded_polynomial r(p.degree);
     constexpr int limbs = (bits + 53) / 64 + 1; // of Bernstein coefficients times less than 2^53
@@ -148,6 +149,7 @@ private:
   }
   // x 2^-n, rounded downwards, which must be less than 2^127
   template <int limbs> static Signed_128 shifted(const Fixed_integer<limbs>& x, int n) {
+    // unreachable: protects memory; the types of these polynomials have a limb more
     const auto limb = [&](int i) { return i < limbs ? x.limb[i] : x.sign_mask(); };
     const int i = n / 64, bits = n % 64;
     std::uint64_t low = limb(i), high = limb(i + 1);

@@ -176,6 +176,7 @@ private:
     const Joint start = joints_[i];
     double h = 0; // the shorter chord
     for (const int j : {i + n - 1, i + 1}) {
+      // equivalent [== -> !=, 2]: the unit of curvatures in a search
       if (!closed_ && (j == n || (i == 0 && j == n - 1))) continue;
       const Vector chord = joints_[j % n].point - start.point;
       const double length = std::sqrt(dot(chord, chord));

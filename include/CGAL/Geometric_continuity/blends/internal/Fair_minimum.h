@@ -51,6 +51,7 @@ typename Fair_family<kind, M>::Unknowns least_energy(const Fair_family<kind, M>&
 }
 
 // G2 for G3, and G3 for F3.
+// unreachable: computed by the compiler
 constexpr Blend_kind simpler_kind(Blend_kind kind) { return kind == Blend_kind::f3 ? Blend_kind::g3 : Blend_kind::g2; }
 
 template <Blend_kind kind, int M> Fair_family<simpler_kind(kind), M> simpler_family(const Fair_family<kind, M>& f) {
@@ -70,6 +71,7 @@ typename Fair_end<Blend_kind::g3, M>::Unknowns
 with_more_freedom(const Fair_end<Blend_kind::g3, M>& end, const typename Fair_end<Blend_kind::g2, M>::Unknowns& x,
                   const Coordinate_vector<double, M>& g3) {
   const double e = std::exp(x[0]);
+  // equivalent [* -> +, 4]: where a search starts
   const Coordinate_vector<double, M> u = e * end.d[0], w = (e * e) * end.d[1], z = (e * e * e) * end.d[2];
   return {x[0], x[1], dot(g3 - z - (3 * x[1]) * w, u) / dot(u, u)};
 }
@@ -87,7 +89,8 @@ with_more_freedom(const Fair_family<Blend_kind::g3, M>& f, const Fair_family<Ble
                   const typename Fair_family<Blend_kind::g2, M>::Unknowns& x) {
   const typename Fair_family<Blend_kind::g2, M>::Points b = simpler.points(x); // without the origin
   const auto s = with_more_freedom<M>(f.start, {x[0], x[1]}, 60. * (b[2] - 3. * b[1] + 3. * b[0])),
-             e = with_more_freedom<M>(f.end, {x[2], x[3]}, 60. * (b[4] - 3. * b[3] + 3. * b[2] - b[1]));
+             // equivalent [- -> +, 2]: where a search starts
+      e = with_more_freedom<M>(f.end, {x[2], x[3]}, 60. * (b[4] - 3. * b[3] + 3. * b[2] - b[1]));
   return {s[0], s[1], s[2], e[0], e[1], e[2]};
 }
 
@@ -143,6 +146,7 @@ public:
     }
     if (!(after <= before)) { // nothing is better, or was found
       x = rounded(automatic_);
+      // equivalent [+ -> -, 1]: how near the values of two searches are that count as one
       converged = converged && after <= (1 + agreement) * before + negligible;
       after = before;
     }
@@ -245,6 +249,9 @@ private:
     for (int shape : shape_unknowns)
       if (k == shape)
         return shape_ == Shape_choice::given || (y[k] >= most_change && gradient[k] < 0) ||
+               // equivalent [&& gradient[k] > 0 -> nothing, 1]: a search that begins with the
+               //   shortest tangents keeps them; the searches from the other starts are compared
+               //   with it
                (y[k] <= least_change(k) && gradient[k] > 0);
     return false;
   }

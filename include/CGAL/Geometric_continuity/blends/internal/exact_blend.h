@@ -98,6 +98,7 @@ using Derivatives = std::array<Coordinate_vector<FT, N>, Ends<FT, N>::order + 1>
 
 #ifdef CGAL_USE_GMP
 
+// unreachable: computed by the compiler
 template <template <class, int> class Ends, class FT, int N, class Strategy> constexpr bool is_blended_on_fractions() {
   if constexpr (Rational_parts<FT>::value && works_in_every_field_v<Strategy>)
     return std::is_invocable_v<const Strategy&, const Ends<Unreduced_fraction<FT>, N>&>;
@@ -134,6 +135,7 @@ Exact_blend<Ends, FT, N> blend_on_fractions(const Coordinate_jet<FT, N>& phi, co
 
 #else
 
+// unreachable: computed by the compiler
 template <template <class, int> class Ends, class FT, int N, class Strategy> constexpr bool is_blended_on_fractions() {
   return false;
 }
@@ -149,6 +151,7 @@ Exact_blend<Ends, FT, N> blend_on_fractions(const Coordinate_jet<FT, N>& phi, co
 template <class FT> struct Behind_lazy { typedef void type; };
 template <class ET> struct Behind_lazy<Lazy_exact_nt<ET>> { typedef ET type; };
 
+// unreachable: computed by the compiler
 template <template <class, int> class Ends, class FT, int N, class Strategy> constexpr bool is_blended_lazily() {
   typedef typename Behind_lazy<FT>::type ET;
   if constexpr (std::is_void_v<ET>)

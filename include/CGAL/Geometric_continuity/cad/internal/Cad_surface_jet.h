@@ -78,6 +78,7 @@ inline Cad_surface_jet jet_of(const Cad_elementary_surface& surface, const Param
   // rho(v) R(u) + z(v) times the axis, by the coefficients of rho and z
   Interval_vector<highest_order + 1> rho, z;
   if (surface.kind == Kind::cylinder || surface.kind == Kind::cone) {
+    // equivalent [1 -> 2, 1]: a bound of the degree: the coefficients beyond it are zero
     jet.v_degree = 1;
     Cosine_and_sine angle{Interval(1), Interval(0)};
     if (surface.kind == Kind::cone) angle = cosine_and_sine(q);

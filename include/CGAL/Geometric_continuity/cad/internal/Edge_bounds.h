@@ -76,6 +76,7 @@ private:
     if (or_derivative && is_exact_zero(c.c[1][0]) && is_exact_zero(c.c[1][1])) return true;
     const std::array<std::vector<int>, 2> spans = intersected_pieces(*side_.surface, c.c[0][0], c.c[0][1], 0, 0);
     const Cad_surface_jet jet =
+        // equivalent [1 -> 2, 3]: a derivative more, which is not used
         cad_surface_jet(*side_.surface, {c.c[0][0], c.c[0][1], spans[0].front(), spans[1].front()}, 1);
     const Interval_vector<3>&u = jet.s(1, 0), &v = jet.s(0, 1);
     for (int i = 0; i < 3; ++i)
@@ -173,6 +174,7 @@ inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, 
   if (d.known()) {
     const Interval of_larger = d.range();
     const double divisor = (std::max)(1., smallest(1 - of_larger));
+    // equivalent [0 -> 1, 1]: of the quotient only the upper end counts
     upper = (std::min)(upper, (Interval(0, magnitude(of_larger)) / Interval(divisor)).sup());
   }
   upper = (std::max)(upper, at_point.inf());
@@ -280,6 +282,8 @@ public:
                                           : quantity == Edge_quantity::angle
                                               ? square_on(range, x.normal - y.normal, at)
                                               : jump_on(range, x.curvature, y.curvature, flat, at);
+        // equivalent [false -> true, 2]: whether bounds are noisy is not asked where there are
+        //   none
         if (!of_pieces.defined) return {0, 0, range.middle, false, false, may_jump};
         include(of_pieces, bounds, at);
       }

@@ -193,6 +193,7 @@ private:
   // The solution of (a, b; b, c) x = (f, g), rounded; by the first fundamental form where that is not positive.
   static std::array<double, 2> solved(const Equations& e, double f, double g) {
     double a = middle(e.a), b = middle(e.b), c = middle(e.c);
+    // equivalent [> -> >=, 3]: a limit without meaning to the last digit
     if (!(a > 0 && c > 0 && a * c - b * b > 1e-12 * a * c)) {
       const double tiny = 1e-300;
       a = middle(dot_form(e.u, e.u)) + tiny;

@@ -39,6 +39,7 @@ struct Largest_options {
 
   bool narrow(double lower, double upper) const {
     const double y = measure(upper);
+    // unreachable: by rounding only, of squares next to the largest number
     return y <= floor || (std::isfinite(y) && y - measure(lower) <= relative * y);
   }
 };
@@ -96,6 +97,7 @@ public:
       }
       defined = defined || b.defined;
       Part part{{from, to},
+                // unreachable: an error of the package itself: a bound that is not a number
                 b.defined && b.upper >= 0 ? b.upper : (std::numeric_limits<double>::infinity)(),
                 b.defined,
                 b.knots,

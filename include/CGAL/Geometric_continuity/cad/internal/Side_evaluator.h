@@ -227,6 +227,7 @@ private:
     const bool sphere = sign != 0 && elementary->kind == Cad_elementary_surface::Kind::sphere;
     Taylor_vector in_u = su; // or R'
     if (sign != 0) {
+      // equivalent [0 -> 1, 1]: a cylinder has no second number
       const Cad_elementary_surface cylinder{Cad_elementary_surface::Kind::cylinder, elementary->frame, 1, 0};
       const Surface_jets of_cylinder =
           surface_jets(cylinder, u.value.c[0], v.value.c[0], {u.range, v.range, 0, 0}, orders);
@@ -279,6 +280,8 @@ private:
     if (surface.kind != Kind::cone) return 0;
     const Interval rho = Interval(surface.radius) + v * cosine_and_sine(Interval(surface.other)).sine;
     const double rounding = 1e-12 * (std::fabs(surface.radius) + magnitude(rho));
+    // equivalent [> -> >=, 1]: a limit without meaning to the last digit
+    // equivalent [>= -> >, 1]: a limit without meaning to the last digit
     return rho.sup() > rounding && rho.inf() >= -rounding ? 1 : rho.inf() < -rounding && rho.sup() <= rounding ? -1 : 0;
   }
   // Of the placed axes of a frame.

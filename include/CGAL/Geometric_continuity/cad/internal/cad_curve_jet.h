@@ -63,6 +63,7 @@ inline std::vector<int> intersected_pieces(const Spline_parameter& parameter, co
     to = side < 0 ? below(lower) : above(lower);
   }
   while (from > degree && !(knots[from] < knots[from + 1])) --from; // at the end of the domain
+  // equivalent [< -> <=, 2]: the last piece before the end of the domain is not empty
   while (to < points - 1 && !(knots[to] < knots[to + 1])) ++to;
   std::vector<int> spans;
   for (int s = from; s <= (std::max)(from, to); ++s)

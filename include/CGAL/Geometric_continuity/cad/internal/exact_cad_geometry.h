@@ -44,6 +44,7 @@ class Cad_map {
 public:
   explicit Cad_map(const Cad_placement& placement) {
     for (int i = 0; i < 3; ++i) {
+      // equivalent [3 -> 4, 1]: writes what is written again after it
       for (int j = 0; j < 3; ++j) columns_[j][i] = Number(placement[i][j]);
       shift_[i] = Number(placement[i][3]);
     }

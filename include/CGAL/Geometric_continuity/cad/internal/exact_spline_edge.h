@@ -137,6 +137,8 @@ std::optional<Edge_continuity<Model_number>> exact_spline_edge(const Spline_edge
     if (differ_at(a, b, Model_number(first + Model_number(last - first) * Model_number(i) / Model_number(4))))
       return Edge_continuity<Model_number>();
   const Spline_edge_continuity<Model_number> e = decide_rows<Model_number>(a, b);
+  // equivalent [&& e.whole_b -> nothing, 1]: of edges with the same ends at the same parameters,
+  //   neither or both are whole
   if (e.g_order >= 0 && e.whole_a && e.whole_b)
     return e.reversed ? std::nullopt : std::optional<Edge_continuity<Model_number>>(e);
   // polynomial edges that are the same at equal parameters would have been found; rational ones may be the same nevertheless

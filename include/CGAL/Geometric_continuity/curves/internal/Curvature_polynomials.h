@@ -127,6 +127,8 @@ public:
     const std::pair<NT, NT> g = range(g_, from, to), s = range(s_, from, to);
     if (!(NT(0) < g.first)) return std::nullopt;
     const std::pair<NT, NT> v = range(v_, from, to);
+    // unreachable: where the denominator is small so is the numerator of the derivative, which is
+    //   asked before
     if (!(NT(0) < v.first)) return std::nullopt;
     const NT least = s.first < NT(0) ? NT(0) : NT(s.first * fourth_power(v.first) / (g.second * g.second * g.second)),
              greatest = s.second * fourth_power(v.second) / (g.first * g.first * g.first);
@@ -135,6 +137,8 @@ public:
     if (!is_planar()) return Enclosure{low, high};
     const std::pair<NT, NT> w = range(w_[0], from, to);
     const int first = sign_of(w.first), last = sign_of(w.second);
+    // equivalent [< -> <=, 2]: where the greatest value is 0 the curvature is at most -low as
+    //   well
     return Enclosure{first > 0 ? low : first < 0 ? -high : 0, last < 0 ? -low : last > 0 ? high : 0};
   }
 

@@ -82,6 +82,9 @@ public:
                                      : (std::min)(length_before, length_after),
            limit = side == Side::before  ? s_[k] - s_[stop_before_[k]]
                    : side == Side::after ? s_[stop_after_[k]] - s_[k]
+                                         // equivalent [min -> max, 1]: a window that reaches
+                                         //   beyond a corner is near only where the corner is not
+                                         //   seen
                                          : (std::min)(s_[k] - s_[stop_before_[k]], s_[stop_after_[k]] - s_[k]);
     if (periodic_) limit = s_.back() / 2;
     std::optional<Window> best;
@@ -103,7 +106,9 @@ public:
     }
     // in a zigzag, or where the polyline turns back
     Vector direction(p_[k].dimension());
+    // unreachable: at an end the first window is a segment, which does not turn back
     if (before > 0 && side != Side::after) direction += (p_[before] - p_[before - 1]) / length_before;
+    // unreachable: at an end the first window is a segment, which does not turn back
     if (k < n && side != Side::before) direction += (p_[k + 1] - p_[k]) / length_after;
     double d = length(direction);
     const double leg = (std::max)(tolerance_ / 16, 64.);

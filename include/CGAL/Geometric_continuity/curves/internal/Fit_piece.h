@@ -48,6 +48,7 @@ public:
   double projected(double t, const Vector& p) const {
     const std::array<Vector, 2> x = offset(t, p);
     const double square = dot(x[1], x[1]);
+    // unreachable: protects a division: a piece stops by chance only
     return square > 0 ? t - dot(x[0], x[1]) / square : t;
   }
 
@@ -145,6 +146,7 @@ private:
     double t = low + (high - low) / 2;
     for (int repetition = 0; repetition < 40; ++repetition) {
       const std::array<Vector, 2> x = offset(t, p);
+      // unreachable: protects a division: a piece stops by chance only
       const double slope = dot(x[0], x[1]), square = dot(x[1], x[1]), next = square > 0 ? t - slope / square : low;
       if (std::abs(next - t) <= 1e-9 * t) return (std::min)((std::max)(next, low), high);
       (slope > 0 ? high : low) = t;

@@ -89,6 +89,8 @@ public:
       int good = 0, bad = target - i + 1; // numbers of segments
       for (int count = (std::min)(steps, target - i); good < bad - 1;) {
         (succeeds(count) ? good : bad) = count;
+        // unreachable: no tolerance that is taken is too small for one segment, but it is not
+        //   proved
         if (bad == 1) throw Error(Error_code::unreachable_tolerance, "fit: near the vertex " + std::to_string(i));
         if (bad <= target - i && good > 0 && bad - good <= 1 + good / 64) break;
         count = good == 0 ? bad / 2 : bad > target - i ? (std::min)(2 * good, target - i) : (good + bad) / 2;
@@ -109,12 +111,15 @@ public:
     Result result{{}, std::move(vertices), 0};
     const Interval all(tolerance_), error(Interval(radius) * Interval(static_cast<double>(p_[0].dimension())));
     const Interval rest = all - error;
+    // unreachable: the tolerance has 1024 units or more, and rounding is less than one
     if (!(rest.inf() > 0)) throw Error(Error_code::unreachable_tolerance, "fit: the points are too long");
     const double bound = (rest * rest).inf();
     double worst = 0;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
       Work_meter::pause();
+      // unreachable: by rounding only: the search has a smaller tolerance
       if (!pieces[k].template is_near<Interval>(p_.begin() + result.vertices[k], bound, worst))
+        // unreachable: by rounding only: the search has a smaller tolerance
         throw Error(Error_code::unreachable_tolerance, "fit: near the vertex " + std::to_string(result.vertices[k]));
       result.points.insert(result.points.end(), pieces[k].points.begin() + (k == 0 ? 0 : 1), pieces[k].points.end());
     }
@@ -149,8 +154,11 @@ private:
       if (!is_small(1, b)) return false;
     for (int k = 0; k < unknowns; ++k) {
       const Joint& joint = k < free_points ? start : end;
+      // equivalent [false -> true, 1]: such a product is small where the control points are,
+      //   which are asked before
       if (!is_small(x[k], joint.leg)) return false;
       if (free_points == 2 && k % 2 == 0 && !is_zero(joint.second_difference) &&
+          // unreachable: handles so long are beyond the largest control point before
           !(x[k] * x[k] < largest_ && is_small(x[k] * x[k], joint.second_difference)))
         return false;
     }
@@ -159,6 +167,7 @@ private:
 
   // A piece from the vertex i to the vertex j by least squares, if it is near.
   std::optional<Piece> fitted(int i, int j, const Joint& start, const Joint& end) const {
+    // equivalent [- -> +, 1]: at how many points a search looks; what it finds is proved
     const int samples = (std::min)((std::max)(4 * (j - i), 8), most_samples);
     const double total = path_.arc_length(j) - path_.arc_length(i);
     std::array<Vector, most_samples + 1> x;
@@ -189,6 +198,7 @@ private:
     if (!is_exact(piece, start, end, handles)) return std::nullopt;
     std::vector<double>& t = piece.parameters;
     t.assign(1, 0);
+    // equivalent [- -> +, 1]: memory only
     t.reserve(j - i + 1);
     for (int k = i + 1; k < j; ++k) {
       const double place = (path_.arc_length(k) - path_.arc_length(i)) / total * samples;
@@ -258,6 +268,7 @@ private:
                    bend = std::sqrt(length(j.second_difference));
       double h = total / degree / leg;
       if (sine > 0) h = (std::min)(h, tolerance_ / 4 / (sine * leg));
+      // equivalent [8 -> 9, 1]: handles that are short enough, a little shorter
       if (bend > 0) h = (std::min)(h, std::sqrt(tolerance_ / 8) / bend);
       return (std::max)(std::floor(h / free_points), 1.);
     };
@@ -266,6 +277,7 @@ private:
     Piece piece;
     set_points(piece, start, end, handles);
     piece.parameters = {0, 1};
+    // unreachable: no tolerance that is taken is too small for one segment, but it is not proved
     if (!is_exact(piece, start, end, handles) || !near(piece, i)) return std::nullopt;
     return piece;
   }
@@ -275,6 +287,7 @@ private:
     for (const Vector& x : piece.points)
       for (const double c : Vector(x - piece.points[0])) size = (std::max)(size, std::abs(c));
     const double tolerance = tolerance_ * (1 - 0x1p-20) - size * 0x1p-46; // so that intervals prove it
+    // unreachable: the tolerance has 1024 units or more, and rounding is less than that
     return tolerance > 0 && piece.template is_near<double>(p_.begin() + first, tolerance * tolerance, worst);
   }
 };

@@ -210,6 +210,7 @@ public:
   friend std::optional<Affine_parameter_map<Field>> unique_map(const Centred_curve& a, const Centred_curve& b) {
     if (a.degree() != b.degree()) return std::nullopt;
     int gcd = 0;
+    // equivalent [1 -> 2, 1]: the first factor takes its place
     Field scale(1); // to the power of gcd
     for (int k = 1; k <= a.degree(); ++k) {
       const int i = N == 4 ? a.degree() - k : k;

@@ -205,6 +205,7 @@ struct Rounded_vector {
 struct Edge_rounding {
   double tangent_planes, curvatures;
 
+  // unreachable: computed by the compiler
   constexpr Edge_rounding() : tangent_planes(0), curvatures(0) {
     const Rounding_bound one(1), first(1, 0x1p-52), half(0.5, 0x1p-53), second = half - half;
     const std::array<Rounding_bound, 3> v{first, first, first}, w{second, second, second}, n = cross_form(v, v);
@@ -217,10 +218,12 @@ struct Edge_rounding {
 private:
   struct Second_products {
     Rounding_bound x;
+    // unreachable: computed by the compiler
     constexpr Rounding_bound mixed() const { return x; }
     constexpr Rounding_bound along() const { return x; }
     constexpr Rounding_bound across(int) const { return x; }
   };
+  // unreachable: computed by the compiler
   static constexpr double with_margin(const Rounding_bound& x) { return x.error * (1 + 0x1p-20); } // see below
 };
 

@@ -42,6 +42,7 @@ template <class T, int N = 3> struct Edge_points {
   static_assert(2 * most_along * most_across * most_across < 1 << factor_bits);
 
   int along, across, layers;
+  // equivalent [1 -> 2, 1]: room that nothing uses
   std::array<T, N> p[3][most_along + 1];
 
   // Returns whether numbers of fixed length decide edges of these degrees.
@@ -96,6 +97,7 @@ inline bool is_collapsed(const Edge_layers& a) {
 inline bool is_collapsed(const Homogeneous_layers& a) {
   const std::array<Signed_128, 4>& first = a.p[0][0];
   return std::all_of(a.p[0], a.p[0] + a.along + 1, [&](const std::array<Signed_128, 4>& x) {
+    // equivalent [3 -> 4, 1]: the products of the weights are the same
     for (int k = 0; k < 3; ++k)
       if (!equal_products(x[k], first[3], first[k], x[3])) return false;
     return true;
@@ -239,6 +241,7 @@ bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patc
 
 inline int trailing_zeros(Unsigned_128 x) { // of x > 0
   const std::uint64_t low = static_cast<std::uint64_t>(x);
+  // equivalent [+ -> -, 1]: a smaller power of two leaves more to the next stage
   return low != 0 ? trailing_zero_bits(low) : 64 + trailing_zero_bits(static_cast<std::uint64_t>(x >> 64));
 }
 

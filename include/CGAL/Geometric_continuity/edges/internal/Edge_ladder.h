@@ -230,8 +230,10 @@ public:
     if (!normal_is_nowhere_zero()) return false;
     // a2 = -l a1, by the coordinate x of the first leg, which is not zero
     const Point first = s1_.a(0), second = s2_.a(0);
+    // equivalent [1 -> 2, 1]: where that coordinate is zero the next stage decides
     int x = std::abs(first[0]) < std::abs(first[1]) ? 1 : 0;
     if (std::abs(first[x]) < std::abs(first[2])) x = 2;
+    // equivalent [0 -> 1, 2]: of whole numbers that are not zero
     if (second[x] == 0 || (second[x] < 0) == (first[x] < 0)) return false;
     for (std::size_t i = 0; i < s1_.size(); ++i) {
       const Point a1 = s1_.a(i), a2 = s2_.a(i);
@@ -306,6 +308,7 @@ std::optional<Edge_direction> smooth_spline_edge(const Bspline_surface<Traits>& 
   const Field length1 = Field(s1.knots.back() - s1.knots.front()), length2 = Field(s2.knots.back() - s2.knots.front());
   const std::size_t last = s1.knots.size() - 1;
   for (std::size_t i = 1; i < last; ++i) // the affine map of the domains maps the knots
+    // equivalent [0 -> 1, 2]: leaves the edge to the next stage
     if (Field(length2 * Field(s1.knots[i] - s1.knots[0])) != Field(length1 * Field(s2.knots[i] - s2.knots[0])))
       return std::nullopt;
   for (const auto& knot : a.knots_along(edge_a).inner_knots())

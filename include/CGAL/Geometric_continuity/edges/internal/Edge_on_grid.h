@@ -72,6 +72,8 @@ private:
       b[x] = static_cast<double>(s2.p[1][i][x] - s1.p[0][i][x]);
     }
     normal[0] = d[1] * a[2] - d[2] * a[1];
+    // equivalent [1 -> 2, 1]: where another coordinate is the pivot the same holds, and the next
+    //   stage decides where there is none
     normal[1] = d[2] * a[0] - d[0] * a[2];
     normal[2] = d[0] * a[1] - d[1] * a[0];
     pivot = std::abs(normal[0]) < std::abs(normal[1]) ? 1 : 0;
@@ -86,6 +88,8 @@ private:
   // A fraction that is very near to x, by its continued fraction. Whether it is the right one is seen later.
   static bool short_fraction(double x, std::int64_t& numerator, std::int64_t& denominator) {
     double h = 1, last_h = 0, k = 0, last_k = 1, y = x;
+    // equivalent [< -> <=, 1]: one more step of a continued fraction; whether it is the right one
+    //   is seen later
     for (int step = 0; step < 8; ++step) {
       const double a = std::nearbyint(y), next_h = a * h + last_h, next_k = a * k + last_k;
       if (!(std::abs(next_h) <= most && std::abs(next_k) <= most)) return false;

@@ -87,6 +87,7 @@ public:
       if (!halve()) return std::nullopt;
       if (level_ < least_level) continue;
       if (std::all_of(pieces_.begin(), pieces_.end(), is_at_an_end)) return at_ends();
+      // equivalent [<= -> <, 1]: one more halving where they are the same
       if (upper() <= lower_ * (1 + 0x1p-47))
         if (const std::optional<Normal_deviation<Field>> result = rounded()) return result;
     }
@@ -151,6 +152,7 @@ private:
     }
     x.upper = (std::max)({inside, ends[0], ends[1]});
     x.largest_at_0 = at_0 && (std::max)(inside, ends[1]) < ratio_below(x.s, x.p, 0);
+    // equivalent [< -> <=, 1]: an end has the largest angle also where another point has the same
     x.largest_at_1 = at_1 && (std::max)(inside, ends[0]) < ratio_below(x.s, x.p, n);
     pieces_.push_back(x);
   }

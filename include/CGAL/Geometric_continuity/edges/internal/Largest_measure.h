@@ -146,6 +146,7 @@ public:
   Normal_deviation<Field> operator()() {
     int divided = 0;
     const auto examine = [&](const Piece& worst) {
+      // unreachable: ends a search that the accuracy or the limit of the work ends earlier
       return divided++ < most_pieces && may_go_on(worst) && !accurate(worst) ? After_part::divide : After_part::stop;
     };
     subdivide(pieces_, examine, [&](const Piece& piece) {
@@ -187,6 +188,7 @@ private:
       if (is_tiny(Exact(x - Exact(corner))) && is_tiny(Exact(y - Exact(corner)))) return true;
     if (x < Exact(1) && Exact(1) < y) return false;
     return !(Exact(epsilon_ * sine_cosine_squared(x)) < difference) &&
+           // unreachable: for a width within the 2^-53-th part of the one that is asked for only
            !(Exact(epsilon_ * sine_cosine_squared(y)) < difference);
   }
 

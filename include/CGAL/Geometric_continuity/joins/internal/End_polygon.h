@@ -104,6 +104,7 @@ template <class T> CGAL_GC_FORCEINLINE int largest_coordinate(const std::array<T
 }
 template <class T> CGAL_GC_FORCEINLINE int largest_coordinate(const std::array<T, 3>& x) {
   const int i = std::abs(x[0]) < std::abs(x[1]) ? 1 : 0;
+  // equivalent [0 -> 1, 1]: no answer depends on which coordinate that is not zero is the pivot
   return (std::max)(std::abs(x[0]), std::abs(x[1])) < std::abs(x[2]) ? 2 : i;
 }
 

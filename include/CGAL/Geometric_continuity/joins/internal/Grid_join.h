@@ -367,6 +367,8 @@ private:
   template <int n, class Number>
   static bool integers_on_grid(const Number* const* numbers, std::int64_t* integers, int& exponent) {
     exponent = 0; // integers stay as they are
+    // equivalent [min -> max, 1]: numbers that are not on a grid that is too coarse are left to
+    //   the general decision
     for (int i = 0; i < n; ++i) exponent = (std::min)(exponent, numbers[i]->exponent());
     for (int i = 0; i < n; ++i)
       if (!numbers[i]->on_grid(exponent, integers[i])) return false;

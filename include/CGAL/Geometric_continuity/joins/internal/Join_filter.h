@@ -32,6 +32,7 @@ constexpr int join_questions = 10;
 struct Join_rounding {
   std::array<double, join_questions> error{};
 
+  // unreachable: computed by the compiler
   constexpr Join_rounding() {
     const Rounding_bound d1 = difference(1), d2 = difference(0.5) - difference(0.5),
                          d3 = (difference(0.25) - difference(0.25)) - (difference(0.25) - difference(0.25));
@@ -54,6 +55,7 @@ struct Join_rounding {
   }
 
   static constexpr bool exact = false, pivot_is_first = false;
+  // unreachable: computed by the compiler
   constexpr bool operator()(Join_question form, const Rounding_bound& x) {
     double& e = error[static_cast<int>(form)];
     if (e < x.error) e = x.error;
@@ -61,6 +63,7 @@ struct Join_rounding {
   }
 
 private:
+  // unreachable: computed by the compiler
   template <class Weights> constexpr void record_geometric(const Differences<Rounding_bound, 3>& d, const Weights& w) {
     const Join_equations<Rounding_bound, 3, Weights, Join_rounding> geometric(d, d, w, *this);
     const Join_ratio<Rounding_bound> ratio = geometric.ratio();
@@ -72,6 +75,7 @@ private:
     (void)geometric.torsions_equal();
   }
   // for the roundings in the bounds themselves and for underflow, see Join_filter
+  // unreachable: computed by the compiler
   constexpr void add_margin() {
     for (double& e : error) e *= 1 + 0x1p-20;
   }
@@ -80,6 +84,7 @@ private:
 
 // For the differences of polygons.
 struct Rounding_of_differences {
+  // unreachable: computed by the compiler
   static constexpr Join_rounding value() { return Join_rounding(); }
 };
 

@@ -309,6 +309,7 @@ public:
 // For differences that are rounded once and factors that come from weights by at most nine operations: each factor is at most its value
 // 1 with an error of 16 units.
 struct Rounding_of_weighted_ends {
+  // unreachable: computed by the compiler
   static constexpr Join_rounding value() {
     constexpr Rounding_bound w(1, 16 * 0x1p-52);
     return Join_rounding(Weighted_degree_factors<Join_question::g3, Rounding_bound>{w, w, w, w, w, w});

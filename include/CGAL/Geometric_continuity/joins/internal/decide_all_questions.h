@@ -103,6 +103,7 @@ inline bool is_curved(const First_differences<double, 3>& differences) {
   const double size = largest(differences[0]) * largest(differences[1]);
   return 0x1p-900 <= size && size <= 0x1p900 && largest(cross_form(differences[0], differences[1])) > 0x1p-49 * size;
 }
+// unreachable: asked for in space only
 inline bool is_curved(const First_differences<double, 2>&) { return false; }
 
 // Everything that Join_continuity says but the shape parameters, for a join in the plane or in space and orders up to 3; if only the

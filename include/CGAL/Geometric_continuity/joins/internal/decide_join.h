@@ -27,6 +27,7 @@ namespace Geometric_continuity {
 namespace internal {
 
 // Returns whether the question is about the points as well.
+// unreachable: computed by the compiler
 constexpr bool requires_coincident_ends(Join_question question) {
   return is_parametric(question) || is_geometric(question);
 }
@@ -138,6 +139,7 @@ CGAL_GC_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& r
 }
 
 // Points and tangents do not depend on weights.
+// unreachable: computed by the compiler
 constexpr bool weights_matter(Join_question question) {
   return question != Join_question::c0 && question != Join_question::g1;
 }
@@ -159,6 +161,8 @@ CGAL_GC_FORCEINLINE bool ratios_are_powers(const std::array<std::int64_t, 4>& x,
 template <Join_question question, class Left, class Right>
 CGAL_GC_FORCEINLINE bool weights_cancel(const Left& left, const Right& right) {
   if constexpr (!weights_matter(question))
+    // equivalent [true -> false, 1]: the weights are decided with, which changes no answer of a
+    //   question in which they do not matter
     return true;
   else if constexpr (!is_parametric(question) && is_double<typename Left::Traits::FT>) {
     constexpr int k = highest_difference(question);

@@ -35,6 +35,7 @@ template <class FT> void require_denominator(const FT& w, const char* place) {
   if (w == FT(0)) throw Error(Error_code::zero_weight, place);
 }
 
+// unreachable: computed by the compiler
 constexpr int binomial(int k, int j) { return j == 0 ? 1 : binomial(k - 1, j - 1) * k / j; }
 
 // x_l -= sum_{i=j}^l C(l,i) w_i x_{l-i}

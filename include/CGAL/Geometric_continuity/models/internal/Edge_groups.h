@@ -140,6 +140,7 @@ private:
     std::vector<std::size_t> numbers(corners.size());
     std::size_t points = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
+      // equivalent [+= -> -=, 1]: the numbers are compared for equality only
       points += i > 0 && less(corners[i - 1], corners[i]);
       numbers[corners[i].number] = points;
     }

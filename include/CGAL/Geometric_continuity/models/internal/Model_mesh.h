@@ -55,6 +55,7 @@ public:
     }
     for (std::size_t& corner : parent_) corner = root(corner);
     std::vector<Pair> pairs; // of corners that have an edge or a diagonal of a patch in common
+    // equivalent [2 -> 3, 1]: memory only
     pairs.reserve(groups_.edges().size() + 2 * patches.size());
     for (const Edge_uses& uses : groups_.edges()) pairs.push_back(vertices(ends(uses[0])));
     for (std::size_t i = 0; i < patches.size(); ++i)
@@ -252,6 +253,7 @@ private:
     const auto first = [&](std::size_t patch) { return patch == 0 ? 0 : ends_[patch - 1]; };
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (parts[i] == open) continue;
+      // equivalent [3 -> 4, 1]: the volume of what is closed does not depend on the origin
       const double origin = first(i) < ends_[i] ? 3 * x[mesh_.triangles[first(parts[i])][0]][0] : 0;
       double sum = 0, sum_of_sizes = 0;
       for (std::size_t t = first(i); t < ends_[i]; ++t) {

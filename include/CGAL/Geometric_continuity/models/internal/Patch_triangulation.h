@@ -144,9 +144,11 @@ private:
     const std::vector<FT> s = ends_of_parts(patch_.domain_u(), nu_), t = ends_of_parts(patch_.domain_v(), nv_);
     std::vector<typename Sums::Vector> row(p + 1, sums.net()[0]);
     for (std::size_t j = 1; j < nv_; ++j) {
+      // equivalent [1 -> 2, 1]: an estimate of work
       sums.charge((p + 1.) * (q + 1));
       for (int k = 0; k <= p; ++k) row[k] = weighted_sum(v[j], sums.net(), static_cast<std::size_t>(k) * (q + 1));
       for (std::size_t i = 1; i < nu_; ++i) {
+        // equivalent [+ -> -, 1]: an estimate of work
         sums.charge(p + 1.);
         add_point(sums.point(weighted_sum(u[i], row)), s[i], t[j]);
       }

@@ -47,6 +47,7 @@ CGAL_GC_FORCEINLINE double largest(const std::array<double, 3>& x) {
 // Units of 2^exponent in which numbers of at most 2^(exponent + 53) are at most 2^53.
 class Grid {
   double units_ = 1, unit_ = 1;
+  // equivalent [0 -> 1, 1]: assigned by the constructor
   int exponent_ = 0;
   bool valid_ = false;
 
@@ -128,6 +129,7 @@ private:
   static CGAL_GC_FORCEINLINE Numbers absolute_values(double x, double y) {
     return reinterpret_cast<Numbers>(reinterpret_cast<Bits>(Numbers{x, y}) & INT64_MAX);
   }
+  // unreachable: of registers with two numbers: no branch
   static CGAL_GC_FORCEINLINE Numbers larger(const Numbers& x, const Numbers& y) { return x < y ? y : x; }
   // Of the point j.
   CGAL_GC_FORCEINLINE Numbers largest(std::size_t j) const {

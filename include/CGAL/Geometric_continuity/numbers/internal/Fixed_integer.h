@@ -33,6 +33,7 @@ typedef unsigned char Carry;
 CGAL_GC_FORCEINLINE std::uint64_t add_with_carry(std::uint64_t x, std::uint64_t y, Carry& carry) {
   unsigned long long sum;
 #ifdef CGAL_GEOMETRIC_CONTINUITY_X86_CARRY
+  // unreachable: the compiler of GNU has these functions
   carry = __builtin_ia32_addcarryx_u64(carry, x, y, &sum);
 #else
   const bool first = __builtin_add_overflow(x, y, &sum), second = __builtin_add_overflow(sum, carry, &sum);
@@ -43,6 +44,7 @@ CGAL_GC_FORCEINLINE std::uint64_t add_with_carry(std::uint64_t x, std::uint64_t 
 CGAL_GC_FORCEINLINE std::uint64_t subtract_with_borrow(std::uint64_t x, std::uint64_t y, Carry& borrow) {
   unsigned long long difference;
 #ifdef CGAL_GEOMETRIC_CONTINUITY_X86_CARRY
+  // unreachable: the compiler of GNU has these functions
   borrow = __builtin_ia32_sbb_u64(borrow, x, y, &difference);
 #else
   const bool first = __builtin_sub_overflow(x, y, &difference),

@@ -16,9 +16,13 @@ struct Rounding_bound {
   double value = 0, error = 0;
 
   constexpr Rounding_bound() = default;
+  // unreachable: computed by the compiler
   constexpr explicit Rounding_bound(int) : value(1) {} // a factor that is a whole number, in units of itself
   constexpr Rounding_bound(double v, double e) : value(v), error(e) {}
 
+  // unreachable: computed by the compiler
+  // equivalent [* -> +, 1]: computed by the compiler; the bounds are compared with those that
+  //   Gappa proves
   static constexpr Rounding_bound rounded(double v, double e) { return {v, e + 0x1p-52 * (v + e)}; }
   friend constexpr Rounding_bound operator+(const Rounding_bound& x, const Rounding_bound& y) {
     return rounded(x.value + y.value, x.error + y.error);

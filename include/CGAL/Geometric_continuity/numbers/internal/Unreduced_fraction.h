@@ -48,6 +48,7 @@ class Equal_denominators {
 public:
   // a becomes the common denominator
   Equal_denominators(Unreduced_denominator& a, const Unreduced_denominator& b) {
+    // equivalent [< -> <=, 1]: a shift by nothing
     if (a.k < b.k) {
       first_.k = b.k - a.k;
       a.k = b.k;

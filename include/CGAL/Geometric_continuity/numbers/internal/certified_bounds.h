@@ -128,9 +128,11 @@ struct Angle_of_square {
     const Wide_integer error(c.error);
     if (c.sinc < -error) return {false, true}; // a > pi
     const bool right_of_quarter = c.cosine < -error;
+    // unreachable: no double is so near to a right angle
     if (!right_of_quarter && !(error < c.cosine)) return {false, false};
     if (right_of_quarter != obtuse) return {obtuse, !obtuse};
     const auto squared = [](const Wide_integer& y) {
+      // unreachable: no double is so near to a multiple of a right angle
       return y < 0 ? Binary_number{0, 0} : Binary_number{Wide_integer(y * y), 0};
     };
     // |a| sin(a)/|a| and |cos(a)|, squared, from below and above, in the same units

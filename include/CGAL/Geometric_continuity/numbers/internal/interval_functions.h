@@ -83,6 +83,7 @@ inline Cosine_and_sine cosine_and_sine(const Interval& x) {
 inline Interval exponential(double x) {
   if (x < -700) return Interval(0, 1e-300);
   if (!(x <= 700)) return Interval(1e300, (std::numeric_limits<double>::infinity)());
+  // equivalent [0 -> 1, 1]: a halving more encloses the same number
   int s = 0;
   while (std::ldexp(std::fabs(x), -s) > 0.5) ++s;
   const Interval y(std::ldexp(x, -s));

@@ -149,6 +149,7 @@ class Grid_alignment {
     const Grid_vector sum = a_ + b_, middle{sum.x / (m + n), sum.y / (m + n)};
     for (std::int64_t x = middle.x; x <= middle.x + 1; ++x)
       for (std::int64_t y = middle.y - 1; y <= middle.y + 1; ++y)
+        // unreachable: short directions are visited before, and are not met again
         if (x > 0) visit({x, y});
     const Disc left = disc(a_, m), right = disc(b_, n);
     Rounded_interval xs = Rounded_interval{left.x - left.radius, left.x + left.radius} &
@@ -156,6 +157,7 @@ class Grid_alignment {
     // where the chord through both circles lies between the centres, it is a diameter of a disc about all common points
     const double dx = right.x - left.x, dy = right.y - left.y, d2 = dx * dx + dy * dy,
                  at = d2 + left.radius * left.radius - right.radius * right.radius; // 2 d2 times the part of the way
+    // unreachable: the disc of the longer vector is not the larger one, but for rounding
     if (0 < at && at < 2 * d2) {
       const double part = at / (2 * d2), squared = left.radius * left.radius,
                    h = std::sqrt((std::max)(0., squared * (1 + 1e-14) - part * part * d2));
@@ -179,6 +181,7 @@ class Grid_alignment {
     const double x = static_cast<double>(a_.x), y = static_cast<double>(a_.y), r = static_cast<double>(r_ + 1),
                  slope = above ? cone.upper : cone.lower, // of the side next to a
         length = std::sqrt(1 + slope * slope), distance = (above ? y - slope * x : slope * x - y) / length;
+    // equivalent [2 -> 3, 1]: a larger part is looked at
     if (!(distance > 0)) return {r_, cone, x, r, 2 * r}; // or infinite slopes
     if (distance > r) return {r_, cone, x, 0, 0};
     const double height = r - distance, half_chord = std::sqrt(height * (r + distance));
@@ -224,12 +227,14 @@ public:
   Grid_alignment(const Grid_vector& a, const Grid_vector& b, std::int64_t max_squared_distance)
       : a_(a), b_(b), larger_(max_squared_distance) {
     for (std::int64_t x = -3; x <= 3; ++x)
+      // equivalent [3 -> 4, 2]: more pairs are visited first
       for (std::int64_t y = -3; y <= 3; ++y)
         if (x != 0 || y != 0) visit({x, y});
     if (!found()) r_ = root_ceiling(larger_);
     const std::int64_t all = (std::numeric_limits<std::int64_t>::max)(), s = 2 + root_ceiling(a.x + (std::abs)(a.y));
     visit_middle(s);
     visit_short_directions(s);
+    // equivalent [<= -> <, 1]: both roads visit all pairs
     if (squared_length(a) <= (r_ + 1) * (r_ + 1)) {
       visit_short_directions(all);
       return;

@@ -72,6 +72,7 @@ public:
   // Returns the arc length, with a relative error of at most 2^-12.
   double length() const {
     Rows rows = rows_;
+    // equivalent [0 -> 1, 1]: one halving less next to a cusp
     return std::ldexp(length_of(rows, 0), exponent_);
   }
 
@@ -82,6 +83,7 @@ public:
     const double wanted = std::ldexp(distance, -exponent_);
     Rows after = rows_; // the curve on [low, low + 2 half]
     double low = 0, length_to_low = 0;
+    // unreachable: needs a curve that passes the whole distance between neighbouring parameters
     for (double half = 0.5; low + half != low; half /= 2) {
       Rows before = after;
       bernstein_split(after, degree(), 0.5, before);
@@ -94,6 +96,7 @@ public:
       } else
         after = before;
     }
+    // unreachable: needs a curve that passes the whole distance between neighbouring parameters
     throw Error(Error_code::not_representable, "parameter at the arc length " + std::to_string(distance));
   }
 
@@ -112,6 +115,8 @@ private:
     double polygon = 0;
     for (int j = 0; j < m; ++j) polygon += distance(points[j], points[j + 1]);
     const double chord = distance(points[0], points[m]);
+    // unreachable: ends a search that others end earlier, but at a cusp of a scale that no double
+    //   has
     if ((positive && polygon - chord <= precision * polygon) || depth == deepest)
       return (2 * chord + (m - 1) * polygon) / (m + 1);
     Rows left = rows;

@@ -183,6 +183,7 @@ CGAL_GC_FORCEINLINE void derivative_weights(const Knots& u, int degree, int k, c
 template <class Knots, class FT, class Function>
 CGAL_GC_FORCEINLINE void with_degree_inside_span(const Knots& knots, int p, int k, const FT& u, const Function& f) {
   if constexpr (std::is_floating_point_v<FT>)
+    // equivalent [+ -> -, 2]: the code for any degree computes the same
     if (knots[k] < u && u < knots[k + 1] && (std::numeric_limits<FT>::min)() < knots[k + 1] - knots[k]) switch (p) {
       case 1: return f(std::integral_constant<int, 1>());
       case 2: return f(std::integral_constant<int, 2>());

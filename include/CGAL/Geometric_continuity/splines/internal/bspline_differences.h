@@ -65,6 +65,7 @@ public:
     for (std::size_t i = c_.size() - 1; i >= static_cast<std::size_t>(first); --i) {
       Entry &x = c_[i], &left = c_[i - 1];
       if (length(static_cast<int>(i)) != Ring(0)) {
+        // equivalent [3 -> 4, 1]: an estimate of work
         work_meter().charge_products(3, number_words(x.d), number_words(x.factor));
         x.n = Ring(x.n * x.b - left.n * x.a);
         x.d *= x.factor;
@@ -161,6 +162,7 @@ public:
       power *= span.length;
       terms_[j] *= factors[j];
     }
+    // equivalent [+ -> -, 1]: an estimate of work
     work_meter().charge_sums(p_ * (p_ + 1.) / 2, number_words(denominator));
     work_meter().charge_products(2. * (p_ + 1), number_words(denominator));
     output(0, terms_[0], denominator);

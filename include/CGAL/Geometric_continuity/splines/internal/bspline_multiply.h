@@ -43,6 +43,7 @@ template <class Weights, class FT> constexpr void assign_product_weights(int p, 
 
 // These factors, at compile time unless P is -1.
 template <class FT, int P, int Q> struct Product_weights {
+  // unreachable: computed by the compiler
   static constexpr std::array<FT, (P + 1) * (Q + 1)> computed() {
     std::array<FT, (P + 1) * (Q + 1)> weights{};
     assign_product_weights<std::array<FT, (P + 1) * (Q + 1)>, FT>(P, Q, weights);

@@ -162,6 +162,7 @@ template <class FT> struct Distinct_knots {
   int number_of_coefficients() const { return size - degree - 1; }
 
   Knot_vector<FT> knot_vector() const {
+    // equivalent [0 -> 1, 1]: every number is written over
     std::vector<FT> u(size, knots[0].value);
     FT* next = u.data();
     for (int i = 0; i < number; ++i)

@@ -61,6 +61,7 @@ public:
     for (std::size_t i = current_ + 1; i < spans_.size() && !(last < u_[spans_[i] + 1]); ++i)
       if (!found || lengths_[longest] < lengths_[i]) {
         longest = i;
+        // equivalent [true -> false, 1]: which span is taken matters for roundings only
         found = true;
       }
     return spans_[longest];

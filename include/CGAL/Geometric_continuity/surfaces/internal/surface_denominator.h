@@ -134,6 +134,7 @@ void check_surface_denominator(const std::vector<FT>& weights, const Knot_vector
 template <class Patch> void add_positive_parts_of_patch(const Patch& s, int halvings, std::vector<Patch>& parts) {
   typedef typename Patch::FT FT;
   if (all_positive(s.weights())) return parts.push_back(s);
+  // unreachable: by rounding only: exact weights that need so many halvings are refused before
   if (halvings == 0) throw Error(Error_code::work_limit, "positive_parts: the denominator is too close to zero");
   const bool in_u = halvings % 2 == 0;
   const typename Patch::Interval domain = in_u ? s.domain_u() : s.domain_v();

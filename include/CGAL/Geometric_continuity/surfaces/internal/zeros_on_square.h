@@ -82,6 +82,7 @@ public:
 
   // Leaves a polynomial of less degree with the same value at the number.
   void reduce(Power_polynomial<FT>& p) const {
+    // equivalent [* -> +, 1]: an estimate of work
     work_meter().charge_products((std::max)(p.degree() - s_.degree() + 1, 0) * (s_.degree() + 1.),
                                  (std::max)(most_words(p), most_words(s_)));
     p.divide(s_);
@@ -115,6 +116,7 @@ public:
     while (!f.empty() && sign(f.back()) == 0) f.pop_back();
     if (f.empty()) return;
     const FT& leading = f.back()[f.back().degree()];
+    // equivalent [< -> <=, 1]: the leading coefficient is not zero
     const Power_polynomial<FT> factor = constant(FT(FT(1) / (leading < FT(0) ? FT(-leading) : leading)));
     for (Power_polynomial<FT>& c : f) c = difference_of_products(c, factor, {}, {});
   }
