@@ -14,7 +14,9 @@
 #include <gp_Ax1.hxx>
 #include <gp_Trsf.hxx>
 
-#include "support/test.h"
+#include <cstdlib>
+#include <iostream>
+#include <string>
 
 // What programs that write CAD models with OpenCASCADE have in common.
 
