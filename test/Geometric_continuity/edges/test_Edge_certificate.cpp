@@ -6,7 +6,7 @@
 
 #include "support/nets.h"
 
-#include <CGAL/Geometric_continuity/edges/Edge_certificate.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 

@@ -8,7 +8,7 @@
 #include "commands/models/model_json.h"
 #include "reports/certificate.h"
 
-#include <CGAL/Geometric_continuity/edges/Edge_certificate.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 
 #include <ostream>
 #include <sstream>

@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_ROUND_EDGE_H
 
 #define CGAL_DEPRECATED_HEADER "<CGAL/Geometric_continuity/edges/round_edge.h>"
-#define CGAL_REPLACEMENT_HEADER "<CGAL/Geometric_continuity/surface_blends/round_edge.h>"
+#define CGAL_REPLACEMENT_HEADER "<CGAL/Geometric_continuity/models/round_edges.h>"
 #include <CGAL/Installation/internal/deprecation_warning.h>
 
-#include <CGAL/Geometric_continuity/surface_blends/round_edge.h>
+#include <CGAL/Geometric_continuity/models/round_edges.h>
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_ROUND_EDGE_H

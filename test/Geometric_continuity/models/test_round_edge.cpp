@@ -8,7 +8,7 @@
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
-#include <CGAL/Geometric_continuity/surface_blends/round_edge.h>
+#include <CGAL/Geometric_continuity/models/round_edges.h>
 
 BOOST_AUTO_TEST_SUITE(rounded_edges)
 
