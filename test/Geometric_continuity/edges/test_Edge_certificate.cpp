@@ -21,7 +21,6 @@ Q value(const GC::Power_polynomial<Q>& p, const Q& u) {
   return sum;
 }
 
-Curve derivative(const Curve& c) { return {c[0].derivative(), c[1].derivative(), c[2].derivative()}; }
 Curve sum(const std::vector<std::pair<Q, Curve>>& terms) {
   Curve r{constant(0), constant(0), constant(0)};
   for (const auto& [factor, c] : terms)

@@ -94,10 +94,10 @@ TEST_FOR_EACH(patch_operations, K, All_kernels) {
   BOOST_CHECK(s.bbox() == CGAL::Bbox_3(0, 0, 0, 16, 16, 12));
   BOOST_CHECK_EQUAL(std::distance(s.begin(), s.end()), 12);
   BOOST_CHECK(*(s.begin() + 1) == s.control_point(0, 1));
-  const std::string text = text(s);
-  BOOST_CHECK_EQUAL(text.substr(0, text.find('\n')), "Bezier patch of degree 3 x 2 on [1, 3] x [-1, 1]:");
-  BOOST_CHECK_EQUAL(text.substr(text.rfind('\n')), "\n(12, 0, 6) (13, 5, 12) (16, 10, 4)");
-  BOOST_CHECK_EQUAL(std::count(text.begin(), text.end(), '\n'), 4);
+  const std::string written = text(s);
+  BOOST_CHECK_EQUAL(written.substr(0, written.find('\n')), "Bezier patch of degree 3 x 2 on [1, 3] x [-1, 1]:");
+  BOOST_CHECK_EQUAL(written.substr(written.rfind('\n')), "\n(12, 0, 6) (13, 5, 12) (16, 10, 4)");
+  BOOST_CHECK_EQUAL(std::count(written.begin(), written.end(), '\n'), 4);
 }
 
 TEST_FOR_EACH(patch_edges, K, All_kernels) {
