@@ -20,7 +20,7 @@ struct Report_demand {
   GC::Corner_threshold corner_threshold;
   bool closed = false;     // the last curve of a chain leads back to its first
   Glyph_selection glyphs;  // of fonts
-  Rounding_bound rounding; // of fonts
+  Handle_rounding rounding; // of fonts
   std::string tolerance;   // of CAD models, as it is written; empty for that of `verify`
   Cad_reading reading;     // of CAD models
 };
