@@ -31,8 +31,8 @@
 class True_type_glyphs {
   typedef CGAL::Geometric_continuity::True_type_outline Outline;
   typedef CGAL::Geometric_continuity::Glyph_component Component;
-  static constexpr std::size_t max_points = 0x7fff; // of a glyph, as to FreeType
-  static constexpr const char* invalid_composite = "invalid composite glyph";
+  static constexpr std::size_t max_points = 0x7ffb; // of a glyph, as to FreeType
+  static constexpr const char *invalid_outline = "invalid outline", *invalid_composite = "invalid composite glyph";
 
   FT_Face face_;
   std::string glyphs_, places_; // tables 'glyf' and 'loca'
@@ -80,8 +80,9 @@ class True_type_glyphs {
       result = CGAL::Geometric_continuity::read_true_type_outline({bytes, "glyph"});
     } catch (const CGAL::Geometric_continuity::Error&) {
       const bool is_composite = (bytes[0] & 0x80) != 0 && bytes.size() >= 10;
-      throw Font_error(is_composite ? invalid_composite : "invalid outline");
+      throw Font_error(is_composite ? invalid_composite : invalid_outline);
     }
+    if (result.points.size() > max_points) throw Font_error(invalid_outline);
     for (const Component& component : result.components)
       if (component.glyph >= face_->num_glyphs) throw Font_error(invalid_composite);
     return result;
@@ -117,10 +118,10 @@ class True_type_glyphs {
         return {};
       const Part_offset to = point(leaves, first, begin, component.x),
                         from = point(leaves, begin, leaves.parts.size(), component.y);
-      return to.plus(Glyph_part{component.glyph, m}(from), -1);
+      return Glyph_part{component.glyph, {-m.xx, -m.xy, -m.yx, -m.yy, m.shift}, to}(from);
     }
     if (!component.scales_offset) return {component.x, component.y};
-    if (m.is_diagonal() && m.xx > 0 && m.yy > 0) return {component.x * m.xx, component.y * m.yy, m.shift};
+    if (m.is_diagonal() && m.xx > 0 && m.yy > 0) return Part_offset::reduced(component.x * m.xx, component.y * m.yy, m.shift);
     const auto scaled = [&m](int x, std::int64_t a, std::int64_t b) -> std::int64_t { // rounded, as by FreeType
       const std::int64_t unit = std::int64_t(0x10000) >> m.shift;
       FT_Vector column{static_cast<FT_Pos>(a * unit), static_cast<FT_Pos>(b * unit)};

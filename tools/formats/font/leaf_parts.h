@@ -10,10 +10,13 @@
 #include "formats/font/True_type_outlines.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <vector>
+
+// A product of numbers that outlines have.
+__extension__ typedef __int128 Wide_integer;
 
 // A matrix of integers over a power of two: (x, y) becomes (xx x + xy y, yx x + yy y) / 2^shift.
 struct Part_matrix {
@@ -39,14 +42,19 @@ struct Part_matrix {
 
   // The product. Throws Font_error where it needs more digits than outlines have.
   Part_matrix operator*(const Part_matrix& m) const {
-    check(shift + m.shift);
-    const Part_matrix product = Part_matrix{xx * m.xx + xy * m.yx, xx * m.xy + xy * m.yy, yx * m.xx + yy * m.yx,
-                                            yx * m.xy + yy * m.yy, shift + m.shift}
-                                    .reduced();
-    constexpr std::int64_t most = 1 << 11;
-    for (const std::int64_t x : {product.xx, product.xy, product.yx, product.yy})
-      check(product.shift, std::abs(x) <= most << product.shift);
-    return product;
+    const auto sum = [](std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t d) -> Wide_integer {
+      return Wide_integer(a) * b + Wide_integer(c) * d;
+    };
+    std::array<Wide_integer, 4> x{sum(xx, m.xx, xy, m.yx), sum(xx, m.xy, xy, m.yy), sum(yx, m.xx, yy, m.yx),
+                                  sum(yx, m.xy, yy, m.yy)};
+    int digits = shift + m.shift;
+    for (; digits > 0 && ((x[0] | x[1] | x[2] | x[3]) & 1) == 0; --digits)
+      for (Wide_integer& entry : x) entry /= 2;
+    check(digits);
+    const Wide_integer most = Wide_integer(1 << 11) << digits;
+    for (const Wide_integer& entry : x) check(digits, -most <= entry && entry <= most);
+    const auto short_integer = [&x](std::size_t i) { return static_cast<std::int64_t>(x[i]); };
+    return {short_integer(0), short_integer(1), short_integer(2), short_integer(3), digits};
   }
   Glyph_point operator()(const Glyph_point& p) const { return {xx * p.x + xy * p.y, yx * p.x + yy * p.y}; }
 };
@@ -56,14 +64,16 @@ struct Part_offset {
   std::int64_t x = 0, y = 0;
   int shift = 0;
 
-  // The sum with s times another one. Throws Font_error for coordinates that no outline has.
-  Part_offset plus(const Part_offset& p, int s = 1) const {
-    const int common = (std::max)(shift, p.shift);
-    const std::int64_t own = std::int64_t(1) << (common - shift), more = s * (std::int64_t(1) << (common - p.shift)),
-                       most = Glyph_outline::max_coordinate << common;
-    const Part_offset sum{own * x + more * p.x, own * y + more * p.y, common};
-    if (std::abs(sum.x) > most || std::abs(sum.y) > most) refuse_coordinate(Glyph_outline::max_coordinate);
-    return sum;
+  // The same over the least power of two. Throws Font_error for what no outline has.
+  static Part_offset reduced(Wide_integer x, Wide_integer y, int shift) {
+    for (; shift > 0 && ((x | y) & 1) == 0; --shift) {
+      x /= 2;
+      y /= 2;
+    }
+    Part_matrix::check(shift);
+    const Wide_integer most = Glyph_outline::max_coordinate << shift;
+    if (x < -most || most < x || y < -most || most < y) refuse_coordinate(Glyph_outline::max_coordinate);
+    return {static_cast<std::int64_t>(x), static_cast<std::int64_t>(y), shift};
   }
 };
 
@@ -75,9 +85,13 @@ struct Glyph_part {
 
   // A point of the part, as it is in the whole.
   Part_offset operator()(const Part_offset& p) const {
-    Part_matrix::check(matrix.shift + p.shift);
-    const Glyph_point moved = matrix({p.x, p.y});
-    return offset.plus({moved.x, moved.y, matrix.shift + p.shift});
+    typedef Wide_integer Wide;
+    const int own = matrix.shift + p.shift, common = (std::max)(own, offset.shift);
+    const Wide more = Wide(1) << (common - own), unit = Wide(1) << (common - offset.shift);
+    const auto sum = [&](std::int64_t a, std::int64_t b, std::int64_t at) -> Wide {
+      return more * (Wide(a) * p.x + Wide(b) * p.y) + unit * at;
+    };
+    return Part_offset::reduced(sum(matrix.xx, matrix.xy, offset.x), sum(matrix.yx, matrix.yy, offset.y), common);
   }
 
   // The part of a part.
