@@ -82,9 +82,7 @@ class Glyph_join {
   const Glyph_point& node_;
   const std::int64_t steps_;
 
-  static Integer square(const Glyph_integer_join::Vector& v) {
-    return Integer(v[0]) * v[0] + Integer(v[1]) * v[1];
-  }
+  static Integer square(const Glyph_integer_join::Vector& v) { return Integer(v[0]) * v[0] + Integer(v[1]) * v[1]; }
   static double length(const Glyph_integer_join::Vector& v) {
     return std::hypot(static_cast<double>(v[0]), static_cast<double>(v[1]));
   }

@@ -22,7 +22,7 @@
 // What is asked of joins, and which of them are what.
 struct Join_rule {
   GC::Corner_threshold corner = GC::Corner_threshold(); // between kinks and corners
-  Handle_rounding rounding = Handle_rounding();           // between kinks and rounding
+  Handle_rounding rounding = Handle_rounding();         // between kinks and rounding
   std::optional<GC::Visual_class> required = {};        // g1 or g2, of all joins but corners, bends and rounding
   std::optional<GC::Corner_threshold> max_kink = {};    // which no kink may exceed
 

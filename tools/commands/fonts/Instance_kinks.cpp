@@ -79,8 +79,8 @@ void judge_instances(int glyph, int part, const GC::Variable_outline& outline,
       continue;
     }
     const std::vector<FT> scalars = GC::region_scalars(outline.regions, kink.instance);
-    const double leg = (std::min)(length(join.incoming(scalars)), length(join.outgoing(scalars))),
-                 severity = kink.angle.lower * leg / font.units_per_em();
+    const double shorter = (std::min)(length(join.incoming(scalars)), length(join.outgoing(scalars))),
+                 severity = kink.angle.lower * shorter / font.units_per_em();
     const GC::Variable_point& point = outline.points[static_cast<std::size_t>(place.point)];
     result.kinks.push_back({glyph, part, place.contour, place.point, point.x, point.y, std::move(kink),
                             angle_at(join, initial_scalars), severity});

@@ -121,7 +121,8 @@ class True_type_glyphs {
       return Glyph_part{component.glyph, {-m.xx, -m.xy, -m.yx, -m.yy, m.shift}, to}(from);
     }
     if (!component.scales_offset) return {component.x, component.y};
-    if (m.is_diagonal() && m.xx > 0 && m.yy > 0) return Part_offset::reduced(component.x * m.xx, component.y * m.yy, m.shift);
+    if (m.is_diagonal() && m.xx > 0 && m.yy > 0)
+      return Part_offset::reduced(component.x * m.xx, component.y * m.yy, m.shift);
     const auto scaled = [&m](int x, std::int64_t a, std::int64_t b) -> std::int64_t { // rounded, as by FreeType
       const std::int64_t unit = std::int64_t(0x10000) >> m.shift;
       FT_Vector column{static_cast<FT_Pos>(a * unit), static_cast<FT_Pos>(b * unit)};

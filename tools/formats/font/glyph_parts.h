@@ -34,9 +34,9 @@ inline Variable_join join_of_part(const Glyph_part& part, Variable_join join) {
   };
   const FT xx = number(m.xx), xy = number(m.xy), yx = number(m.yx), yy = number(m.yy);
   const auto transform = [&](Outline_vector& v) { v = {FT(xx * v[0] + xy * v[1]), FT(yx * v[0] + yy * v[1])}; };
-  for (Variable_vector* leg : {&join.incoming, &join.outgoing}) {
-    transform(leg->constant);
-    for (Outline_vector& shift : leg->shifts) transform(shift);
+  for (Variable_vector* side : {&join.incoming, &join.outgoing}) {
+    transform(side->constant);
+    for (Outline_vector& shift : side->shifts) transform(shift);
   }
   return join;
 }

@@ -69,11 +69,11 @@ public:
 /// \tparam Integer_ a signed integer type that has all cross and dot products of differences, times the product of both degrees
 template <class Point_, class Integer_> class Integer_join {
 public:
-  typedef Point_ Point;                                    ///< a control point
-  typedef Integer_ Integer;                                ///< a product of differences
-  typedef std::decay_t<decltype(Point::x)> Coordinate;     ///< a coordinate
-  typedef std::array<Coordinate, 2> Vector;                ///< a difference of points
-  typedef Corner_threshold::Field Field;                   ///< exact numbers
+  typedef Point_ Point;                                ///< a control point
+  typedef Integer_ Integer;                            ///< a product of differences
+  typedef std::decay_t<decltype(Point::x)> Coordinate; ///< a coordinate
+  typedef std::array<Coordinate, 2> Vector;            ///< a difference of points
+  typedef Corner_threshold::Field Field;               ///< exact numbers
 
 private:
   typedef internal::Image_end<internal::Integer_polygon<Point, Integer, true>> Left;
@@ -109,8 +109,8 @@ private:
       const Integer left_bend = left().is_retracted() ? Integer(0) : Integer(x.bend() * y.degree()),
                     right_bend = right().is_retracted() ? Integer(0) : Integer(y.bend() * x.degree());
       constexpr int digits = 8 * static_cast<int>(sizeof(Integer)) - 1, short_digits = digits * 23 / 127;
-      constexpr Integer short_length = Integer(1) << short_digits,
-                        short_bend = Integer(1) << (digits - 2 - 3 * short_digits);
+      constexpr Integer short_length = Integer(1) << short_digits, short_bend = Integer(1)
+                                                                                << (digits - 2 - 3 * short_digits);
       const auto is_short = [](const Integer& bend) { return -short_bend < bend && bend < short_bend; };
       if (a < short_length && b < short_length && is_short(left_bend) && is_short(right_bend))
         return Integer(b) * b * b * left_bend == Integer(a) * a * a * right_bend;

@@ -71,9 +71,7 @@ public:
   bool has_curvature() const { return !is_retracted() || is_line(); }
 
   // The points between which the first difference that is not zero lies, in the direction of the curve.
-  std::pair<int, int> first_difference() const {
-    return Polygon::is_end ? std::pair(first_, 0) : std::pair(0, first_);
-  }
+  std::pair<int, int> first_difference() const { return Polygon::is_end ? std::pair(first_, 0) : std::pair(0, first_); }
 
   // The first difference that is not zero, in the direction of the curve, subtracted in NT. \pre has_length()
   template <class NT> std::array<NT, 2> vector() const {
@@ -102,8 +100,8 @@ template <class Join> std::optional<Visual_class> visual_class_of(const Join& jo
 // Returns how large a kink is, from both vectors in the direction of the curves, which are not zero.
 template <class Field> Kink_size kink_size_of(const std::array<Field, 2>& a, const std::array<Field, 2>& b) {
   const Plane_products<Field> ab(a, b);
-  const Field aa = Plane_products<Field>(a, a).dot, bb = Plane_products<Field>(b, b).dot,
-              shorter = (std::min)(aa, bb), longer = (std::max)(aa, bb), sine_squared = Field(ab.cross * ab.cross);
+  const Field aa = Plane_products<Field>(a, a).dot, bb = Plane_products<Field>(b, b).dot, shorter = (std::min)(aa, bb),
+              longer = (std::max)(aa, bb), sine_squared = Field(ab.cross * ab.cross);
   const Enclosure angle = angle_enclosure(sine_squared, ab.dot), handle = sqrt_enclosure(shorter);
   const Enclosure offset = Field(0) < ab.dot ? sqrt_enclosure(Field(sine_squared / longer)) : handle;
   return Kink_size{angle, offset, nonnegative_product(angle, handle)};
