@@ -14,6 +14,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 
 #include <algorithm>
 #include <optional>
@@ -45,7 +46,7 @@ void check_outline(const Glyph_outline& outline, const GC::Corner_threshold& bou
       require(left->end() == right->start(), "a segment starts where the one before it ends");
       const Glyph_join join(*left, *right, outline.steps());
       if (joins < 200) // which are many for one input
-        require(GC::visual_class(curve(*left), curve(*right), bound) == join.grade(bound),
+        require(GC::visual_class(curve(*left), curve(*right), bound) == join.on_grid().visual_class(bound),
                 "the grade is that of the library");
     }
   }

@@ -1,7 +1,8 @@
 # Writes a font as octal escapes for printf, from lines that describe its glyphs:
 #   glyph NAME [CODE]     begins a glyph, the first one number 0, with the code of its character
 #   contour X,Y ...       a closed contour; behind a point, * says that it is a control point
-#   component N X Y [S]   glyph number N, moved, and scaled by S
+#   component N X Y [S]   glyph number N, moved, and scaled by S; N:scaled is moved by S times as much
+#   attached N X Y [S]    the same, but its point Y is put on point X of what is before it
 # Variables: em, the units per em, 1000 if not given; outlines=cff for cubic curves; container=ttc for a collection of the font
 # twice, container=woff; bearing, a left side bearing of all glyphs that is to be where x is 0; family and style; names=no to leave out the
 # names of the glyphs.
@@ -36,7 +37,7 @@ BEGIN {
   last[g, contours[g] + 0] = n - 1
   ++contours[g]
 }
-/^component/ { g = glyphs - 1; components[g, count[g] + 0] = $0; ++count[g] }
+/^component|^attached/ { g = glyphs - 1; components[g, count[g] + 0] = $0; ++count[g] }
 
 function simple_glyph(g, i) {
   u16(contours[g]); for (i = 0; i < 4; ++i) u16(0)
@@ -50,8 +51,9 @@ function composite_glyph(g, i, part) {
   u16(-1); for (i = 0; i < 4; ++i) u16(0)
   for (i = 0; i < count[g]; ++i) {
     split(components[g, i], part, " ")
-    u16(1 + 2 + (part[5] != "" ? 8 : 0) + (i + 1 < count[g] ? 32 : 0)) # words, offsets, a scale, more components
-    u16(part[2]); u16(part[3]); u16(part[4])
+    # words, offsets, a scale, more components, offsets that are scaled
+    u16(1 + (part[1] == "attached" ? 0 : 2) + (part[5] != "" ? 8 : 0) + (i + 1 < count[g] ? 32 : 0) + (part[2] ~ /:/ ? 2048 : 0))
+    u16(part[2] + 0); u16(part[3]); u16(part[4])
     if (part[5] != "") u16(int(part[5] * 16384))
   }
 }

@@ -331,6 +331,42 @@ for bearing in "" 7; do
   says out '"point":[90,30],"grade":"kink"' '"point":[141,50],"grade":"kink"' '"point":[70.5,25],"grade":"kink"'
 done
 
+# of one whose place is scaled as well, and of one with a point that is put on another one, also in a component
+cat >attached.txt <<'END'
+glyph .notdef
+glyph rough 65
+contour 0,0 30,10* 90,30 210,66* 300,300
+glyph wide 66
+component 1:scaled 51 20 0.5
+glyph attached 67
+component 1 7 0
+attached 1 4 2
+glyph halved 68
+component 3 100 0 0.5
+attached 1 7 2 -0.5
+glyph lost 69
+component 1 0 0
+attached 1 5 0
+glyph missing 70
+component 1 0 0
+attached 1 4 5
+glyph empty 71
+attached 0 3 3
+END
+font attached.ttf <attached.txt
+node() { # node GLYPH CONTOUR POINT
+  run 0 verify attached.ttf --json --glyphs "$1" --off-by 0 --allow-uncovered && says out "\"contour\":$2,\"node\":1,\"point\":[$3],\"grade\":\"kink\""
+}
+node wide 0 70.5,25
+node attached 0 97,30
+node attached 1 307,300
+node halved 0 148.5,15
+node halved 1 253.5,150
+node halved 2 253.5,150
+run 0 verify attached.ttf --json --allow-uncovered
+says out '"name":"lost","reason":"invalid composite glyph"' '"name":"missing","reason":"invalid composite glyph"'
+lacks out '"name":"empty","reason"'
+
 # Scaled components are graded as the exact points that they have, and named
 cat >scaled.txt <<'END'
 glyph .notdef

@@ -18,11 +18,11 @@
 // What `report` asks of its inputs.
 struct Report_demand {
   GC::Corner_threshold corner_threshold;
-  bool closed = false;     // the last curve of a chain leads back to its first
-  Glyph_selection glyphs;  // of fonts
-  Rounding_bound rounding; // of fonts
-  std::string tolerance;   // of CAD models, as it is written; empty for that of `verify`
-  Cad_reading reading;     // of CAD models
+  bool closed = false;      // the last curve of a chain leads back to its first
+  Glyph_selection glyphs;   // of fonts
+  Handle_rounding rounding; // of fonts
+  std::string tolerance;    // of CAD models, as it is written; empty for that of `verify`
+  Cad_reading reading;      // of CAD models
 };
 
 // Each of these reads files, decides about their joins, and puts these on the page.

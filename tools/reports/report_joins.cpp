@@ -78,3 +78,7 @@ Report_item measured_join(const Plane_curve& left, const Plane_curve& right, con
   for (int i = 0; i < 2; ++i) item.point.push_back(rounded(CGAL::to_double(right.coordinates(0)[i]), 9));
   return item;
 }
+
+std::shared_ptr<const Report_curve> drawn_curve(const Plane_curve& curve, std::size_t group) {
+  return drawn_curve<Plane_curve>(curve, group);
+}

@@ -5,33 +5,20 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_JOINS_H
 #define GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_JOINS_H
 
-#include "commands/report_inputs.h"
+#include "formats/g2_text/curves.h"
 #include "formats/svg/svg_drawing.h"
+#include "reports/measured_join.h"
 
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 
 #include <memory>
-#include <optional>
 #include <sstream>
 #include <type_traits>
 #include <utility>
 
-typedef GC::Bezier_curve<Drawing_traits> Plane_curve;
-
-// The grade of the page; an empty one is that of curves without length.
-Report_grade report_grade(const std::optional<GC::Visual_class>& grade);
-
-// Returns the grade, the verdict and all measures of the join of two curves in the plane. Throws GC::Error `work_limit`.
-Report_item measured_join(const Plane_curve& left, const Plane_curve& right, const Report_demand& demand);
-
-// The same of two segments of a path, which may be arcs.
+// The measures of the join of two segments of a path, which may be arcs.
 Report_item measured_join(const GC::Svg_segment<Drawing_traits>& left, const GC::Svg_segment<Drawing_traits>& right,
                           const Report_demand& demand);
-
-// The verdict in words; `retracted`: a handle lies on the node, so that the curvature is not known.
-const char* report_words(Report_grade grade, bool retracted);
 
 // The curve as links have it.
 template <class Curve> Report_curve_link link_of(const Curve& curve) {

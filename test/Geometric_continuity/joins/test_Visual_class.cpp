@@ -8,6 +8,7 @@
 
 #include "support/enclosures.h"
 
+#include <CGAL/Geometric_continuity/joins/Integer_join.h>
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Sqrt_extension.h>
@@ -26,13 +27,44 @@ GC::Bezier_curve<Traits, Degree> curve(const std::vector<std::vector<double>>& r
   return GC::Bezier_curve<Traits, Degree>(points.begin(), points.end());
 }
 
+// The same by the integers of a grid, where the coordinates are such and the curves meet. Fewer bits have the same answer.
+struct Grid_point {
+  std::int64_t x, y;
+};
+
+template <class Integer>
+void check_on_grid(const std::vector<std::vector<double>>& left, const std::vector<std::vector<double>>& right,
+                   const Bound& bound, double scale, double largest, const std::optional<Visual_class>& expected) {
+  std::vector<Grid_point> points[2];
+  for (std::size_t k = 0; k < 2; ++k)
+    for (const std::vector<double>& p : k == 0 ? left : right) {
+      for (double x : p)
+        if (!(std::abs(scale * x) <= largest) || scale * x != std::floor(scale * x)) return;
+      points[k].push_back({static_cast<std::int64_t>(scale * p[0]), static_cast<std::int64_t>(scale * p[1])});
+    }
+  if (left.back() != right.front()) return;
+  const auto degree = [&points](std::size_t k) { return static_cast<int>(points[k].size()) - 1; };
+  const GC::Integer_join<Grid_point, Integer> join(points[0].data(), degree(0), points[1].data(), degree(1));
+  BOOST_CHECK(join.visual_class(bound) == expected);
+  if (!expected) return;
+  BOOST_CHECK_EQUAL(join.exceeds(bound), expected == Visual_class::corner);
+  typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Traits;
+  const GC::Kink_size size = *kink_size(curve<Traits>(left, scale), curve<Traits>(right, scale)),
+                      same = join.kink_size();
+  BOOST_CHECK(same.angle == size.angle && same.handle_offset == size.handle_offset && same.severity == size.severity);
+}
+
 // Grades a join that both the curves and their images in the other direction have.
 template <class Traits>
 std::string grade(const std::vector<std::vector<double>>& left, const std::vector<std::vector<double>>& right,
                   const Bound& bound = Bound(), double scale = 1) {
   const auto name = [](const std::optional<Visual_class>& g) { return g ? to_string(*g) : "undefined"; };
   const auto x = curve<Traits>(left, scale), y = curve<Traits>(right, scale);
-  const std::string s = name(visual_class(x, y, bound));
+  const std::optional<Visual_class> image = visual_class(x, y, bound);
+  const std::string s = name(image);
+  __extension__ typedef __int128 Wide;
+  check_on_grid<Wide>(left, right, bound, scale, 0x1p53, image);
+  check_on_grid<std::int64_t>(left, right, bound, scale, 0x1p25, image);
   const auto reversed = [](const std::vector<std::vector<double>>& v) {
     return std::vector<std::vector<double>>(v.rbegin(), v.rend());
   };
@@ -191,6 +223,21 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(large_and_small_numbers, Traits, Kernels) {
   BOOST_CHECK_EQUAL(grade<Traits>({{-far, 2 - far}, {1, 1}}, {{1, 1}, {far, far}}), "kink");
   BOOST_CHECK_EQUAL(grade<Traits>({{-far, -far}, {1, 1}}, {{1, 1}, {far, far}}, Bound(Q(1) / Q(1e30))), "G2");
   BOOST_CHECK_EQUAL(grade<Traits>({{-far, 2 - far}, {1, 1}}, {{1, 1}, {far, far}}, Bound(Q(1) / Q(1e30))), "corner");
+}
+
+// Curvatures that are compared by short products, by rounded ones and by long ones.
+BOOST_AUTO_TEST_CASE_TEMPLATE(curvatures_on_grids, Traits, Kernels) {
+  for (double scale : {1., 0x1p10, 0x1p20, 0x1p22, 0x1p23, 0x1p24, 0x1p40, 0x1p45}) {
+    for (double more : {-1., 0., 1.}) {
+      const std::vector<std::vector<double>> left = {{-2 * scale, -scale}, {-scale, 0}, {0, 0}},
+                                             right = {{0, 0}, {scale, 0}, {2 * scale, more - scale}};
+      BOOST_CHECK_EQUAL(grade<Traits>(left, right), more == 0 ? "G2" : "G1");
+      BOOST_CHECK_EQUAL(grade<Traits>(left, {{0, 0}, {3 * scale, 0}, {0, more - 9 * scale}}), more == 0 ? "G2" : "G1");
+    }
+    BOOST_CHECK_EQUAL(grade<Traits>({{-2 * scale, scale}, {-scale, 0}, {0, 0}}, {{0, 0}, {scale, 0}, {2, -scale}}),
+                      "G1");
+    BOOST_CHECK_EQUAL(grade<Traits>({{0, -scale}, {0, 0}}, {{0, 0}, {0, 2 * scale}, {0, 3 * scale}, {1, 0}}), "G2");
+  }
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(lines_as_cubics, Traits, Kernels) {

@@ -58,13 +58,13 @@ GC::Svg_panel alternatives(const std::string& file, const GC::Svg_style& style) 
   const GC::Svg_style construction{GC::Svg_role::construction, false, false},
       found{GC::Svg_role::result, false, false, "line of alternatives"};
   for (const Exact_curve& c : curves) panel.add(c, style);
-  const auto leg = [&](const Exact_curve::Point& a, const Exact_curve::Point& b) {
+  const auto side = [&](const Exact_curve::Point& a, const Exact_curve::Point& b) {
     panel.add(Polynomial{a, b}, construction);
   };
-  leg(last.control_point(m - 1), points.b1);
-  leg(last.control_point(m - 2), points.d0);
-  leg(points.d0, points.b2_tilde);
-  leg(points.d0, points.b2_bar);
+  side(last.control_point(m - 1), points.b1);
+  side(last.control_point(m - 2), points.d0);
+  side(points.d0, points.b2_tilde);
+  side(points.d0, points.b2_bar);
   panel.add(Polynomial{line.point_at(0), line.point_at(6)}, found);
   const auto mark = [&](const Exact_curve::Point& p, const char* label) { panel.add(Polynomial{p}).join(label); };
   mark(last.control_point(m), "b\u2080");

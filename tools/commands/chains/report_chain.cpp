@@ -80,11 +80,11 @@ Report_item measured_exactly(const Exact_curve& left, const Exact_curve& right, 
     const bool is_corner = drawn ? drawn->grade == GC::Visual_class::corner
                                  : exceeds(demand.corner_threshold, left.end_jet(1)[1], right.start_jet(1)[1]);
     item.grade = is_corner ? Report_grade::corner : Report_grade::kink;
-    const auto leg = [](const Exact_curve& c, int i, int j) {
+    const auto distance = [](const Exact_curve& c, int i, int j) {
       const Exact_vector v = c.coordinates(j) - c.coordinates(i);
       return GC::sqrt_enclosure(Exact(dot(v, v))).upper;
     };
-    const double handle = (std::min)(leg(left, left.degree() - 1, left.degree()), leg(right, 0, 1));
+    const double handle = (std::min)(distance(left, left.degree() - 1, left.degree()), distance(right, 0, 1));
     item.severity = (drawn ? drawn->angle : *d.tangent_angle).upper * handle;
   }
   item.verdict = item.grade == Report_grade::undecided ? "a curve has no direction" : report_words(item.grade, false);

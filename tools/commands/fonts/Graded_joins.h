@@ -22,7 +22,7 @@
 // What is asked of joins, and which of them are what.
 struct Join_rule {
   GC::Corner_threshold corner = GC::Corner_threshold(); // between kinks and corners
-  Rounding_bound rounding = Rounding_bound();           // between kinks and rounding
+  Handle_rounding rounding = Handle_rounding();         // between kinks and rounding
   std::optional<GC::Visual_class> required = {};        // g1 or g2, of all joins but corners, bends and rounding
   std::optional<GC::Corner_threshold> max_kink = {};    // which no kink may exceed
 
@@ -84,9 +84,8 @@ class Worst_joins {
     for (const Glyph_segment* segment : {&join.left, &join.right})
       for (std::size_t k = 0; k < 4; ++k, i += 2)
         if (k <= static_cast<std::size_t>(segment->degree)) {
-          const Glyph_leg leg = segment->points[k] - join.right.start();
-          result[i] = leg.x;
-          result[i + 1] = leg.y;
+          result[i] = segment->points[k].x - join.right.start().x;
+          result[i + 1] = segment->points[k].y - join.right.start().y;
         }
     return result;
   }
@@ -146,7 +145,7 @@ inline std::string join_place(const std::string& glyph, const std::string& compo
 
 // Grades the joins of a glyph, and calls visit(contour, node, grade, fails, join, left, right) for each of them.
 template <class Visit> Join_counts grade_joins(const Glyph_outline& outline, const Join_rule& rule, Visit visit) {
-  static const Rounding_bound one_unit;
+  static const Handle_rounding one_unit;
   const bool wants_g2 = rule.required == GC::Visual_class::g2;
   Join_counts counts;
   for (std::size_t contour = 0; contour < outline.contours(); ++contour) {

@@ -4,7 +4,7 @@
 
 #include "commands/fonts/Instance_kinks.h"
 
-#include "commands/chains/join_report.h"
+#include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/IO/text.h>
@@ -18,11 +18,13 @@
 
 namespace {
 
+typedef GC::Variation_axis::FT FT;
+
 double length(const GC::Outline_vector& v) { return std::hypot(CGAL::to_double(v[0]), CGAL::to_double(v[1])); }
 
-GC::Enclosure angle_at(const GC::Variable_join& join, const std::vector<Exact>& scalars) {
+GC::Enclosure angle_at(const GC::Variable_join& join, const std::vector<FT>& scalars) {
   const auto [cross, dot] = join.products(scalars);
-  return GC::angle_enclosure(Exact(cross * cross), dot);
+  return GC::angle_enclosure(FT(cross * cross), dot);
 }
 
 GC::Enclosure degrees(const GC::Enclosure& angle) {
@@ -56,7 +58,7 @@ void judge_instances(int glyph, int part, const GC::Variable_outline& outline,
   Instance_counts& counts = result.counts;
   GC::Kink_search search;
   search.limit = bounds.limit;
-  const std::vector<Exact> initial(font.axes().size(), Exact(0)),
+  const std::vector<FT> initial(font.axes().size(), FT(0)),
       initial_scalars = GC::region_scalars(outline.regions, initial);
   for (const GC::Outline_join& place : joins) {
     const GC::Variable_join& join = place.join;
@@ -76,9 +78,9 @@ void judge_instances(int glyph, int part, const GC::Variable_outline& outline,
       ++counts.smooth;
       continue;
     }
-    const std::vector<Exact> scalars = GC::region_scalars(outline.regions, kink.instance);
-    const double leg = (std::min)(length(join.incoming(scalars)), length(join.outgoing(scalars))),
-                 severity = kink.angle.lower * leg / font.units_per_em();
+    const std::vector<FT> scalars = GC::region_scalars(outline.regions, kink.instance);
+    const double shorter = (std::min)(length(join.incoming(scalars)), length(join.outgoing(scalars))),
+                 severity = kink.angle.lower * shorter / font.units_per_em();
     const GC::Variable_point& point = outline.points[static_cast<std::size_t>(place.point)];
     result.kinks.push_back({glyph, part, place.contour, place.point, point.x, point.y, std::move(kink),
                             angle_at(join, initial_scalars), severity});
@@ -92,7 +94,7 @@ std::vector<std::string> instance_texts(const std::vector<GC::Variation_axis>& a
   return texts;
 }
 
-std::string axis_text(const GC::Variation_axis& axis, const Exact& normalised) {
+std::string axis_text(const GC::Variation_axis& axis, const FT& normalised) {
   return rounded(CGAL::to_double(axis.user_value(normalised)), 6);
 }
 

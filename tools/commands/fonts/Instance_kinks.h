@@ -27,10 +27,10 @@ struct Instance_bounds {
 struct Instance_counts {
   std::size_t joins = 0;
   std::size_t corners = 0;      // at the default instance
-  std::size_t no_direction = 0; // a leg has no length at the default instance: not covered
+  std::size_t no_direction = 0; // a handle has no length at the default instance: not covered
   std::size_t proved = 0, refuted = 0, undecided = 0;
   std::size_t smooth = 0;   // of the proved ones: the angle is 0 in every instance
-  std::size_t vanishes = 0; // of these three: a leg has no length at some instance
+  std::size_t vanishes = 0; // of these three: a handle has no length at some instance
 
   Instance_counts& operator+=(const Instance_counts& other);
 };
@@ -42,7 +42,7 @@ struct Instance_kink {
   double x, y; // at the default instance
   GC::Largest_kink kink;
   GC::Enclosure initial_angle; // at the default instance, in radians
-  double severity;             // at the instance of the kink: the angle times the shorter leg over the em
+  double severity;             // at the instance of the kink: the angle times the shorter handle over the em
   std::string glyph_name = {}, part_name = {}, font_name = {};
   std::vector<std::string> instance = {}; // one text for each axis, e.g. "wght 650"
 };

@@ -4,9 +4,12 @@
 
 #include "commands/fonts/font_report.h"
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/text.h>
+#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
+#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 
@@ -47,19 +50,20 @@ std::string message(const Shown_join& join, const Join_numbers& numbers) {
 std::string shape(const Shown_join& join) {
   const double steps = static_cast<double>(join.steps);
   std::string text;
-  const auto add = [&](const Glyph_leg& leg) {
-    text +=
-        ' ' + rounded(static_cast<double>(leg.x) / steps, 17) + ',' + rounded(static_cast<double>(leg.y) / steps, 17);
+  const auto add = [&](std::int64_t x, std::int64_t y) {
+    text += ' ' + rounded(static_cast<double>(x) / steps, 17) + ',' + rounded(static_cast<double>(y) / steps, 17);
   };
   if (join.grade != Glyph_grade::g1) {
-    add(Glyph_segment_end::end(join.left).handle());
-    add(Glyph_segment_end::start(join.right).handle());
+    const Glyph_join glyph_join(join.left, join.right, join.steps);
+    const auto &incoming = glyph_join.on_grid().incoming(), &outgoing = glyph_join.on_grid().outgoing();
+    add(-incoming[0], -incoming[1]);
+    add(outgoing[0], outgoing[1]);
     return text;
   }
   for (const Glyph_segment* segment : {&join.left, &join.right}) {
     text += ';';
     for (std::size_t i = 0; i <= static_cast<std::size_t>(segment->degree); ++i)
-      add(segment->points[i] - join.right.start());
+      add(segment->points[i].x - join.right.start().x, segment->points[i].y - join.right.start().y);
   }
   return text;
 }
@@ -87,7 +91,7 @@ Given not_covered(const char* noun, const std::string& reason) {
 Join_numbers::Join_numbers(const Shown_join& join)
     : x(rounded(static_cast<double>(join.right.start().x) / static_cast<double>(join.steps), 10)),
       y(rounded(static_cast<double>(join.right.start().y) / static_cast<double>(join.steps), 10)) {
-  const GC::Kink_size size = Glyph_join(join.left, join.right, join.steps).size();
+  const GC::Kink_size size = Glyph_join(join.left, join.right, join.steps).on_grid().kink_size();
   degrees = GC::in_degrees(size.angle);
   units = size.handle_offset.upper / static_cast<double>(join.steps);
   per_mille = 1000 * join.severity;

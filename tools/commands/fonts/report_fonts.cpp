@@ -2,10 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "commands/chains/join_report.h"
 #include "commands/fonts/font_report.h"
 #include "commands/fonts/read_fonts.h"
-#include "reports/report_joins.h"
+#include "reports/measured_join.h"
 
 #include <cstddef>
 #include <memory>
@@ -19,10 +18,11 @@ constexpr std::size_t most_notes = 20;
 
 // A segment of a glyph in units of the font.
 Plane_curve plane_curve(const Glyph_segment& s, std::int64_t steps) {
-  std::vector<Drawing_traits::Point> points;
+  typedef Plane_curve::Traits::FT FT;
+  std::vector<Plane_curve::Traits::Point> points;
   for (int i = 0; i <= s.degree; ++i) {
     const Glyph_point& p = s.points[static_cast<std::size_t>(i)];
-    points.emplace_back(Exact(p.x) / Exact(steps), Exact(p.y) / Exact(steps));
+    points.emplace_back(FT(p.x) / FT(steps), FT(p.y) / FT(steps));
   }
   return Plane_curve(points.begin(), points.end());
 }

@@ -252,7 +252,7 @@ class Instances_report {
     std::ostringstream os;
     os.precision(17);
     os << kink.kink.angle << ' ' << kink.initial_angle << ' ' << kink.severity;
-    for (const Exact& value : kink.kink.instance) os << ' ' << value;
+    for (const GC::Variation_axis::FT& value : kink.kink.instance) os << ' ' << value;
     return os.str();
   }
 

@@ -203,7 +203,7 @@ class Contour_mender {
 
   // The direction in which a curve ends or starts: that of the chord for a line. Zero where a handle lies at the node, nothing where no
   // vector of the grid has it.
-  std::optional<Vector> leg(std::size_t curve, bool at_end) const {
+  std::optional<Vector> first_difference(std::size_t curve, bool at_end) const {
     const Grid_curve& c = contour_.curves[curve];
     if (c.arc) return arc_direction(*c.arc, at_end);
     const Points& p = c.points;
@@ -215,7 +215,7 @@ class Contour_mender {
     return (std::max)((std::abs)(v.x), (std::abs)(v.y)) <= GC::max_handle_coordinate;
   }
 
-  // How far a handle may move for a kink between these legs: twice what it is off and one unit.
+  // How far a handle may move for a kink between these handles: twice what it is off and one unit.
   CGAL::Exact_rational max_move(std::size_t join, const Vector& a, const Vector& b) const {
     if (options_.max_move) return *options_.max_move;
     const Grid_curve &left = contour_.curves[join], &right = contour_.curves[next(join)];
@@ -231,7 +231,7 @@ class Contour_mender {
 
   Proposal propose(std::size_t join) {
     const std::size_t left = join, right = next(join);
-    const std::optional<Vector> in = leg(left, true), out = leg(right, false);
+    const std::optional<Vector> in = first_difference(left, true), out = first_difference(right, false);
     if (!in || !out) return {join, {}, "no point of the grid lies in the direction of the arc"};
     const Vector zero{0, 0}, a = *in, b = *out;
     if (a == zero || b == zero) return {join, {}, "a handle lies at the node"};
@@ -246,8 +246,8 @@ class Contour_mender {
       return proposal;
     }
     if (is_free(left) && is_free(right)) {
-      if (const std::optional<GC::Aligned_handles> legs = aligned(a, b, proposal.bound))
-        choices.push_back({to_left(join, legs->left), to_right(join, legs->right)});
+      if (const std::optional<GC::Aligned_handles> handles = aligned(a, b, proposal.bound))
+        choices.push_back({to_left(join, handles->left), to_right(join, handles->right)});
       choices.push_back({to_left(join, GC::align_handle(a, b))});
       choices.push_back({to_right(join, GC::align_handle(b, a))});
       if (rank(a) < rank(b)) std::swap(choices[choices.size() - 1], choices[choices.size() - 2]);
@@ -268,29 +268,31 @@ class Contour_mender {
     return proposal;
   }
 
-  // What distinguishes legs that are no mirror images of each other, whichever way the contour is run through.
+  // What distinguishes handles that are no mirror images of each other, whichever way the contour is run through.
   static std::pair<std::int64_t, std::int64_t> rank(const Vector& v) {
     return {squared_length(v), (std::max)((std::abs)(v.x), (std::abs)(v.y))};
   }
 
-  Move to_left(std::size_t join, const Vector& leg) const {
+  Move to_left(std::size_t join, const Vector& difference) const {
     const std::size_t n = points(join).size() - 1;
-    return {join, n - 1, points(join)[n] - leg};
+    return {join, n - 1, points(join)[n] - difference};
   }
-  Move to_right(std::size_t join, const Vector& leg) const { return {next(join), 1, points(next(join))[0] + leg}; }
+  Move to_right(std::size_t join, const Vector& difference) const {
+    return {next(join), 1, points(next(join))[0] + difference};
+  }
 
-  // Legs that are mirror images of each other stay so: on a line of the grid at a right angle to the axis. Nothing for other legs.
+  // Handles that are mirror images of each other stay so: on a line of the grid at a right angle to the axis. Nothing for other handles.
   std::optional<Moves> symmetric(std::size_t join, const Vector& a, const Vector& b) const {
     for (const Vector& d : {Vector{1, 0}, Vector{0, 1}, Vector{1, 1}, Vector{1, -1}}) {
       if (cross(d, a) != -cross(d, b) || dot(d, a) != dot(d, b)) continue;
       const Vector direction = dot(d, a) < 0 ? -1 * d : d;
-      const Vector leg = GC::align_handle(a, direction);
-      return Moves{to_left(join, leg), to_right(join, leg)};
+      const Vector difference = GC::align_handle(a, direction);
+      return Moves{to_left(join, difference), to_right(join, difference)};
     }
     return std::nullopt;
   }
 
-  // align_handles() in coordinates in which mirror images are one: in the first octant with the longer leg first, seen from there to the
+  // align_handles() in coordinates in which mirror images are one: in the first octant with the longer difference first, seen from there to the
   // left. So their handles move to mirror images, also where several positions are equally near.
   static std::optional<GC::Aligned_handles> aligned(const Vector& a, const Vector& b,
                                                     const CGAL::Exact_rational& most) {
@@ -309,9 +311,10 @@ class Contour_mender {
           const bool on_axis = u.y == 0 || u.x == u.y;
           if (u.y < 0 || u.x < u.y || (on_axis && cross(u, v) < 0) || (u.y == 0 && u.x <= 0)) continue;
           const double squared = (std::min)(CGAL::to_double(most * most), 1e18);
-          const std::optional<GC::Aligned_handles> legs = GC::align_handles(u, v, static_cast<std::int64_t>(squared));
-          if (!legs) return std::nullopt;
-          const Vector x = preimage(legs->left), y = preimage(legs->right);
+          const std::optional<GC::Aligned_handles> handles =
+              GC::align_handles(u, v, static_cast<std::int64_t>(squared));
+          if (!handles) return std::nullopt;
+          const Vector x = preimage(handles->left), y = preimage(handles->right);
           return turned ? GC::Aligned_handles{y, x} : GC::Aligned_handles{x, y};
         }
     return std::nullopt;
@@ -330,16 +333,17 @@ class Contour_mender {
     const bool has_other = std::count(joins.begin(), joins.end(), other_join) != 0 && other_join != join;
     if (has_other) there = grade(other_join);
     const bool bound = has_other && (!there || *there >= GC::Visual_class::g1);
-    const Vector leg = at_end ? node - handle : handle - node, d = GC::primitive(direction);
+    const Vector difference = at_end ? node - handle : handle - node, d = GC::primitive(direction);
     if (!bound) {
-      const Vector nearest = GC::align_handle(leg, d);
+      const Vector nearest = GC::align_handle(difference, d);
       choices.push_back({{curve, 1, at_end ? node - nearest : node + nearest}});
       if (there != GC::Visual_class::kink) return;
     }
     // node -+ k d = other + t e, where e is the tangent at the other node
     Vector e = handle - other;
     if (!bound) {
-      const std::optional<Vector> neighbour = at_end ? this->leg(previous(curve), true) : this->leg(next(curve), false);
+      const std::optional<Vector> neighbour =
+          at_end ? first_difference(previous(curve), true) : first_difference(next(curve), false);
       if (!neighbour || *neighbour == Vector{0, 0}) return;
       e = at_end ? *neighbour : -1 * *neighbour;
     }
@@ -399,18 +403,18 @@ class Contour_mender {
     if (a.handle == zero || b.handle == zero) return "a handle lies at the node";
     if (!a.movable && !b.movable) return "no handle can move without harm to a join that is G2";
     const CGAL::Exact_rational bound = max_change({a.handle, b.handle});
-    std::optional<GC::Aligned_handles> legs;
+    std::optional<GC::Aligned_handles> handles;
     try {
       const double squared = (std::min)(CGAL::to_double(bound * bound), 1e15);
-      legs = GC::harmonise_handles(a, b, static_cast<std::int64_t>(squared));
+      handles = GC::harmonise_handles(a, b, static_cast<std::int64_t>(squared));
     } catch (const GC::Error& error) {
       return error.what();
     }
-    if (!legs) return "the curvatures have different signs, or one of them is zero";
-    if (legs->left == a.handle && legs->right == b.handle) return "";
+    if (!handles) return "the curvatures have different signs, or one of them is zero";
+    if (handles->left == a.handle && handles->right == b.handle) return "";
     std::vector<Move> moves;
-    if (a.movable) moves.push_back({left, points(left).size() - 2, node - legs->left});
-    if (b.movable) moves.push_back({right, 1, node + legs->right});
+    if (a.movable) moves.push_back({left, points(left).size() - 2, node - handles->left});
+    if (b.movable) moves.push_back({right, 1, node + handles->right});
     const double before = sum_of_jumps(moves);
     std::vector<Move> back;
     for (const Move& m : moves) back.push_back({m.curve, m.point, points(m.curve)[m.point]});
@@ -424,10 +428,11 @@ class Contour_mender {
   }
 
   // A tenth of the shorter one of these handles as they were given.
-  CGAL::Exact_rational max_change(std::initializer_list<Vector> legs) const {
+  CGAL::Exact_rational max_change(std::initializer_list<Vector> handles) const {
     if (options_.max_move) return *options_.max_move;
     double shortest = 1e300;
-    for (const Vector& leg : legs) shortest = (std::min)(shortest, std::hypot(double(leg.x), double(leg.y)));
+    for (const Vector& difference : handles)
+      shortest = (std::min)(shortest, std::hypot(double(difference.x), double(difference.y)));
     return CGAL::Exact_rational((std::max)(1., std::floor(shortest / 10)));
   }
 

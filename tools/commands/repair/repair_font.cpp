@@ -165,7 +165,7 @@ class Font_mender {
   }
 
 public:
-  Font_mender(const Repair_options& options, const Rounding_bound& rounding)
+  Font_mender(const Repair_options& options, const Handle_rounding& rounding)
       : options_(options), rule_{options.bound, rounding} {}
 
   void repair(const Font_face& font, const std::string& member) {
@@ -242,7 +242,7 @@ Grid_contour grid_contour(const Glyph_outline& outline, std::size_t contour) {
 }
 
 Font_repair repair_font(const std::string& bytes, const std::string& name, const Repair_options& options,
-                        const Rounding_bound& rounding) {
+                        const Handle_rounding& rounding) {
   Font_mender mender(options, rounding);
   try {
     for (int i = 0, fonts = 1; i < fonts; ++i) {

@@ -29,6 +29,6 @@ struct Font_repair {
 // rounding, in each glyph in which they are drawn. Throws GC::Error `malformed_input` for what is
 // no font with outlines.
 Font_repair repair_font(const std::string& bytes, const std::string& name, const Repair_options& options,
-                        const Rounding_bound& rounding);
+                        const Handle_rounding& rounding);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_FONT_H

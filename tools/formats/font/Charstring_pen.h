@@ -10,7 +10,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
 // A letter and its accent, as charstrings may draw them: codes of Adobe's standard encoding, and where the accent is.
 struct Accented_letter {
@@ -28,7 +27,7 @@ class Charstring_pen {
     constexpr std::int64_t most = Glyph_outline::max_coordinate << shift;
     at_ = {at_.x + dx, at_.y + dy};
     if (at_.x < -most || most < at_.x || at_.y < -most || most < at_.y)
-      throw Font_error("a coordinate beyond " + std::to_string(Glyph_outline::max_coordinate) + " units of the font");
+      refuse_coordinate(Glyph_outline::max_coordinate);
   }
 
 public:

@@ -6,7 +6,7 @@
 
 #include "files/max_unpacked.h"
 #include "formats/font/Cff_outlines.h"
-#include "formats/font/Glyph_origins.h"
+#include "formats/font/True_type_glyphs.h"
 #include "formats/font/Type_1_charstring.h"
 
 #include <algorithm>
@@ -14,21 +14,17 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <numeric>
 #include <utility>
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
 #include FT_FONT_FORMATS_H
 #include FT_MODULE_H
-#include FT_OUTLINE_H
 #include FT_TRUETYPE_TABLES_H
 #include FT_TRUETYPE_TAGS_H
 #include FT_TYPE1_TABLES_H
 
 namespace {
-
-constexpr FT_Pos max_coordinate = Glyph_outline::max_coordinate;
 
 // What FreeType says about an error. Its header lists the texts for whoever defines these macros.
 std::string freetype_message(FT_Error error) {
@@ -110,76 +106,6 @@ FT_Library library() {
   return opened;
 }
 
-// Receives the pieces of an outline. Nothing here may throw, because FreeType calls it.
-class Outline_receiver {
-  Glyph_outline& outline_;
-  const std::vector<std::pair<int, int>>* parts_; // glyphs, and before which contour each ends; or null
-  std::size_t part_ = 0;
-  int contour_ = -1;
-  bool inside_ = false, good_ = true;
-  FT_Vector position_{0, 0};
-
-  Glyph_point point(const FT_Vector& p) {
-    good_ = good_ && std::labs(p.x) <= 2 * max_coordinate && std::labs(p.y) <= 2 * max_coordinate;
-    return good_ ? Glyph_point{p.x, p.y} : Glyph_point{0, 0};
-  }
-  int move(const FT_Vector& to) {
-    end_contour();
-    ++contour_;
-    while (parts_ != nullptr && part_ < parts_->size() && (*parts_)[part_].second <= contour_) ++part_;
-    if (parts_ != nullptr && part_ < parts_->size()) outline_.begin_part((*parts_)[part_].first);
-    position_ = to;
-    inside_ = true;
-    return 0;
-  }
-  int add(const Glyph_segment& segment, const FT_Vector& to) {
-    outline_.add(segment);
-    position_ = to;
-    return 0;
-  }
-
-public:
-  explicit Outline_receiver(Glyph_outline& outline, const std::vector<std::pair<int, int>>* parts = nullptr)
-      : outline_(outline), parts_(parts) {}
-
-  void end_contour() {
-    if (inside_) outline_.end_contour();
-  }
-
-  // Returns whether all coordinates are within the bounds.
-  bool good() const { return good_; }
-
-  // The functions that FreeType calls, for coordinates in halves of units.
-  static const FT_Outline_Funcs& functions() {
-    typedef const FT_Vector* P;
-    static const FT_Outline_Funcs table{[](P to, void* self) { return receiver(self).move(*to); },
-                                        [](P to, void* self) { return receiver(self).line(*to); },
-                                        [](P a, P to, void* self) { return receiver(self).conic(*a, *to); },
-                                        [](P a, P b, P to, void* self) { return receiver(self).cubic(*a, *b, *to); },
-                                        1,
-                                        0}; // all coordinates are multiplied by 2
-    return table;
-  }
-
-private:
-  static Outline_receiver& receiver(void* self) { return *static_cast<Outline_receiver*>(self); }
-  int line(const FT_Vector& to) { return add({1, {point(position_), point(to)}}, to); }
-  int conic(const FT_Vector& a, const FT_Vector& to) { return add({2, {point(position_), point(a), point(to)}}, to); }
-  int cubic(const FT_Vector& a, const FT_Vector& b, const FT_Vector& to) {
-    return add({3, {point(position_), point(a), point(b), point(to)}}, to);
-  }
-};
-
-// Reads the outline that has been loaded.
-void receive(FT_GlyphSlot slot, Glyph_outline& outline, const std::vector<std::pair<int, int>>* parts = nullptr) {
-  if (slot->format != FT_GLYPH_FORMAT_OUTLINE) throw Font_error("a picture without an outline");
-  Outline_receiver receiver(outline, parts);
-  check(FT_Outline_Decompose(&slot->outline, &Outline_receiver::functions(), &receiver));
-  receiver.end_contour();
-  if (!receiver.good())
-    throw Font_error("a coordinate beyond " + std::to_string(max_coordinate) + " units of the font");
-}
-
 // A value of the dictionary of a Type 1 font; empty where there is none.
 std::string dictionary_value(FT_Face face, PS_Dict_Keys key, int index) {
   const FT_Long size = FT_Get_PS_Font_Value(face, key, static_cast<FT_UInt>(index), nullptr, 0);
@@ -224,12 +150,9 @@ Font_face::Font_face(std::string_view bytes, int index) {
   face_.reset(face);
   has_names_ = FT_HAS_GLYPH_NAMES(face);
   const std::string_view format = FT_Get_Font_Format(face);
-  if (format == "TrueType") {
-    origins_ = std::make_unique<const Glyph_origins>(face);
-    simple_.assign(static_cast<std::size_t>(face->num_glyphs), -1);
-    placing_.resize(simple_.size());
-    std::iota(placing_.begin(), placing_.end(), 0);
-  } else if (format == "CFF" && FT_IS_SCALABLE(face)) {
+  if (format == "TrueType")
+    true_type_ = std::make_unique<const True_type_glyphs>(face);
+  else if (format == "CFF" && FT_IS_SCALABLE(face)) {
     std::string table(bytes);
     if (FT_IS_SFNT(face)) {
       FT_ULong size = 0;
@@ -281,113 +204,11 @@ int Font_face::glyph_from(char32_t& character) const {
   return static_cast<int>(glyph);
 }
 
-void Font_face::load(int glyph, int flags, int placing) const {
-  check(FT_Load_Glyph(face_.get(), static_cast<FT_UInt>(glyph), flags));
-  if (face_->glyph->format == FT_GLYPH_FORMAT_OUTLINE)
-    FT_Outline_Translate(&face_->glyph->outline, origins_->x(placing), 0);
-}
-
-std::optional<std::vector<Glyph_part>> Font_face::parts_of(int glyph) const {
-  if (simple_[static_cast<std::size_t>(glyph)] >= 0) return std::nullopt;
-  load(glyph, FT_LOAD_NO_RECURSE, glyph);
-  if (face_->glyph->format != FT_GLYPH_FORMAT_COMPOSITE) {
-    simple_[static_cast<std::size_t>(glyph)] = face_->glyph->outline.n_contours;
-    return std::nullopt;
-  }
-  std::vector<Glyph_part> parts((std::min<std::size_t>)(face_->glyph->num_subglyphs, max_glyph_parts + 1));
-  for (std::size_t i = 0; i < parts.size(); ++i) { // glyphs of the font, or FreeType would have refused the list
-    constexpr FT_UInt scaled_offset = 0x800;
-    FT_Int x, y;
-    FT_UInt flags;
-    FT_Matrix m; // multiples of 2^-14 in 2^-16
-    check(FT_Get_SubGlyph_Info(face_->glyph, static_cast<FT_UInt>(i), &parts[i].glyph, &flags, &x, &y, &m));
-    if ((flags & (FT_SUBGLYPH_FLAG_SCALE | FT_SUBGLYPH_FLAG_XY_SCALE | FT_SUBGLYPH_FLAG_2X2)) != 0)
-      parts[i].matrix = Part_matrix{m.xx, m.xy, m.yx, m.yy, 16}.reduced();
-    const Part_matrix& scale = parts[i].matrix;
-    const bool is_scaled = (flags & scaled_offset) != 0, is_plain = scale.is_diagonal() && scale.xx > 0 && scale.yy > 0;
-    if ((flags & FT_SUBGLYPH_FLAG_ARGS_ARE_XY_VALUES) != 0 && (!is_scaled || is_plain))
-      parts[i].offset = is_scaled ? Part_offset{x * scale.xx, y * scale.yy, scale.shift} : Part_offset{x, y};
-    if ((flags & FT_SUBGLYPH_FLAG_USE_MY_METRICS) != 0) placing_[static_cast<std::size_t>(glyph)] = parts[i].glyph;
-  }
-  return parts;
-}
-
-std::vector<Glyph_part> Font_face::leaves(const std::vector<Glyph_part>& parts) const {
-  return leaf_parts(parts, [this](int glyph) { return parts_of(glyph); });
-}
-
 std::set<int> Font_face::components(int glyph) const {
   std::set<int> result;
-  if (simple_.empty()) return result; // only TrueType glyphs have components
-  if (const auto parts = parts_of(glyph))
-    for (const Glyph_part& leaf : leaves(*parts)) result.insert(leaf.glyph);
+  if (!true_type_) return result; // only TrueType glyphs have components
+  for (const Glyph_part& part : true_type_->parts(glyph)) result.insert(part.glyph);
   return result;
-}
-
-void Font_face::read_true_type(int glyph, Glyph_outline& outline, const Changed_glyphs* changed) const {
-  std::vector<Glyph_part> leaves;
-  if (simple_[static_cast<std::size_t>(glyph)] < 0) {
-    const auto own = parts_of(glyph);
-    if (!own) return receive(face_->glyph, outline); // it has been loaded
-    leaves = this->leaves(*own);
-  }
-  int placing = glyph; // of a component whose metrics are those of the whole
-  while (placing != placing_[static_cast<std::size_t>(placing)]) placing = placing_[static_cast<std::size_t>(placing)];
-  load(glyph, FT_LOAD_NO_SCALE | FT_LOAD_IGNORE_TRANSFORM, placing);
-  if (leaves.empty()) return receive(face_->glyph, outline);
-  const auto is_not_as_read = [&](const Glyph_part& leaf) {
-    return !leaf.matrix.is_identity() || (changed != nullptr && changed->count(leaf.glyph) != 0);
-  };
-  if (std::any_of(leaves.begin(), leaves.end(), is_not_as_read)) return transform(leaves, outline, changed);
-  std::vector<std::pair<int, int>> parts;
-  int contours = 0;
-  for (const Glyph_part& leaf : leaves)
-    parts.emplace_back(leaf.glyph, contours += simple_[static_cast<std::size_t>(leaf.glyph)]);
-  receive(face_->glyph, outline, &parts);
-}
-
-void Font_face::transform(const std::vector<Glyph_part>& leaves, Glyph_outline& outline,
-                          const Changed_glyphs* changed) const {
-  const FT_Outline& all = face_->glyph->outline;
-  const std::vector<FT_Vector> rounded(all.points, all.points + all.n_points);
-  int shift = 1;
-  for (const Glyph_part& leaf : leaves)
-    shift = (std::max)({shift, leaf.matrix.shift + 1, leaf.offset ? leaf.offset->shift : 0});
-  const auto in_steps = [shift](const FT_Vector& p) {
-    return Glyph_point{p.x * (std::int64_t(1) << shift), p.y * (std::int64_t(1) << shift)};
-  };
-  Glyph_outline part;
-  std::size_t points = 0;
-  for (const Glyph_part& leaf : leaves) {
-    part.clear();
-    load(leaf.glyph, FT_LOAD_NO_RECURSE, leaf.glyph);
-    receive(face_->glyph, part);
-    const FT_Outline& own = face_->glyph->outline;
-    if (own.n_points == 0) continue;
-    if (rounded.size() < points + static_cast<std::size_t>(own.n_points)) throw Font_error("components that change");
-    const Part_matrix& m = leaf.matrix;
-    Glyph_point offset;
-    if (leaf.offset) {
-      const std::int64_t unit = std::int64_t(1) << (shift - leaf.offset->shift);
-      offset = {unit * leaf.offset->x, unit * leaf.offset->y};
-    } else { // it is placed as by FreeType
-      FT_Vector first = own.points[0];
-      const auto fixed = [&m](std::int64_t x) { return FT_Fixed(x * 0x10000 / (std::int64_t(1) << m.shift)); };
-      const FT_Matrix matrix{fixed(m.xx), fixed(m.xy), fixed(m.yx), fixed(m.yy)};
-      FT_Vector_Transform(&first, &matrix);
-      offset = in_steps({rounded[points].x - first.x, rounded[points].y - first.y});
-    }
-    const std::int64_t factor = std::int64_t(1) << (shift - 1 - m.shift); // the part is in halves of a unit
-    points += static_cast<std::size_t>(own.n_points);
-    outline.begin_part(leaf.glyph);
-    if (changed != nullptr && changed->count(leaf.glyph) != 0) part = changed->at(leaf.glyph);
-    outline.append(part, [&](const Glyph_point& p) {
-      const Glyph_point q = m(p);
-      return Glyph_point{factor * q.x + offset.x, factor * q.y + offset.y};
-    });
-  }
-  if (points != rounded.size()) throw Font_error("components that change");
-  outline.set_shift(shift);
 }
 
 std::string Font_face::charstring(int glyph) const { return dictionary_value(face_.get(), PS_DICT_CHAR_STRING, glyph); }
@@ -429,8 +250,8 @@ void Font_face::read(int glyph, Glyph_outline& outline, const Changed_glyphs* ch
       cff_->read(glyph, outline, [this](std::int64_t code) { return glyph_of_code(code); });
     else if (type_1_)
       read_type_1(glyph, outline);
-    else
-      read_true_type(glyph, outline, changed);
+    else if (true_type_)
+      true_type_->read(glyph, outline, changed);
   } catch (const Font_error&) {
     outline.clear();
     throw;

@@ -7,13 +7,11 @@
 
 #include "formats/font/Font_error.h"
 #include "formats/font/Glyph_outline.h"
-#include "formats/font/leaf_parts.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -22,23 +20,19 @@
 struct FT_FaceRec_;
 
 class Cff_outlines;
-class Glyph_origins;
+class True_type_glyphs;
 
-// A font of a file, read by FreeType: TrueType, OpenType with TrueType or CFF outlines, Type 1, WOFF. Of a variable font it
-// is the default instance. The points are exactly those of the font: what FreeType rounds to integers is read again, charstrings with
-// fractions of a unit and components that are scaled or rotated, and what it moves to the left side bearing is moved back.
+// A font of a file, opened by FreeType: TrueType, OpenType with TrueType or CFF outlines, Type 1, WOFF. Of a variable font it
+// is the default instance. The points are exactly those of the font: outlines, which FreeType rounds and moves, are read here.
 class Font_face {
   struct Close {
     void operator()(FT_FaceRec_* face) const;
   };
   std::unique_ptr<FT_FaceRec_, Close> face_;
   bool has_names_;
-  std::unique_ptr<const Cff_outlines> cff_;          // of a font with charstrings of type 2
-  std::unique_ptr<std::vector<std::string>> type_1_; // the subroutines of a font with charstrings of type 1
-  std::unique_ptr<const Glyph_origins> origins_;     // of TrueType glyphs
-  mutable std::vector<int>
-      placing_; // the component by whose metrics FreeType places a glyph, as far as that is known; otherwise the glyph
-  mutable std::vector<int> simple_; // how many contours glyphs have that are known to have no components, or -1
+  std::unique_ptr<const Cff_outlines> cff_;           // of a font with charstrings of type 2
+  std::unique_ptr<std::vector<std::string>> type_1_;  // the subroutines of a font with charstrings of type 1
+  std::unique_ptr<const True_type_glyphs> true_type_; // of a font with the table 'glyf'
 
 public:
   // Opens font number `index` of a file, whose bytes must stay as long as this object. Throws
@@ -83,27 +77,11 @@ private:
   // Moves on to the first character from this one on that the font has, and returns its glyph, or 0.
   int glyph_from(char32_t& character) const;
 
-  // Reads a TrueType glyph. FreeType reads a component as often as it is used, so that a font of a few hundred bytes can keep it busy
-  // for ever: components are counted before, those of components included. What damaged tables say depends on the reader; so FreeType
-  // itself is asked for them.
-  void read_true_type(int glyph, Glyph_outline& outline, const Changed_glyphs* changed) const;
   void read_type_1(int glyph, Glyph_outline& outline) const;
   std::string charstring(int glyph) const;
 
   // The glyph of a letter or an accent in Adobe's standard encoding.
   int glyph_of_code(std::int64_t code) const;
-
-  // Loads a TrueType glyph, with the coordinates that the table 'glyf' has. FreeType places it by the metrics of the glyph `placing`.
-  void load(int glyph, int flags, int placing) const;
-
-  // The components of a glyph, if it has some; otherwise its outline has been loaded, or it is known to have none.
-  std::optional<std::vector<Glyph_part>> parts_of(int glyph) const;
-
-  // The glyphs without components of which these consist. Throws Font_error when there are too many.
-  std::vector<Glyph_part> leaves(const std::vector<Glyph_part>& parts) const;
-
-  // Replaces an outline whose components were rounded, or have changed, by the exact one.
-  void transform(const std::vector<Glyph_part>& leaves, Glyph_outline& outline, const Changed_glyphs* changed) const;
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_FONT_FACE_H

@@ -6,7 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_ITEM_VARIATIONS_H
 
 #include "formats/font/Font_bytes.h"
-#include "formats/font/Variable_join.h"
+#include "formats/font/Variation_region.h"
 
 #include <cstddef>
 #include <optional>

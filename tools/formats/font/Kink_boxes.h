@@ -6,7 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_KINK_BOXES_H
 
 #include "formats/font/Bernstein_tensor.h"
-#include "formats/font/Centered_legs.h"
+#include "formats/font/Centered_sides.h"
 #include "formats/font/Variation_cells.h"
 #include <CGAL/FPU.h>
 #include <CGAL/Interval_nt.h>
@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 // The boxes of a join. Those with few free axes have the Bernstein coefficients of both products, which are exact for whole cells and
-// bound the angle even where a leg vanishes at a corner; those with more have centered forms, and lose the axes along which the angle
+// bound the angle even where a side vanishes at a corner; those with more have centered forms, and lose the axes along which the angle
 // rises or falls everywhere.
 class Kink_boxes {
   typedef CGAL::Interval_nt<false> Interval;
@@ -147,25 +147,25 @@ private:
   // What follows has the rounding mode of intervals.
   void add(Variation_box place) {
     for (std::size_t free = place.free_axes().size(); free > most_exact_axes; free = place.free_axes().size()) {
-      const Centered_legs legs(cells_, place);
-      steps_ += 2 * Centered_legs::steps(cells_, free);
+      const Centered_sides sides(cells_, place);
+      steps_ += 2 * Centered_sides::steps(cells_, free);
       double upper = 0;
       bool counts[2]; // whether the angle to either side may be the largest one
       for (int side : {0, 1}) {
         const int sign = 1 - 2 * side;
-        const double bound = legs.upper(sign), here = parallel_ && std::isfinite(bound) ? 0 : bound;
+        const double bound = sides.upper(sign), here = parallel_ && std::isfinite(bound) ? 0 : bound;
         counts[side] = here > lower_;
         upper = (std::max)(upper, here);
         if (!counts[side]) continue;
-        const std::vector<bool> corner = legs.corner(sign, std::isinf(here) ? lower_or_one() : here);
-        const auto [cross, dot] = legs.products_at(place, corner);
+        const std::vector<bool> corner = sides.corner(sign, std::isinf(here) ? lower_or_one() : here);
+        const auto [cross, dot] = sides.products_at(place, corner);
         meet(place, cross, dot, corner);
       }
       if (upper <= lower()) return;
-      if (std::isfinite(upper) && reduce(place, legs, counts, upper)) continue;
+      if (std::isfinite(upper) && reduce(place, sides, counts, upper)) continue;
       if (free <= most_polynomial_axes) break;
       keep({std::move(place), std::nullopt, upper,
-            legs.axis(legs.bent_axis(std::isinf(upper) ? lower_or_one() : upper))});
+            sides.axis(sides.bent_axis(std::isinf(upper) ? lower_or_one() : upper))});
       return;
     }
     const double free = static_cast<double>(place.free_axes().size()), corners = std::exp2(free),
@@ -183,18 +183,18 @@ private:
 
   // Takes those axes from a box along which the angle to each side that counts rises or falls everywhere, as far as it is larger than
   // lower(), and returns whether there are some. The largest angle is at one of their ends.
-  bool reduce(Variation_box& place, const Centered_legs& legs, const bool counts[2], double upper) {
-    steps_ += Centered_legs::steps(cells_, legs.free());
+  bool reduce(Variation_box& place, const Centered_sides& sides, const bool counts[2], double upper) {
+    steps_ += Centered_sides::steps(cells_, sides.free());
     bool reduced = false;
-    for (std::size_t k = 1; k <= legs.free(); ++k) {
-      const int left = counts[0] ? legs.slope(k, 1, lower(), upper) : 0,
-                right = counts[1] ? legs.slope(k, -1, lower(), upper) : 0,
+    for (std::size_t k = 1; k <= sides.free(); ++k) {
+      const int left = counts[0] ? sides.slope(k, 1, lower(), upper) : 0,
+                right = counts[1] ? sides.slope(k, -1, lower(), upper) : 0,
                 slope = !counts[1]      ? left
                         : !counts[0]    ? right
                         : left == right ? left
                                         : 0;
       if (slope == 0) continue;
-      const std::size_t v = legs.axis(k);
+      const std::size_t v = sides.axis(k);
       (slope > 0 ? place.upper[v] : place.lower[v]) = slope > 0 ? place.lower[v] : place.upper[v];
       reduced = true;
     }

@@ -5,8 +5,9 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIABLE_JOIN_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_VARIABLE_JOIN_H
 
+#include "formats/font/Variation_region.h"
+
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
-#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
 #include <array>
 #include <cstddef>
@@ -15,63 +16,10 @@
 #include <vector>
 
 /// \file Variable_join.h
-/// Joins in the plane that move with the axes of a family of shapes, as the nodes of a variable font do: the axes, the parts of
-/// the space of the instances in which points move, and the sides of a join. OpenType specification, "Algorithm for
-/// interpolation of instance values".
+/// Joins in the plane that move with the axes of a family of shapes, as the nodes of a variable font do.
 
 namespace CGAL {
 namespace Geometric_continuity {
-
-/// The values of an axis, among which 0 is the default. They are taken as they are, with all their bits.
-struct Variation_range {
-  double lowest = -1; ///< at most 0
-  double highest = 1; ///< at least 0
-};
-
-/// How a region lies along one axis: its scalar rises linearly from 0 at `start` to 1 at `peak` and falls to 0 at `end`.
-struct Region_axis {
-  double start, peak, end;
-
-  /// Returns whether the scalar depends on the axis: not when the peak is 0 or the three are not in order or not of one sign.
-  bool counts() const { return peak != 0 && start <= peak && peak <= end && (start >= 0 || end <= 0); }
-};
-
-/// A region of the space of instances. The scalar with which it moves points is the product of those along its axes,
-/// \f$ s(v) = (v - start) / (peak - start) \f$ before and \f$ (end - v) / (end - peak) \f$ behind the peak, hence piecewise
-/// multi-affine.
-class Variation_region {
-public:
-  typedef Exact_field<double>::type FT; ///< the number type
-
-  /// Constructs a region from its axes.
-  explicit Variation_region(std::vector<Region_axis> axes) : axes_(std::move(axes)) {}
-
-  /// Returns the axes.
-  const std::vector<Region_axis>& axes() const { return axes_; }
-
-  /// Returns the scalar at an instance, which is given by its value on each axis, exactly.
-  FT scalar(const std::vector<FT>& instance) const {
-    FT product(1);
-    for (std::size_t k = 0; k < axes_.size() && product != FT(0); ++k)
-      product *= factor(k, instance[k], instance[k], instance[k]);
-    return product;
-  }
-
-  /// Returns the factor of axis `k` at `v`, by the linear function that it is on `[lower, upper]`, where that lies between
-  /// successive ones of the numbers `start`, `peak` and `end`.
-  /// \tparam NT exact numbers, or intervals \tparam Bound exact numbers, or `double`
-  template <class NT, class Bound> NT factor(std::size_t k, const NT& v, const Bound& lower, const Bound& upper) const {
-    const Region_axis& axis = axes_[k];
-    const Bound start(axis.start), peak(axis.peak), end(axis.end);
-    if (!axis.counts() || (lower == peak && upper == peak)) return NT(1);
-    if (upper <= start || end <= lower) return NT(0);
-    return upper <= peak ? NT((v - NT(axis.start)) / (NT(axis.peak) - NT(axis.start)))
-                         : NT((NT(axis.end) - v) / (NT(axis.end) - NT(axis.peak)));
-  }
-
-private:
-  std::vector<Region_axis> axes_;
-};
 
 /// The vector along a handle or a line at a join: `constant` and the sum of `shifts[r]` times the scalar of region `r`.
 struct Variable_vector {
@@ -111,15 +59,6 @@ struct Variable_join {
     return {FT(a[0] * b[1] - a[1] * b[0]), FT(a[0] * b[0] + a[1] * b[1])};
   }
 };
-
-/// Returns the scalars of regions at an instance.
-inline std::vector<Variation_region::FT> region_scalars(const std::vector<Variation_region>& regions,
-                                                        const std::vector<Variation_region::FT>& instance) {
-  std::vector<Variation_region::FT> scalars;
-  scalars.reserve(regions.size());
-  for (const Variation_region& region : regions) scalars.push_back(region.scalar(instance));
-  return scalars;
-}
 
 /// Decides whether a join is a corner at an instance, which is given by the scalars of the regions; empty when a side has no
 /// length there. The decision is exact.

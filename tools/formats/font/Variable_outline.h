@@ -55,15 +55,15 @@ struct Outline_join {
 inline Variable_vector variable_vector(const Variable_outline& glyph, std::size_t from, std::size_t to) {
   typedef Variable_vector::FT FT;
   const Variable_point &p = glyph.points[from], &q = glyph.points[to];
-  Variable_vector leg{{FT(q.x) - FT(p.x), FT(q.y) - FT(p.y)}, {}};
-  leg.shifts.reserve(glyph.shifts.size());
+  Variable_vector side{{FT(q.x) - FT(p.x), FT(q.y) - FT(p.y)}, {}};
+  side.shifts.reserve(glyph.shifts.size());
   for (const std::vector<Outline_vector>& shift : glyph.shifts)
-    leg.shifts.push_back({shift[to][0] - shift[from][0], shift[to][1] - shift[from][1]});
-  return leg;
+    side.shifts.push_back({shift[to][0] - shift[from][0], shift[to][1] - shift[from][1]});
+  return side;
 }
 
 /// Returns the joins of an outline at all points that are on the curve. Points that coincide at every instance are one
-/// point: then a handle is retracted or a segment has no length, and the leg beyond has the direction of the image. It is on the curve if
+/// point: then a handle is retracted or a segment has no length, and the side beyond has the direction of the image. It is on the curve if
 /// one of them is, or if they are control points of quadratic curves. The joins between two control points in succession of such curves
 /// are not among them: there the tangent is the line through both, in every instance. \f$ O(nr) \f$ for `n` points and `r` regions
 inline std::vector<Outline_join> outline_joins(const Variable_outline& glyph) {
@@ -71,18 +71,18 @@ inline std::vector<Outline_join> outline_joins(const Variable_outline& glyph) {
   std::size_t begin = 0;
   for (std::size_t contour = 0; contour < glyph.contour_ends.size(); ++contour) {
     const std::size_t end = static_cast<std::size_t>(glyph.contour_ends[contour]);
-    // the legs that are not zero, from each of these points to the next, and which points are on the curve
+    // the sides that are not zero, from each of these points to the next, and which points are on the curve
     std::vector<std::size_t> points;
     std::vector<bool> on_curve;
-    std::vector<Variable_vector> legs;
+    std::vector<Variable_vector> sides;
     bool merged_on = false; // one of the points that coincide with this one is on the curve
     for (std::size_t i = begin; i < end; ++i) {
-      Variable_vector leg = variable_vector(glyph, i, i + 1 == end ? begin : i + 1);
-      const bool zero = leg.is_zero(), on = merged_on || glyph.points[i].on_curve || (zero && !glyph.cubic);
+      Variable_vector side = variable_vector(glyph, i, i + 1 == end ? begin : i + 1);
+      const bool zero = side.is_zero(), on = merged_on || glyph.points[i].on_curve || (zero && !glyph.cubic);
       if (!zero) {
         points.push_back(i);
         on_curve.push_back(on);
-        legs.push_back(std::move(leg));
+        sides.push_back(std::move(side));
       } else if (i + 1 == end && !on_curve.empty() && on)
         on_curve.front() = true; // the last points coincide with the first one
       merged_on = zero && on;
@@ -91,7 +91,7 @@ inline std::vector<Outline_join> outline_joins(const Variable_outline& glyph) {
       if (on_curve[i])
         joins.push_back({static_cast<int>(contour),
                          static_cast<int>(points[i]),
-                         {legs[i == 0 ? points.size() - 1 : i - 1], legs[i]}});
+                         {sides[i == 0 ? points.size() - 1 : i - 1], sides[i]}});
     begin = end;
   }
   return joins;

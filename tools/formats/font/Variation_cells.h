@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-// The cells of the space of instances on which both legs of a join are multi-affine: between the numbers at which a scalar
+// The cells of the space of instances on which both sides of a join are multi-affine: between the numbers at which a scalar
 // bends.
 
 namespace CGAL {
@@ -35,12 +35,12 @@ struct Variation_box {
   }
 };
 
-// The cells of a join, which are numbered, and its legs on them.
+// The cells of a join, which are numbered, and its sides on them.
 class Variation_cells {
 public:
   typedef Variable_join::FT FT;
 
-  // a x b and a . b of the legs as functions on a box, in its free axes. NT: exact numbers, or intervals
+  // a x b and a . b of the sides as functions on a box, in its free axes. NT: exact numbers, or intervals
   template <class NT> struct Products { Bernstein_tensor<NT> cross, dot; };
 
   Variation_cells(const Variable_join& join, const std::vector<Variation_region>& regions,
@@ -79,7 +79,7 @@ public:
   // How many cells there are; there can be very many.
   double size() const { return size_; }
 
-  // Returns whether the legs are parallel at every instance because what moves them is, whatever the scalars are.
+  // Returns whether the sides are parallel at every instance because what moves them is, whatever the scalars are.
   bool is_parallel() const {
     const std::size_t n = moving_.size();
     for (std::size_t i = 0; i <= n; ++i)
@@ -110,7 +110,7 @@ public:
     return cell;
   }
 
-  // A whole cell, without width along the axes on which the legs do not depend there.
+  // A whole cell, without width along the axes on which the sides do not depend there.
   Variation_box whole(std::size_t number) const {
     Variation_box box{number, {}, {}};
     const Cell cell = this->cell(number);
@@ -128,8 +128,8 @@ public:
 
   // The products on a box, as polynomials on its own unit cube.
   template <class NT> Products<NT> products(const Variation_box& box) const {
-    const Legs<NT> legs = this->legs<NT>(box);
-    return {legs.a[0] * legs.b[1] - legs.a[1] * legs.b[0], legs.a[0] * legs.b[0] + legs.a[1] * legs.b[1]};
+    const Sides<NT> sides = this->sides<NT>(box);
+    return {sides.a[0] * sides.b[1] - sides.a[1] * sides.b[0], sides.a[0] * sides.b[0] + sides.a[1] * sides.b[1]};
   }
 
   // Cross and dot product at a point of the unit cube of a cell.
@@ -152,13 +152,13 @@ public:
     return values;
   }
 
-  // For each region that moves a leg on a cell, calls f with its shift of both legs, and its number for factor().
+  // For each region that moves a side on a cell, calls f with its shift of both sides, and its number for factor().
   template <class Use> void for_each_region(const Cell& cell, Use f) const {
     for (std::size_t r : moving_)
       if (!vanishes(cell, r)) f(join_->incoming.shifts[r], join_->outgoing.shifts[r], r);
   }
 
-  // The legs without their regions.
+  // The sides without their regions.
   const Variable_vector::Vector& incoming() const { return join_->incoming.constant; }
   const Variable_vector::Vector& outgoing() const { return join_->outgoing.constant; }
 
@@ -178,12 +178,12 @@ private:
   const Variable_join* join_;
   const std::vector<Variation_region>* regions_;
   std::size_t axes_;
-  std::vector<std::size_t> moving_; // the regions that move a leg
+  std::vector<std::size_t> moving_; // the regions that move a side
   std::vector<std::size_t> active_; // the axes on which that depends
   std::vector<std::vector<double>> breaks_;
   double size_ = 1;
 
-  template <class NT> struct Legs { std::vector<Bernstein_tensor<NT>> a, b; };
+  template <class NT> struct Sides { std::vector<Bernstein_tensor<NT>> a, b; };
 
   // In order, each once.
   static void sort(std::vector<double>& x) {
@@ -193,9 +193,9 @@ private:
 
   static bool moves(const Vector& v) { return v[0] != FT(0) || v[1] != FT(0); }
 
-  // What moves a leg by number i, where 0 is its constant part.
-  const Vector& vector(const Variable_vector& leg, std::size_t i) const {
-    return i == 0 ? leg.constant : leg.shifts[moving_[i - 1]];
+  // What moves a side by number i, where 0 is its constant part.
+  const Vector& vector(const Variable_vector& side, std::size_t i) const {
+    return i == 0 ? side.constant : side.shifts[moving_[i - 1]];
   }
 
   // Returns whether the scalar of a region is not zero everywhere because it depends on an axis that stays at 0.
@@ -241,7 +241,7 @@ private:
       return NT(CGAL::to_interval(x));
   }
 
-  template <class NT> Legs<NT> legs(const Variation_box& box) const {
+  template <class NT> Sides<NT> sides(const Variation_box& box) const {
     const std::vector<std::size_t> free = box.free_axes();
     const std::size_t corners = std::size_t(1) << free.size();
     std::vector<NT> values[4];

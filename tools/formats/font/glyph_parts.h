@@ -11,7 +11,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 /// The glyphs with outlines of which a composite glyph of a variable font consists in the end.
@@ -35,9 +34,9 @@ inline Variable_join join_of_part(const Glyph_part& part, Variable_join join) {
   };
   const FT xx = number(m.xx), xy = number(m.xy), yx = number(m.yx), yy = number(m.yy);
   const auto transform = [&](Outline_vector& v) { v = {FT(xx * v[0] + xy * v[1]), FT(yx * v[0] + yy * v[1])}; };
-  for (Variable_vector* leg : {&join.incoming, &join.outgoing}) {
-    transform(leg->constant);
-    for (Outline_vector& shift : leg->shifts) transform(shift);
+  for (Variable_vector* side : {&join.incoming, &join.outgoing}) {
+    transform(side->constant);
+    for (Outline_vector& shift : side->shifts) transform(shift);
   }
   return join;
 }
@@ -45,17 +44,12 @@ inline Variable_join join_of_part(const Glyph_part& part, Variable_join join) {
 /// Returns the parts of a composite glyph, those of its components included.
 /// \throws Error `malformed_input`, `work_limit` for more than `max_glyph_parts`, as of a glyph that contains itself
 inline std::vector<Glyph_part> glyph_parts(const Variable_font& font, const std::vector<Glyph_component>& components) {
-  const auto parts = [](const std::vector<Glyph_component>& list) {
-    std::vector<Glyph_part> result;
-    for (const Glyph_component& c : list)
-      result.push_back({c.glyph, Part_matrix{c.matrix[0], c.matrix[2], c.matrix[1], c.matrix[3], 14}.reduced()});
-    return result;
-  };
+  std::vector<Glyph_part> parts;
   try {
-    return leaf_parts(parts(components), [&](int glyph) {
-      const std::vector<Glyph_component> inner = font.components(glyph);
-      return inner.empty() ? std::nullopt : std::optional<std::vector<Glyph_part>>(parts(inner));
-    });
+    append_leaf_parts(
+        components, parts, [&](int glyph) { return font.components(glyph); },
+        [](const Glyph_component&, std::size_t, std::size_t) { return Part_offset{}; });
+    return parts;
   } catch (const Font_error& e) {
     throw Error(Error_code::work_limit, e.what());
   }

@@ -224,8 +224,8 @@ template <class Traits>
 Bezier_curve<Traits> parabola(const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& jet, bool ends) {
   typedef typename Traits::FT FT;
   const FT half = FT(FT(1) / FT(2));
-  const Coordinates<Traits> leg = half * jet[1], middle = ends ? jet[0] - leg : jet[0] + leg,
-                            far = (ends ? middle - leg : middle + leg) + half * jet[2];
+  const Coordinates<Traits> difference = half * jet[1], middle = ends ? jet[0] - difference : jet[0] + difference,
+                            far = (ends ? middle - difference : middle + difference) + half * jet[2];
   const typename Traits::Point p[] = {to_point<Traits>(ends ? far : jet[0]), to_point<Traits>(middle),
                                       to_point<Traits>(ends ? jet[0] : far)};
   return Bezier_curve<Traits>(p, p + 3);

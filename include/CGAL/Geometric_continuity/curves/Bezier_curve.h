@@ -202,14 +202,14 @@ public:
   /// are converted first: this is how an exact predicate reads a curve with `double` coordinates. \f$ O(k^2) \f$
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> start_jet_over(int k) const {
-    return jet_of_legs<Field>(k, length_over<Field>(), [](int j) { return j; });
+    return jet_of_differences<Field>(k, length_over<Field>(), [](int j) { return j; });
   }
 
   /// Returns the jet of order `k` at the end of the domain in another field, to which the control points and the domain
   /// are converted first: this is how an exact predicate reads a curve with `double` coordinates. \f$ O(k^2) \f$
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> end_jet_over(int k) const {
-    return jet_of_legs<Field>(k, Field(-length_over<Field>()), [m = degree()](int j) { return m - j; });
+    return jet_of_differences<Field>(k, Field(-length_over<Field>()), [m = degree()](int j) { return m - j; });
   }
 
   /// Returns \f$ \int_a^b |x^{(k)}(u)|^2 du \f$, exactly with an exact kernel. \f$ O(n m^2) \f$ in dimension `n`
@@ -328,9 +328,9 @@ private:
 
   // The jet at an end of the domain, from which the control points index(0), index(1), ... are numbered.
   template <class Field, class Index>
-  Coordinate_jet<Field, N> jet_of_legs(int k, const Field& step, const Index& index) const {
+  Coordinate_jet<Field, N> jet_of_differences(int k, const Field& step, const Index& index) const {
     const Traits traits;
-    return internal::jet_of_legs<Field, N, Degree>(dimension(), degree(), k, step, [&](int j, int i) {
+    return internal::jet_of_differences<Field, N, Degree>(dimension(), degree(), k, step, [&](int j, int i) {
       return internal::to_field<Field>(FT(traits.compute_coordinate_object()(points_[index(j)], i)));
     });
   }

@@ -289,7 +289,7 @@ public:
     if constexpr (is_spline)
       return right_jet_over<Field>(domain().first, k);
     else
-      return jet_of_legs<Field>(k, length_over<Field>(), [](int j) { return j; });
+      return jet_of_differences<Field>(k, length_over<Field>(), [](int j) { return j; });
   }
   /// Returns the jet of order `k` at the end of the domain in another field, to which all numbers are converted before anything is
   /// computed. \throws Error `negative_count` unless `k >= 0`
@@ -297,7 +297,7 @@ public:
     if constexpr (is_spline)
       return left_jet_over<Field>(domain().second, k);
     else
-      return jet_of_legs<Field>(k, Field(-length_over<Field>()), [m = degree()](int j) { return m - j; });
+      return jet_of_differences<Field>(k, Field(-length_over<Field>()), [m = degree()](int j) { return m - j; });
   }
 
   /// @}
@@ -585,8 +585,8 @@ private:
   }
 
   template <class Field, class Index>
-  Coordinate_jet<Field, N> jet_of_legs(int k, const Field& step, const Index& index) const {
-    return project(internal::jet_of_legs<Field, M, Degree>(
+  Coordinate_jet<Field, N> jet_of_differences(int k, const Field& step, const Index& index) const {
+    return project(internal::jet_of_differences<Field, M, Degree>(
         dimension() + 1, degree(), k, step, [&](int j, int i) { return homogeneous_coordinate<Field>(index(j), i); }));
   }
 

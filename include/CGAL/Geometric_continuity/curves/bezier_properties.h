@@ -247,7 +247,7 @@ namespace internal {
 // From the vectors p = b0 - b1, r = b2 - b1, s = b2 - b3 of a polygon of degree m, numbered from its end inwards. Scaled, so
 // that no product of floating-point numbers overflows.
 template <class FT, int N>
-End_invariants<FT> invariants_from_legs(int m, const std::vector<Coordinate_vector<FT, N>>& b) {
+End_invariants<FT> invariants_from_differences(int m, const std::vector<Coordinate_vector<FT, N>>& b) {
   typedef Coordinate_vector<FT, N> Coordinates;
   constexpr const char* place = "end_invariants";
   End_invariants<FT> result;
@@ -273,8 +273,8 @@ End_invariants<FT> invariants_from_legs(int m, const std::vector<Coordinate_vect
   }
   const Coordinates third = b[2] - b[3];
   const Scaled_vector<FT, N> s(third, place);
-  const Coordinates* legs[] = {&*p, &*r, &*s};
-  const FT det = determinant<FT>(3, [&](int row, int column) -> const FT& { return (*legs[row])[column]; });
+  const Coordinates* differences[] = {&*p, &*r, &*s};
+  const FT det = determinant<FT>(3, [&](int row, int column) -> const FT& { return (*differences[row])[column]; });
   result.torsion =
       times_power_of_two(FT(FT(m - 2) / FT(m) * det / pxr), s.exponent() - p.exponent() - r.exponent(), place);
   return result;
@@ -286,7 +286,7 @@ End_invariants<typename Traits::FT> invariants_at(const Bezier_curve<Traits, Deg
   const int m = curve.degree();
   std::vector<Coordinates<Traits>> b;
   for (int j = 0; j <= (std::min)(m, 3); ++j) b.push_back(curve.coordinates(index(j)));
-  return invariants_from_legs<typename Traits::FT, dimension_v<Traits>>(m, b);
+  return invariants_from_differences<typename Traits::FT, dimension_v<Traits>>(m, b);
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_CORNER_THRESHOLD_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Exact_number.h>
 #include <CGAL/Geometric_continuity/numbers/internal/certified_bounds.h>
@@ -94,6 +95,22 @@ template <class NT> NT from_long_integer(const Rotation_bounds::Integer& x) {
   return x < 0 ? NT(-y) : y;
 }
 
+// An integer of any width as an exact number, by parts that floating-point numbers have.
+template <class Field, class Integer> Field from_integer(Integer x) {
+  constexpr std::int64_t part = std::int64_t(1) << 50;
+  if (x == 0) return Field(0);
+  return Field(from_integer<Field>(x / part) * Field(static_cast<double>(part))) + Field(static_cast<double>(x % part));
+}
+
+// An integer rounded; most fit into 64 bits, for which no function is called.
+template <class Integer> double rounded_integer(Integer x) {
+  if constexpr (sizeof(Integer) > sizeof(std::int64_t)) {
+    const std::int64_t low = static_cast<std::int64_t>(x);
+    if (low == x) return static_cast<double>(low);
+  }
+  return static_cast<double>(x);
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -131,7 +148,9 @@ public:
   /// \throws Error `zero_direction` when both products are zero, `not_finite`
   template <class NT> bool is_exceeded(const NT& cross, const NT& dot) const {
     std::optional<bool> answer;
-    if constexpr (std::is_arithmetic_v<NT>)
+    if constexpr (std::is_integral_v<NT>)
+      answer = is_exceeded(internal::rounded_integer(cross), internal::rounded_integer(dot), 0);
+    else if constexpr (std::is_arithmetic_v<NT>)
       answer = is_exceeded(static_cast<double>(cross), static_cast<double>(dot), 0);
     else {
       const std::pair<double, double> c = CGAL::to_interval(cross), d = CGAL::to_interval(dot);
@@ -139,7 +158,7 @@ public:
     }
     if (answer) return *answer;
     if constexpr (std::is_integral_v<NT>)
-      return is_exceeded_exactly(from_integer(cross), from_integer(dot));
+      return is_exceeded_exactly(internal::from_integer<Field>(cross), internal::from_integer<Field>(dot));
     else if constexpr (std::is_arithmetic_v<NT>)
       return is_exceeded_exactly(internal::to_field<Field>(cross), internal::to_field<Field>(dot));
     else
@@ -178,10 +197,6 @@ private:
     for (int n = 2; n <= 24; ++n)
       if ((f.first * n) % (f.second * 180) == 0) return n;
     return 0;
-  }
-
-  template <class T> static Field from_integer(T x) {
-    return Field(static_cast<double>(x / 0x10000)) * Field(0x10000) + Field(static_cast<double>(x % 0x10000));
   }
 
   template <class NT> bool is_exceeded_exactly(const NT& cross, const NT& dot) const {
@@ -242,6 +257,24 @@ inline std::string to_string(Visual_class grade) {
 /// \ingroup PkgGeometricContinuityContinuity
 /// Writes `to_string(grade)`.
 inline std::ostream& operator<<(std::ostream& os, Visual_class grade) { return os << to_string(grade); }
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// How large a kink is: guaranteed enclosures. With `a` and `b` for the handles at the node, from the control point before it and to
+/// the one behind it:
+struct Kink_size {
+  Enclosure angle; ///< the angle between `a` and `b`, in radians, in \f$ [0, \pi] \f$
+  /// By how much a handle is off, in units of the coordinates: how far the tip of one of them must move at least to make their directions
+  /// equal, \f$ |a \times b| / \max(|a|, |b|) \f$; from a right angle on \f$ \min(|a|, |b|) \f$. On a grid, about one unit is rounding.
+  Enclosure handle_offset;
+  /// What the eye sees: the angle times the length of the shorter handle, in units of the coordinates. Compare it to the size of what is
+  /// drawn, an em or a drawing.
+  Enclosure severity;
+
+  /// Writes e.g. `angle [0.0499583, 0.0499584], handle off by 1, severity [0.999166, 0.999167]`.
+  friend std::ostream& operator<<(std::ostream& os, const Kink_size& k) {
+    return os << "angle " << k.angle << ", handle off by " << k.handle_offset << ", severity " << k.severity;
+  }
+};
 
 #ifndef CGAL_NO_DEPRECATED_CODE
 // Old names, for one release.

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_CURVE_ENDS_H
 
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
-#include <CGAL/Geometric_continuity/local/internal/jet_of_legs.h>
+#include <CGAL/Geometric_continuity/local/internal/jet_of_differences.h>
 
 #include <algorithm>
 #include <type_traits>
@@ -241,7 +241,7 @@ struct Has_jets<
 template <class Field, Curve_end which, class View>
 Coordinate_jet<Field, dimension_v<typename View::Traits>> jet_of_polygon(const View& view, int k) {
   const Field h = to_field<Field>(view.domain().second) - to_field<Field>(view.domain().first);
-  return jet_of_legs<Field, dimension_v<typename View::Traits>, -1>(
+  return jet_of_differences<Field, dimension_v<typename View::Traits>, -1>(
       view.dimension(), view.degree(), k, which == Curve_end::end ? Field(-h) : h,
       [&](int j, int i) { return to_field<Field>(view.coordinate(j, i)); });
 }

@@ -8,18 +8,14 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
+#include <CGAL/Geometric_continuity/joins/internal/Image_end.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
-#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
-#include <CGAL/Geometric_continuity/numbers/internal/certified_bounds.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
-#include <ostream>
-#include <type_traits>
 
 /// \file Visual_class.h
 /// What a designer sees of a join in the plane: a corner that is meant, a kink that nobody wants and how large it is, or a
@@ -30,95 +26,97 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// The cross and the dot product of two vectors of the plane, and a bound of their terms.
-template <class NT> struct Leg_products {
-  NT cross, dot, size;
-
-  Leg_products(const std::array<NT, 2>& a, const std::array<NT, 2>& b)
-      : cross(NT(a[0] * b[1]) - NT(a[1] * b[0])), dot(NT(a[0] * b[0]) + NT(a[1] * b[1])), size(0) {
-    using std::abs;
-    if constexpr (std::is_floating_point_v<NT>) size = (abs(a[0]) + abs(a[1])) * (abs(b[0]) + abs(b[1]));
-  }
-};
-
-// The end of a plane Bézier curve as it is drawn: the direction is that of the first leg that is not zero.
-template <class Traits_, int Degree, Curve_end which> class Image_end {
+// The control points of a plane Bézier curve, counted from the node at one of its ends on.
+template <class Traits_, int Degree, Curve_end which> class Curve_polygon {
   typedef Bezier_curve<Traits_, Degree> Curve;
   const Curve& curve_;
-  int leg_ = 1; // the first control point from the node on that is not the node
 
 public:
   typedef Traits_ Traits;
   typedef Bezier_curve<Traits, 1> Line;
+  static constexpr bool is_end = which == Curve_end::end;
 
-  explicit Image_end(const Curve& curve) : curve_(curve) {
-    while (leg_ <= curve.degree() && are_equal(leg_, 0)) ++leg_;
-  }
+  explicit Curve_polygon(const Curve& curve) : curve_(curve) {}
+
+  const Curve& curve() const { return curve_; }
+  int degree() const { return curve_.degree(); }
 
   // \throws Error `not_finite`
   void check_node() const {
     for (int i = 0; i < 2; ++i) check_finite(coordinate(0, i), "visual_class");
   }
-
-  bool has_length() const { return leg_ <= curve_.degree(); }
-
-  // Returns whether the handle is at the node. \pre has_length()
-  bool is_retracted() const { return leg_ > 1; }
-
-  // Returns whether all control points lie on the chord in order: the legs that are not zero have one direction. \pre has_length()
-  bool is_line() const {
-    Line leg = line(leg_ - 1, leg_);
-    for (int j = leg_; j < curve_.degree(); ++j)
-      if (!are_equal(j + 1, j)) {
-        const Line next = line(j, j + 1);
-        if (!is_g1_join(leg, next)) return false;
-        leg = next;
-      }
-    return true;
+  bool are_equal(int j, int k) const {
+    return coordinate(j, 0) == coordinate(k, 0) && coordinate(j, 1) == coordinate(k, 1);
   }
-
-  // The first leg that is not zero, as a curve that ends, or starts, at the node.
-  Line curve() const { return which == Curve_end::end ? line(leg_, 0) : line(0, leg_); }
-
-  // The same in the direction of the curve, the coordinates subtracted in NT.
-  template <class NT> std::array<NT, 2> vector() const {
-    const int from = which == Curve_end::end ? leg_ : 0, to = which == Curve_end::end ? 0 : leg_;
+  bool have_one_direction(int i, int j, int k) const { return is_g1_join(line(i, j), line(k, k + 1)); }
+  Line line(int j, int k) const { return Line({point(j), point(k)}); }
+  template <class NT> std::array<NT, 2> vector(int j, int k) const {
     const auto difference = [&](int i) -> NT {
-      return NT(to_field<NT>(coordinate(to, i)) - to_field<NT>(coordinate(from, i)));
+      return NT(to_field<NT>(coordinate(k, i)) - to_field<NT>(coordinate(j, i)));
     };
     return {difference(0), difference(1)};
   }
 
 private:
-  const typename Traits::Point& point(int j) const {
-    return curve_.control_point(which == Curve_end::end ? curve_.degree() - j : j);
-  }
+  const typename Traits::Point& point(int j) const { return curve_.control_point(is_end ? curve_.degree() - j : j); }
   typename Traits::FT coordinate(int j, int i) const { return Traits().compute_coordinate_object()(point(j), i); }
-  bool are_equal(int j, int k) const {
-    return coordinate(j, 0) == coordinate(k, 0) && coordinate(j, 1) == coordinate(k, 1);
-  }
-  Line line(int j, int k) const { return Line({point(j), point(k)}); }
 };
+
+// The join between the end of a plane Bézier curve and the start of another one, as both are drawn.
+template <class Traits, int Left, int Right> class Image_join {
+  typedef typename Exact_field<Predicate_FT<Traits>>::type Field;
+  const Image_end<Curve_polygon<Traits, Left, Curve_end::end>> left_;
+  const Image_end<Curve_polygon<Traits, Right, Curve_end::start>> right_;
+
+  // The first difference of an end that is not zero, as a curve.
+  template <class End> static typename End::Polygon::Line line(const End& end) {
+    const auto [j, k] = end.first_difference();
+    return end.polygon().line(j, k);
+  }
+  template <class NT> Plane_products<NT> products() const {
+    return {left_.template vector<NT>(), right_.template vector<NT>()};
+  }
+
+public:
+  Image_join(const Bezier_curve<Traits, Left>& left, const Bezier_curve<Traits, Right>& right)
+      : left_(Curve_polygon<Traits, Left, Curve_end::end>(left)),
+        right_(Curve_polygon<Traits, Right, Curve_end::start>(right)) {}
+
+  const auto& left() const { return left_; }
+  const auto& right() const { return right_; }
+
+  // Returns whether the angle is larger than the bound; empty when it is zero. \pre both ends have a length
+  std::optional<bool> exceeds(const Corner_threshold& bound) const {
+    if constexpr (is_double<typename Traits::FT>) {
+      // Differences, products and sums are rounded by 2^-52 in every rounding mode, once each.
+      const Plane_products<double> r = products<double>();
+      const double error = 0x1p-49 * r.size;
+      if (0x1p-800 < r.size && r.size < 0x1p800) {
+        if (error < std::abs(r.cross))
+          if (const std::optional<bool> answer = bound.is_exceeded(r.cross, r.dot, 2 * error)) return answer;
+        if (is_g1_join(line(left_), line(right_))) return std::nullopt;
+      }
+    }
+    return internal::exceeds(products<Field>(), bound);
+  }
+
+  // Returns whether the curvatures agree. \pre there is one tangent, and retracted ends are lines
+  bool has_one_curvature() const {
+    const auto &left = left_.polygon().curve(), &right = right_.polygon().curve();
+    return left_.is_retracted() ? right_.is_retracted() || is_g2_join(line(left_), right)
+                                : (right_.is_retracted() ? is_g2_join(left, line(right_)) : is_g2_join(left, right));
+  }
+
+  // \pre both ends have a length
+  Kink_size kink_size() const { return kink_size_of(left_.template vector<Field>(), right_.template vector<Field>()); }
+};
+
+inline const Corner_threshold& usual_corner_threshold() {
+  static const Corner_threshold bound;
+  return bound;
+}
 
 } // namespace internal
-
-/// \ingroup PkgGeometricContinuityContinuity
-/// How large a kink is: guaranteed enclosures. With `a` and `b` for the handles at the node, from the control point before it and to
-/// the one behind it:
-struct Kink_size {
-  Enclosure angle; ///< the angle between `a` and `b`, in radians, in \f$ [0, \pi] \f$
-  /// By how much a handle is off, in units of the coordinates: how far the tip of one of them must move at least to make their directions
-  /// equal, \f$ |a \times b| / \max(|a|, |b|) \f$; from a right angle on \f$ \min(|a|, |b|) \f$. On a grid, about one unit is rounding.
-  Enclosure handle_offset;
-  /// What the eye sees: the angle times the length of the shorter handle, in units of the coordinates. Compare it to the size of what is
-  /// drawn, an em or a drawing.
-  Enclosure severity;
-
-  /// Writes e.g. `angle [0.0499583, 0.0499584], handle off by 1, severity [0.999166, 0.999167]`.
-  friend std::ostream& operator<<(std::ostream& os, const Kink_size& k) {
-    return os << "angle " << k.angle << ", handle off by " << k.handle_offset << ", severity " << k.severity;
-  }
-};
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns how large the angle at the join between the end of `left` and the start of `right` is, whatever the curvatures; empty when one of
@@ -128,48 +126,10 @@ struct Kink_size {
 template <class Traits, int Left, int Right>
 std::optional<Kink_size> kink_size(const Bezier_curve<Traits, Left>& left, const Bezier_curve<Traits, Right>& right) {
   static_assert(dimension_v<Traits> == 2, "kinks are those of curves in the plane");
-  typedef typename Exact_field<Predicate_FT<Traits>>::type Field;
-  const internal::Image_end<Traits, Left, Curve_end::end> x(left);
-  const internal::Image_end<Traits, Right, Curve_end::start> y(right);
-  if (!x.has_length() || !y.has_length()) return std::nullopt;
-  const std::array<Field, 2> a = x.template vector<Field>(), b = y.template vector<Field>();
-  const internal::Leg_products<Field> ab(a, b);
-  const Field aa = internal::Leg_products<Field>(a, a).dot, bb = internal::Leg_products<Field>(b, b).dot,
-              shorter = (std::min)(aa, bb), longer = (std::max)(aa, bb), sine_squared = Field(ab.cross * ab.cross);
-  const Enclosure angle = angle_enclosure(sine_squared, ab.dot), handle = sqrt_enclosure(shorter);
-  const Enclosure offset = Field(0) < ab.dot ? sqrt_enclosure(Field(sine_squared / longer)) : handle;
-  return Kink_size{angle, offset, internal::nonnegative_product(angle, handle)};
+  const internal::Image_join<Traits, Left, Right> join(left, right);
+  if (!join.left().has_length() || !join.right().has_length()) return std::nullopt;
+  return join.kink_size();
 }
-
-namespace internal {
-
-inline const Corner_threshold& usual_corner_threshold() {
-  static const Corner_threshold bound;
-  return bound;
-}
-
-// Returns whether the angle between two ends is larger than the bound; empty when it is zero. \pre both have a length
-template <class Left_end, class Right_end>
-std::optional<bool> exceeds(const Left_end& a, const Right_end& b, const Corner_threshold& bound) {
-  typedef typename Left_end::Traits Traits;
-  if constexpr (is_double<typename Traits::FT>) {
-    // Differences, products and sums are rounded by 2^-52 in every rounding mode, once each.
-    const Leg_products<double> r(a.template vector<double>(), b.template vector<double>());
-    // equivalent [* -> +, 1]: a larger bound leaves more to the exact decision
-    const double error = 0x1p-49 * r.size;
-    if (0x1p-800 < r.size && r.size < 0x1p800) {
-      if (error < std::abs(r.cross))
-        if (const std::optional<bool> answer = bound.is_exceeded(r.cross, r.dot, 2 * error)) return answer;
-      if (is_g1_join(a.curve(), b.curve())) return std::nullopt;
-    }
-  }
-  typedef typename Exact_field<Predicate_FT<Traits>>::type Field;
-  const Leg_products<Field> p(a.template vector<Field>(), b.template vector<Field>());
-  if (p.cross == Field(0) && Field(0) < p.dot) return std::nullopt;
-  return bound.is_exceeded(p.cross, p.dot);
-}
-
-} // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns what the join between the end of `left` and the start of `right` looks like; empty when the ends meet and one of the curves has
@@ -187,26 +147,12 @@ template <class Traits, int Left, int Right>
 std::optional<Visual_class> visual_class(const Bezier_curve<Traits, Left>& left,
                                          const Bezier_curve<Traits, Right>& right,
                                          const Corner_threshold& bound = internal::usual_corner_threshold()) {
-  typedef internal::Image_end<Traits, Left, Curve_end::end> Left_end;
-  typedef internal::Image_end<Traits, Right, Curve_end::start> Right_end;
   static_assert(dimension_v<Traits> == 2, "grades are those of curves in the plane");
-  const Left_end a(left);
-  const Right_end b(right);
-  if (!is_c_join<0>(left, right)) {
-    a.check_node();
-    b.check_node();
-    return Visual_class::gap;
-  }
-  if (!a.has_length() || !b.has_length()) return std::nullopt;
-  if (const std::optional<bool> corner = internal::exceeds(a, b, bound))
-    return *corner ? Visual_class::corner : Visual_class::kink;
-  const bool left_line = a.is_retracted() && a.is_line(), right_line = b.is_retracted() && b.is_line();
-  // A zero first leg is never that of a G2 join.
-  const bool curvature_agrees = left_line && right_line ? true
-                                : left_line             ? is_g2_join(a.curve(), right)
-                                : right_line            ? is_g2_join(left, b.curve())
-                                                        : is_g2_join(left, right);
-  return curvature_agrees ? Visual_class::g2 : Visual_class::g1;
+  const internal::Image_join<Traits, Left, Right> join(left, right);
+  if (is_c_join<0>(left, right)) return internal::visual_class_of(join, bound);
+  join.left().polygon().check_node();
+  join.right().polygon().check_node();
+  return Visual_class::gap;
 }
 
 #ifndef CGAL_NO_DEPRECATED_CODE

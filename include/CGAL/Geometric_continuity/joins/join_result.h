@@ -147,10 +147,10 @@ private:
 };
 
 // The first three points on both sides of a join, from it inwards, from which it is told how far it is from the order G that it misses:
-// for a report, in floating-point numbers, and when someone asks. With the legs a and b and the vectors h from the join to the next but
+// for a report, in floating-point numbers, and when someone asks. With the differences a and b and the vectors h from the join to the next but
 // one point,
 //
-//   gap:  |q_0 - p_0|,   G1:  what of the shorter leg is orthogonal to the other,
+//   gap:  |q_0 - p_0|,   G1:  what of the shorter difference is orthogonal to the other,
 //   G2:   |K_b - K_a| min(n/(n-1) |b|^2, m/(m-1) |a|^2),   K = (m-1)/m  (w_0 w_2 / w_1^2)  h^orthogonal / |a|^2.
 //
 // Coordinates and weights are divided by powers of two first, so that no square overflows or vanishes.
@@ -189,7 +189,7 @@ public:
     typedef Coordinate_vector<double, 3> Vector; // with a zero in the plane
     constexpr double most = 16;
     double largest = 0, square[2], curvature_of_unit[2] = {0, 0}, off = 0;
-    Vector start[2], leg[2], curvature[2];
+    Vector start[2], difference[2], curvature[2];
     for (const Side& side : sides_)
       for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) largest = (std::max)(largest, std::abs(side.x[j][i]));
@@ -201,13 +201,13 @@ public:
       for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 3; ++i) x[j][i] = std::ldexp(sides_[k].x[j][i], -exponent);
       start[k] = x[0];
-      leg[k] = x[1] - x[0];
-      square[k] = dot(leg[k], leg[k]);
+      difference[k] = x[1] - x[0];
+      square[k] = dot(difference[k], difference[k]);
       curvature[k] = x[0] - x[0];
       if (sides_[k].degree < 2 || !(square[k] > 0)) continue;
       curvature_of_unit[k] = (sides_[k].degree - 1.) / sides_[k].degree * sides_[k].weight() / square[k];
       const Vector h = x[2] - x[0];
-      curvature[k] = curvature_of_unit[k] * Vector(h - (dot(h, leg[k]) / square[k]) * leg[k]);
+      curvature[k] = curvature_of_unit[k] * Vector(h - (dot(h, difference[k]) / square[k]) * difference[k]);
     }
     const double unit = largest * std::numeric_limits<double>::epsilon();
     std::optional<Order_up_to_rounding> result;
@@ -219,10 +219,10 @@ public:
     };
     const Vector gap = start[1] - start[0];
     if (!take(0, std::sqrt(dot(gap, gap)))) return result;
-    const double product = -dot(leg[0], leg[1]);
+    const double product = -dot(difference[0], difference[1]);
     if (!(square[0] > 0 && square[1] > 0 && product > 0)) return result;
     const int shorter = square[0] < square[1] ? 0 : 1;
-    const Vector rest = leg[shorter] + (product / square[1 - shorter]) * leg[1 - shorter];
+    const Vector rest = difference[shorter] + (product / square[1 - shorter]) * difference[1 - shorter];
     if (!take(1, std::sqrt(dot(rest, rest)))) return result;
     const Vector jump = curvature[1] - curvature[0];
     const double sensitive = (std::max)(curvature_of_unit[0], curvature_of_unit[1]);

@@ -59,7 +59,8 @@ auto visit_roots(const Path_segment<Traits>& left, const Path_segment<Traits>& r
 template <Curve_end which, class Traits, class Field>
 std::array<Field, 2> path_direction(const Path_segment<Traits>& segment, const Field& root) {
   if (segment.bezier()) {
-    const Image_end<Traits, dynamic_degree, which> end(*segment.bezier());
+    typedef Curve_polygon<Traits, dynamic_degree, which> Polygon;
+    const Image_end<Polygon> end{Polygon(*segment.bezier())};
     if (!end.has_length()) return {Field(0), Field(0)};
     const auto v = end.template vector<typename Traits::FT>();
     return {Field(v[0]), Field(v[1])};
@@ -229,14 +230,14 @@ bool visit_direction_products(const Path_segment<Traits>& left, const Path_segme
                                b = path_direction<Curve_end::start>(right, right_root);
     for (const std::array<Field, 2>& v : {a, b})
       if (v[0] == Field(0) && v[1] == Field(0)) return false;
-    f(Leg_products<Field>(a, b));
+    f(Plane_products<Field>(a, b));
     return true;
   });
 }
 
 // The angle with these products. With square roots, the tangent or cotangent that is at most 1 is enclosed before it is squared: the roots
 // in its square would cancel, and leave the more of an error the smaller it is.
-template <class FT, class Field> Enclosure angle_of_products(const Leg_products<Field>& p) {
+template <class FT, class Field> Enclosure angle_of_products(const Plane_products<Field>& p) {
   if constexpr (std::is_same_v<FT, Field>)
     return angle_enclosure(FT(p.cross * p.cross), p.dot);
   else {

@@ -14,7 +14,7 @@
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
-#include <CGAL/Geometric_continuity/repairs/internal/Corner_leg.h>
+#include <CGAL/Geometric_continuity/repairs/internal/Corner_side.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,14 +54,14 @@ namespace internal {
 template <class Curve>
 typename Curve::FT cut_parameter(const Curve& curve, Curve_end end, const typename Curve::FT& distance,
                                  const std::string& place) {
-  const Corner_leg<Curve> leg(curve, end);
-  if (!(distance < leg.length())) {
+  const Corner_side<Curve> side(curve, end);
+  if (!(distance < side.length())) {
     std::ostringstream reason;
     reason << place << ": the distance " << CGAL::to_double(distance) << " is not less than the length "
-           << CGAL::to_double(leg.length()) << " of the " << (end == Curve_end::end ? "left" : "right") << " curve";
+           << CGAL::to_double(side.length()) << " of the " << (end == Curve_end::end ? "left" : "right") << " curve";
     throw Error(Error_code::parameter_outside_domain, reason.str());
   }
-  return leg.parameter_at(distance);
+  return side.parameter_at(distance);
 }
 
 template <class FT> void check_distance(const FT& distance, const std::string& place) {
@@ -283,7 +283,7 @@ Rounded_chain<internal::Bezier_piece<typename std::iterator_traits<ForwardIterat
   const std::size_t n = given.size();
   const auto longest = [&](std::size_t i) -> FT { // distance of a corner from its cut on this curve
     const FT part(is_corner[i] && is_corner[(i + n - 1) % n] ? 0.375 : 0.75);
-    return FT(part * internal::Corner_leg<Curve>(given[i], Curve_end::start).length());
+    return FT(part * internal::Corner_side<Curve>(given[i], Curve_end::start).length());
   };
 
   Rounded_chain<Curve> result;

@@ -112,10 +112,10 @@ public:
     const Inward_lengths<FT> l = lengths();
     Coordinate_jet<Q, 0> jet(b[0].dimension(), 2);
     for (int x = 0; x < b[0].dimension(); ++x) {
-      const Q leg = (Q(b[0][x]) - Q(b[1][x])) / Q(l.first), next = (Q(b[1][x]) - Q(b[2][x])) / Q(l.second);
+      const Q difference = (Q(b[0][x]) - Q(b[1][x])) / Q(l.first), next = (Q(b[1][x]) - Q(b[2][x])) / Q(l.second);
       jet[0][x] = Q(b[0][x]);
-      jet[1][x] = Q(sign * l.degree) * leg;
-      jet[2][x] = Q(l.degree * (l.degree - 1)) * Q(leg - next) / Q(l.first);
+      jet[1][x] = Q(sign * l.degree) * difference;
+      jet[2][x] = Q(l.degree * (l.degree - 1)) * Q(difference - next) / Q(l.first);
     }
     return jet;
   }

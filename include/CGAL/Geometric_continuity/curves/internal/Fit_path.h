@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-template <int N> struct Fit_joint { Coordinate_vector<double, N> point, leg, second_difference; };
+template <int N> struct Fit_joint { Coordinate_vector<double, N> point, difference, second_difference; };
 
 // On which sides of a vertex the polyline counts.
 enum class Fit_side { both, before, after };
@@ -97,11 +97,11 @@ public:
       if (w == limit) break;
     }
     if (best) {
-      const double speed = length(best->c[1]), leg = (std::max)(width / 4096, 64.);
+      const double speed = length(best->c[1]), difference = (std::max)(width / 4096, 64.);
       if (speed > width / 16) {
         const Vector normal = best->c[2] - (dot(best->c[2], best->c[1]) / (speed * speed)) * best->c[1];
-        const double curvature = 2 * leg * leg / (speed * speed) * degree / (degree - 1);
-        return {rounded(p_[k] + best->c[0]), rounded((leg / speed) * best->c[1]), rounded(curvature * normal)};
+        const double curvature = 2 * difference * difference / (speed * speed) * degree / (degree - 1);
+        return {rounded(p_[k] + best->c[0]), rounded((difference / speed) * best->c[1]), rounded(curvature * normal)};
       }
     }
     // in a zigzag, or where the polyline turns back
@@ -111,12 +111,12 @@ public:
     // unreachable: at an end the first window is a segment, which does not turn back
     if (k < n && side != Side::before) direction += (p_[k + 1] - p_[k]) / length_after;
     double d = length(direction);
-    const double leg = (std::max)(tolerance_ / 16, 64.);
+    const double difference = (std::max)(tolerance_ / 16, 64.);
     if (!(d > 1e-7)) {
       direction = p_[before] - p_[before - 1];
       d = length_before;
     }
-    return {rounded(p_[k]), rounded((leg / d) * direction), Vector(p_[k].dimension())};
+    return {rounded(p_[k]), rounded((difference / d) * direction), Vector(p_[k].dimension())};
   }
 
 private:

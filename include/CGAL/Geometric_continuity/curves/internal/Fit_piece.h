@@ -41,8 +41,8 @@ public:
     std::array<Vector, degree + 1> b = points;
     for (int m = degree; m > 1; --m)
       for (int i = 0; i < m; ++i) b[i] += t * (b[i + 1] - b[i]);
-    const Vector leg = b[1] - b[0];
-    return {b[0] + t * leg - p, double(degree) * leg};
+    const Vector difference = b[1] - b[0];
+    return {b[0] + t * difference - p, double(degree) * difference};
   }
   // The parameter of the point that is next to p, nearer than t.
   double projected(double t, const Vector& p) const {

@@ -24,8 +24,8 @@
 
 // A polyline by few Bezier curves, in floating-point numbers: all coordinates are multiples of one unit, which is 1 here. See curves/fit.h.
 //
-// At a joint there are three vectors of integers: its point A, a short leg D along the tangent and the second difference Q that a
-// curve with this leg has. With integers b, f the control points
+// At a joint there are three vectors of integers: its point A, a short difference D along the tangent and the second difference Q that a
+// curve with this difference has. With integers b, f the control points
 //
 //   A,   A + b D,   A + f D + b^2 Q     (the third one for G2 only)
 //
@@ -133,16 +133,16 @@ private:
 
   static double length(const Vector& v) { return Fit_path<N>::length(v); }
 
-  // The control points for multiples of the legs, b f at the start and at the end.
+  // The control points for multiples of the differences, b f at the start and at the end.
   void set_points(Piece& piece, const Joint& start, const Joint& end, const std::array<double, unknowns>& x) const {
     const double b = x[0], a = x[free_points];
     piece.points[0] = start.point;
-    piece.points[1] = start.point + b * start.leg;
+    piece.points[1] = start.point + b * start.difference;
     piece.points[degree] = end.point;
-    piece.points[degree - 1] = end.point - a * end.leg;
+    piece.points[degree - 1] = end.point - a * end.difference;
     if constexpr (free_points == 2) {
-      piece.points[2] = start.point + x[1] * start.leg + (b * b) * start.second_difference;
-      piece.points[3] = end.point - x[3] * end.leg + (a * a) * end.second_difference;
+      piece.points[2] = start.point + x[1] * start.difference + (b * b) * start.second_difference;
+      piece.points[3] = end.point - x[3] * end.difference + (a * a) * end.second_difference;
     }
   }
   // Returns whether nothing in that was rounded, for integers.
@@ -156,7 +156,7 @@ private:
       const Joint& joint = k < free_points ? start : end;
       // equivalent [false -> true, 1]: such a product is small where the control points are,
       //   which are asked before
-      if (!is_small(x[k], joint.leg)) return false;
+      if (!is_small(x[k], joint.difference)) return false;
       if (free_points == 2 && k % 2 == 0 && !is_zero(joint.second_difference) &&
           // unreachable: handles so long are beyond the largest control point before
           !(x[k] * x[k] < largest_ && is_small(x[k] * x[k], joint.second_difference)))
@@ -176,7 +176,7 @@ private:
       u[k] = k / double(samples);
       x[k] = path_.point_at(path_.arc_length(i) + u[k] * total);
     }
-    const std::array<double, 2> lengths = {length(start.leg), length(end.leg)};
+    const std::array<double, 2> lengths = {length(start.difference), length(end.difference)};
     std::array<double, unknowns> handles; // where the search starts
     for (int k = 0; k < unknowns; ++k) handles[k] = (1 + k % free_points) * total / degree / lengths[k / free_points];
     const std::array<double, unknowns> natural = handles;
@@ -211,14 +211,14 @@ private:
     return piece;
   }
 
-  // One step of least squares: the multiples of the legs, with the curvature of those before.
+  // One step of least squares: the multiples of the differences, with the curvature of those before.
   void solve(const Joint& start, const Joint& end, const std::array<Vector, most_samples + 1>& x,
              const std::array<double, most_samples + 1>& u, int samples, const std::array<double, unknowns>& natural,
              std::array<double, unknowns>& handles) const {
     std::array<std::array<double, unknowns>, unknowns> a{};
     std::array<double, unknowns> r{};
-    const double start_square = dot(start.leg, start.leg), end_square = dot(end.leg, end.leg),
-                 product = dot(start.leg, end.leg);
+    const double start_square = dot(start.difference, start.difference),
+                 end_square = dot(end.difference, end.difference), product = dot(start.difference, end.difference);
     for (int k = 1; k < samples; ++k) {
       const double t = u[k], s = 1 - t;
       std::array<double, degree + 1> b; // Bernstein polynomials
@@ -236,7 +236,7 @@ private:
       if constexpr (free_points == 2)
         rest -= (b[2] * handles[0] * handles[0]) * start.second_difference +
                 (b[3] * handles[2] * handles[2]) * end.second_difference;
-      const double with_start = dot(rest, start.leg), with_end = dot(rest, end.leg);
+      const double with_start = dot(rest, start.difference), with_end = dot(rest, end.difference);
       for (int i = 0; i < free_points; ++i) {
         r[i] += b[1 + i] * with_start;
         r[free_points + i] -= b[degree - 1 - i] * with_end;
@@ -263,11 +263,11 @@ private:
     const Vector chord = p_[i + 1] - p_[i];
     const double total = path_.arc_length(i + 1) - path_.arc_length(i);
     const auto multiple = [&](const Joint& j) {
-      const double leg = length(j.leg), cosine = dot(j.leg, chord) / (leg * total),
+      const double difference = length(j.difference), cosine = dot(j.difference, chord) / (difference * total),
                    sine = cosine < 0 ? 1 : std::sqrt((std::max)(1 - cosine * cosine, 0.)),
                    bend = std::sqrt(length(j.second_difference));
-      double h = total / degree / leg;
-      if (sine > 0) h = (std::min)(h, tolerance_ / 4 / (sine * leg));
+      double h = total / degree / difference;
+      if (sine > 0) h = (std::min)(h, tolerance_ / 4 / (sine * difference));
       // equivalent [8 -> 9, 1]: handles that are short enough, a little shorter
       if (bend > 0) h = (std::min)(h, std::sqrt(tolerance_ / 8) / bend);
       return (std::max)(std::floor(h / free_points), 1.);

@@ -12,7 +12,7 @@
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
-#include <CGAL/Geometric_continuity/local/internal/jet_of_legs.h>
+#include <CGAL/Geometric_continuity/local/internal/jet_of_differences.h>
 
 #include <array>
 #include <type_traits>

@@ -46,26 +46,26 @@ public:
     typedef typename Curve::FT FT;
     const int m = curve.degree();
     double largest = 0;
-    std::vector<Vector> legs;
+    std::vector<Vector> sides;
     std::vector<double> weights(m + 1, 1.);
     for (int j = 0; j <= m; ++j) {
       const int number = end == Curve_end::start ? j : m - j;
-      Coordinate_vector<FT, N> leg = curve.coordinates(number);
+      Coordinate_vector<FT, N> side = curve.coordinates(number);
       if constexpr (Is_rational<Curve>::value)
         weights[j] = CGAL::to_double(FT(curve.weight(number) / curve.weight(end == Curve_end::start ? 0 : m)));
-      if (weights[j] != 0) leg -= curve.coordinates(end == Curve_end::start ? 0 : m); // else it is a direction
-      Vector row(leg.dimension());
-      for (int i = 0; i < leg.dimension(); ++i) {
-        row[i] = CGAL::to_double(leg[i]);
+      if (weights[j] != 0) side -= curve.coordinates(end == Curve_end::start ? 0 : m); // else it is a direction
+      Vector row(side.dimension());
+      for (int i = 0; i < side.dimension(); ++i) {
+        row[i] = CGAL::to_double(side[i]);
         largest = (std::max)(largest, std::abs(row[i]));
       }
-      legs.push_back(row);
+      sides.push_back(row);
     }
     if (!(largest <= (std::numeric_limits<double>::max)())) throw Error(Error_code::not_finite, "length of a curve");
     if (largest > 0) exponent_ = std::ilogb(largest);
     for (int j = 0; j <= m; ++j) {
-      for (int i = 0; i < legs[j].dimension(); ++i) legs[j][i] = std::ldexp(legs[j][i], -exponent_);
-      rows_.push_back(homogeneous_point(legs[j], weights[j]));
+      for (int i = 0; i < sides[j].dimension(); ++i) sides[j][i] = std::ldexp(sides[j][i], -exponent_);
+      rows_.push_back(homogeneous_point(sides[j], weights[j]));
     }
   }
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_INTERNAL_JET_OF_LEGS_H
-#define CGAL_GEOMETRIC_CONTINUITY_LOCAL_INTERNAL_JET_OF_LEGS_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_LOCAL_INTERNAL_JET_OF_DIFFERENCES_H
+#define CGAL_GEOMETRIC_CONTINUITY_LOCAL_INTERNAL_JET_OF_DIFFERENCES_H
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
@@ -27,7 +27,7 @@ using Bezier_coefficients = std::conditional_t<(Degree < 0), Short_vector<T, 10>
 // which coordinate(j, i) reads from that end on, the points up to min(k, m). The step h is the length of the domain, negative
 // at the end of the curve. Degree is m, or -1 when it is known at run time only.
 template <class Field, int N, int Degree, class Coordinate>
-Coordinate_jet<Field, N> jet_of_legs(int dimension, int m, int k, const Field& h, const Coordinate& coordinate) {
+Coordinate_jet<Field, N> jet_of_differences(int dimension, int m, int k, const Field& h, const Coordinate& coordinate) {
   const int used = (std::min)(k, m) + 1;
   Coordinate_jet<Field, N> jet(dimension, k);
   for (int i = 0; i < dimension; ++i) {
@@ -52,4 +52,4 @@ Coordinate_jet<Field, N> jet_of_legs(int dimension, int m, int k, const Field& h
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_LOCAL_INTERNAL_JET_OF_LEGS_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_LOCAL_INTERNAL_JET_OF_DIFFERENCES_H

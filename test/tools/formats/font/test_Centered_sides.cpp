@@ -2,12 +2,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What is said of both legs of a join on a box of many axes holds at its points.
+// What is said of both sides of a join on a box of many axes holds at its points.
 
 #define BOOST_TEST_MODULE centered_legs
 #include "support/test.h"
 
-#include "formats/font/Centered_legs.h"
+#include "formats/font/Centered_sides.h"
 
 namespace {
 
@@ -21,9 +21,9 @@ int shift() { // often 0
 
 } // namespace
 
-// Bounds of both products on a box with many axes, also where what is bilinear in the axes moves the legs at right angles.
+// Bounds of both products on a box with many axes, also where what is bilinear in the axes moves the sides at right angles.
 BOOST_AUTO_TEST_CASE(bounds_with_centered_legs) {
-  using GC::Centered_legs;
+  using GC::Centered_sides;
   for (int round = 0; round < 200; ++round) {
     const std::size_t n = static_cast<std::size_t>(whole(2, 4));
     GC::Variable_join join{{{100, 0}, {}}, {{100, 0}, {}}};
@@ -41,10 +41,10 @@ BOOST_AUTO_TEST_CASE(bounds_with_centered_legs) {
     }
     const GC::Variation_cells cells(join, regions, axes);
     const CGAL::Protect_FPU_rounding<true> upwards;
-    const Centered_legs centered(cells, cells.whole(0));
+    const Centered_sides centered(cells, cells.whole(0));
     for (int k = 0; k < 20; ++k) {
       const double alpha = whole(0, 4), beta = whole(-2, 2);
-      const double lower = centered.lower(Centered_legs::Interval(alpha), Centered_legs::Interval(beta));
+      const double lower = centered.lower(Centered_sides::Interval(alpha), Centered_sides::Interval(beta));
       std::vector<double> t;
       for (std::size_t v = 0; v < cells.variables(); ++v) t.push_back(k < 10 ? whole(0, 1) : whole(0, 64) / 64.);
       const std::pair<Q, Q> p = cells.products_at(0, t);

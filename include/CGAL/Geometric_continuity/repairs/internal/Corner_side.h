@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_REPAIRS_INTERNAL_CORNER_LEG_H
-#define CGAL_GEOMETRIC_CONTINUITY_REPAIRS_INTERNAL_CORNER_LEG_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_REPAIRS_INTERNAL_CORNER_SIDE_H
+#define CGAL_GEOMETRIC_CONTINUITY_REPAIRS_INTERNAL_CORNER_SIDE_H
 
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
@@ -35,7 +35,7 @@ template <class FT> FT length_of_square(const FT& square, double near) {
   return FT(std::ldexp(std::sqrt(CGAL::to_double(Exact_number<FT>::of(scaled))), e));
 }
 
-template <class Curve> class Corner_leg {
+template <class Curve> class Corner_side {
   typedef typename Curve::FT FT;
   typedef Coordinate_vector<FT, Curve::N> Vector;
 
@@ -84,7 +84,7 @@ template <class Curve> class Corner_leg {
 
 public:
   // \throws Error `not_finite` when the size of the curve is out of the range of `double`
-  Corner_leg(const Curve& curve, Curve_end end)
+  Corner_side(const Curve& curve, Curve_end end)
       : curve_(curve), end_(end), polygon_(curve, end), near_(polygon_.length()), is_line_(is_line()),
         length_(measured_length()) {}
 
@@ -105,4 +105,4 @@ public:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_REPAIRS_INTERNAL_CORNER_LEG_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_REPAIRS_INTERNAL_CORNER_SIDE_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_CENTERED_LEGS_H
-#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_CENTERED_LEGS_H
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_CENTERED_SIDES_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_CENTERED_SIDES_H
 
 #include "formats/font/Variation_cells.h"
 #include <CGAL/Interval_nt.h>
@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-// Both legs of a join on a box with many free axes, in the time that the number of regions and the square of the number of axes
+// Both sides of a join on a box with many free axes, in the time that the number of regions and the square of the number of axes
 // take, where Bernstein coefficients would be exponentially many.
 
 namespace CGAL {
@@ -25,7 +25,7 @@ namespace Geometric_continuity {
 // With the coordinates x in [-1, 1] of the n free axes, a = a_0 + sum x_k a_k + sum e_r A_r, where A_r is the shift of region r and e_r
 // the rest of its scalar, which is of higher order; the same for b. So a x b and a . b are quadratic forms in x and an error.
 // The rounding mode must be that of intervals.
-class Centered_legs {
+class Centered_sides {
 public:
   typedef CGAL::Interval_nt<false> Interval;
 
@@ -128,7 +128,7 @@ private:
   }
 
 public:
-  Centered_legs(const Variation_cells& cells, const Variation_box& box)
+  Centered_sides(const Variation_cells& cells, const Variation_box& box)
       : cells_(&cells), cell_(cells.cell(box.cell)), free_(box.free_axes()) {
     const std::size_t n = free_.size();
     const Vector zero{Interval(0), Interval(0)};
@@ -281,4 +281,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_CENTERED_LEGS_H
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_FONT_CENTERED_SIDES_H
