@@ -17,7 +17,7 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
-#include <istream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -27,24 +27,29 @@
 
 namespace {
 
-typedef GC::Rational_bspline_surface<GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>>> Exact_surface;
+typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Exact_traits;
+typedef GC::Bspline_surface<Exact_traits> Exact_surface;
 typedef GC::Bspline_surface<GC::Traits_3<CGAL::Simple_cartesian<double>>> Double_surface;
 
-std::vector<Exact_surface> read_surfaces(std::istream& is, const std::string& name, const Exact_surface*) {
-  return GC::read_g2_rational_bspline_surfaces<Exact_surface::Traits>(is, name);
-}
-std::vector<Double_surface> read_surfaces(std::istream& is, const std::string& name, const Double_surface*) {
-  return GC::read_g2_bspline_surfaces<Double_surface::Traits>(is, name);
-}
-
-// Reads the only surface of a file.
-template <class Surface> Surface read_surface(const std::string& name) {
-  Input input(name);
-  const std::vector<Surface> surfaces = read_surfaces(input, input_name(name), static_cast<const Surface*>(nullptr));
+// Returns the only one of the surfaces of a file.
+template <class Surface> const Surface& only_surface(const std::string& file, const std::vector<Surface>& surfaces) {
   if (surfaces.size() != 1)
     throw GC::Error(GC::Error_code::malformed_input,
-                    input_name(name) + ": " + std::to_string(surfaces.size()) + " surfaces where one is expected");
+                    input_name(file) + ": " + std::to_string(surfaces.size()) + " surfaces where one is expected");
   return surfaces[0];
+}
+
+// Reads the surfaces of both files, each of which has one: as rational ones if one of them is rational.
+Surface_model<Exact_traits> read_both_surfaces(const Arguments& files) {
+  Surface_model<Exact_traits> both;
+  for (const std::string& file : files)
+    read_surfaces<Exact_traits>({file}).visit(
+        [&](const auto& surfaces) { both.push_back(only_surface(file, surfaces)); });
+  return both;
+}
+Double_surface read_double_surface(const std::string& file) {
+  Input input(file);
+  return only_surface(file, GC::read_g2_bspline_surfaces<Double_surface::Traits>(input, input_name(file)));
 }
 
 GC::Patch_edge edge_of(const std::string& name) {
@@ -74,14 +79,14 @@ bool report_edge(std::ostream& report, int order, const std::string& file, const
   return order == 2 && verdict.g_order >= 2;
 }
 
-// The derivatives of the parameter across an edge.
-template <class Shape> void report_shape(std::ostream& report, const Shape& shape) {
+// Prints the derivatives of the parameter across an edge.
+template <class FT> void report_shape(std::ostream& report, const GC::Edge_reparametrisation<FT>& shape) {
   report << ", beta = " << shape.beta << ", delta = " << shape.delta;
-  if constexpr (std::is_base_of_v<
-                    GC::Septic_edge_reparametrisation<GC::Rational_edge_reparametrisation<CGAL::Exact_rational>>,
-                    Shape>)
-    report << ", delta3 = " << shape.delta3;
-  report << '\n';
+}
+template <class Reparametrisation>
+void report_shape(std::ostream& report, const GC::Septic_edge_reparametrisation<Reparametrisation>& shape) {
+  report_shape(report, static_cast<const Reparametrisation&>(shape));
+  report << ", delta3 = " << shape.delta3;
 }
 
 Exit_code report_order(std::ostream& report, int order, bool has_order) {
@@ -102,10 +107,10 @@ template <class Surface> void warn_of_fold(std::ostream& report, const Surface& 
   }
 }
 
-// As fractions, which are the same numbers in every arithmetic.
-void write_exactly(std::ostream& os, const Double_surface& s) {
+// Returns the same surface over fractions.
+Exact_surface exact_surface(const Double_surface& s) {
   typedef CGAL::Exact_rational FT;
-  const auto exact = [](const GC::Knot_vector<double>& knots) {
+  const auto exact_knots = [](const GC::Knot_vector<double>& knots) {
     return GC::Knot_vector<FT>(knots.degree(), std::vector<FT>(knots.begin(), knots.end()));
   };
   std::vector<std::vector<Exact_surface::Point>> net(static_cast<std::size_t>(s.number_of_points_u()));
@@ -114,78 +119,109 @@ void write_exactly(std::ostream& os, const Double_surface& s) {
       const Double_surface::Point& p = s.control_point(i, j);
       net[i].emplace_back(FT(p.x()), FT(p.y()), FT(p.z()));
     }
-  GC::write_g2(os, GC::Bspline_surface<Exact_surface::Traits>(net, exact(s.knots_u()), exact(s.knots_v())));
+  return {net, exact_knots(s.knots_u()), exact_knots(s.knots_v())};
 }
 
-// Whose control points are doubles; the given surfaces are written, too, as they now are.
-template <class Strategy> Exit_code representable_blend_by(const Command_line& line, const Strategy& strategy) {
-  const Arguments files = line.files();
-  const Double_surface a = read_surface<Double_surface>(files[0]), b = read_surface<Double_surface>(files[1]);
-  const auto [edge_a, edge_b] = given_edges(line);
-  const auto r = representable_blend(a, edge_a, b, edge_b, strategy, nearer_direction(a, edge_a, b, edge_b));
-  std::ostream& report = report_stream(line);
-  const bool at_a = report_edge(report, 2, files[0], r.first, edge_a, r.blend, GC::Patch_edge::v0);
-  report << ", beta = " << r.start_join.beta << '\n';
-  const bool at_b = report_edge(report, 2, files[1], r.second, edge_b, r.blend, GC::Patch_edge::v1);
-  report << ", beta = " << r.end_join.beta << '\n';
-  const double moved = (std::max)(r.start_join.moved, r.end_join.moved);
-  if (moved == 0)
-    report << "nothing was moved\n";
-  else
-    report << "coordinates were moved by at most " << moved << '\n';
-  const Exit_code code = report_order(report, 2, at_a && at_b);
-  warn_of_fold(report, r.blend);
-  if (line.has("output"))
-    write_output(line.text("output"), [&](std::ostream& os) {
-      for (const Double_surface& s : {r.first, r.blend, r.second}) write_exactly(os, s);
-    });
-  return code;
-}
-
-template <class Strategy> Exit_code blend_by(const Command_line& line, const Strategy& strategy) {
-  if constexpr (GC::is_quintic_strategy_v<Strategy, GC::Traits_d<CGAL::Cartesian_d<double>>>)
-    if (line.has("representable")) return representable_blend_by(line, strategy);
-  const Arguments files = line.files();
-  const Exact_surface a = read_surface<Exact_surface>(files[0]), b = read_surface<Exact_surface>(files[1]);
-  const auto [edge_a, edge_b] = given_edges(line);
-  const GC::Edge_direction direction = nearer_direction(a, edge_a, b, edge_b);
-  const auto shape = automatic_surface_shape(a, edge_a, b, edge_b, strategy, direction);
-  const Exact_surface s = GC::blend(a, edge_a, b, edge_b, shape, direction);
-  const int order = line.integer("order");
-  std::ostream& report = report_stream(line);
-  const bool at_a = report_edge(report, order, files[0], a, edge_a, s, GC::Patch_edge::v0);
-  report_shape(report, shape.start);
-  const bool at_b = report_edge(report, order, files[1], b, edge_b, s, GC::Patch_edge::v1);
-  report_shape(report, shape.end);
-  const Exit_code code = report_order(report, order, at_a && at_b);
-  warn_of_fold(report, s);
-  if (line.has("output")) write_output(line.text("output"), [&](std::ostream& os) { GC::write_g2(os, s); });
-  return code;
-}
-
-// Blends by the strategy of --strategy, one of a table but for those for F3, which are none for surfaces.
-template <class Table>
-Exit_code blend_by_name(const Command_line& line, const Table& strategies, const std::string& by_default) {
-  const auto of_surfaces = [](const auto& s) {
+// The strategies of a table without those for F3, which are none for surfaces.
+template <class Table> auto without_f3(const Table& strategies) {
+  const auto chosen = [](const auto& s) {
     typedef typename std::decay_t<decltype(s)>::Strategy Strategy;
     if constexpr (std::is_same_v<Strategy, GC::Sequential_f3> || std::is_same_v<Strategy, GC::Fair_f3>)
       return std::make_tuple();
     else
       return std::make_tuple(s);
   };
-  const auto chosen = std::apply([&](const auto&... s) { return std::tuple_cat(of_surfaces(s)...); }, strategies);
-  const std::string name = line.has("strategy") ? line.choice("strategy", names_of(chosen)) : by_default;
+  return std::apply([&](const auto&... s) { return std::tuple_cat(chosen(s)...); }, strategies);
+}
+
+// The name of the strategy of --strategy, one of a table.
+template <class Table>
+std::string strategy_name(const Command_line& line, const Table& strategies, const std::string& by_default) {
+  const std::string name = line.has("strategy") ? line.choice("strategy", names_of(strategies)) : by_default;
   if (line.files().size() != 2) throw std::invalid_argument("blend --surfaces: two files are needed; see --help");
-  Exit_code code = bad_input;
-  with_named_strategy(chosen, name, [&](const auto& strategy) { code = blend_by(line, strategy); });
+  return name;
+}
+
+// Blends with control points that are doubles; the given surfaces are written, too, as they now are.
+Exit_code blend_representably(const Command_line& line) {
+  const std::string name = strategy_name(line, quintic_strategies, "energy3");
+  const Arguments files = line.files();
+  const Double_surface a = read_double_surface(files[0]), b = read_double_surface(files[1]);
+  const auto [edge_a, edge_b] = given_edges(line);
+  const GC::Edge_direction direction = nearer_direction(a, edge_a, b, edge_b);
+  std::optional<GC::Representable_blend_surface<Double_surface>> r;
+  with_named_strategy(quintic_strategies, name, [&, edge_a = edge_a, edge_b = edge_b](const auto& strategy) {
+    r = GC::representable_blend(a, edge_a, b, edge_b, strategy, direction);
+  });
+  const Exact_surface first = exact_surface(r->first), s = exact_surface(r->blend), second = exact_surface(r->second);
+  std::ostream& report = report_stream(line);
+  const bool at_a = report_edge(report, 2, files[0], first, edge_a, s, GC::Patch_edge::v0);
+  report << ", beta = " << r->start_join.beta << '\n';
+  const bool at_b = report_edge(report, 2, files[1], second, edge_b, s, GC::Patch_edge::v1);
+  report << ", beta = " << r->end_join.beta << '\n';
+  const double moved = (std::max)(r->start_join.moved, r->end_join.moved);
+  if (moved == 0)
+    report << "nothing was moved\n";
+  else
+    report << "coordinates were moved by at most " << moved << '\n';
+  const Exit_code code = report_order(report, 2, at_a && at_b);
+  warn_of_fold(report, r->blend); // doubles are cut faster than fractions
+  if (line.has("output"))
+    write_output(line.text("output"), [&](std::ostream& os) {
+      for (const Exact_surface* x : {&first, &s, &second}) GC::write_g2(os, *x);
+    });
   return code;
+}
+
+// Blends two surfaces with a shape that choose_shape(a, edge_a, b, edge_b, direction) returns.
+template <class Surface, class Choose_shape>
+Exit_code blend_with_shape(const Command_line& line, const Surface& a, const Surface& b,
+                           const Choose_shape& choose_shape) {
+  const Arguments files = line.files();
+  const auto [edge_a, edge_b] = given_edges(line);
+  const GC::Edge_direction direction = nearer_direction(a, edge_a, b, edge_b);
+  const auto shape = choose_shape(a, edge_a, b, edge_b, direction);
+  const Surface s = GC::blend(a, edge_a, b, edge_b, shape, direction);
+  const int order = line.integer("order");
+  std::ostream& report = report_stream(line);
+  const bool at_a = report_edge(report, order, files[0], a, edge_a, s, GC::Patch_edge::v0);
+  report_shape(report, shape.start);
+  report << '\n';
+  const bool at_b = report_edge(report, order, files[1], b, edge_b, s, GC::Patch_edge::v1);
+  report_shape(report, shape.end);
+  report << '\n';
+  const Exit_code code = report_order(report, order, at_a && at_b);
+  warn_of_fold(report, s);
+  if (line.has("output")) write_output(line.text("output"), [&](std::ostream& os) { GC::write_g2(os, s); });
+  return code;
+}
+
+// Blends by the strategy of --strategy, one of a table.
+template <class Table>
+Exit_code blend_by_name(const Command_line& line, const Table& strategies, const std::string& by_default) {
+  const std::string name = strategy_name(line, strategies, by_default);
+  const auto choose_shape = [&](const auto& a, GC::Patch_edge edge_a, const auto& b, GC::Patch_edge edge_b,
+                                GC::Edge_direction direction) {
+    typedef std::decay_t<decltype(a)> Surface;
+    typedef
+        typename std::tuple_element_t<0, Table>::Strategy First; // all strategies of a table choose shapes of one type
+    GC::Chosen_surface_shape<Surface, Surface, First> shape;
+    with_named_strategy(strategies, name, [&](const auto& strategy) {
+      shape = automatic_surface_shape(a, edge_a, b, edge_b, strategy, direction);
+    });
+    return shape;
+  };
+  return read_both_surfaces(line.files()).visit([&](const auto& surfaces) {
+    return blend_with_shape(line, surfaces[0], surfaces[1], choose_shape);
+  });
 }
 
 } // namespace
 
 Exit_code blend_surfaces(const Command_line& line) {
   const GC::Work_scope each(line.work_limit());
-  if (line.integer("order", 2, 3) == 2) return blend_by_name(line, quintic_strategies, "energy3");
+  if (line.integer("order", 2, 3) == 2)
+    return line.has("representable") ? blend_representably(line) : blend_by_name(line, quintic_strategies, "energy3");
   if (line.has("representable")) throw std::invalid_argument("--representable: blends of order 2 only");
-  return blend_by_name(line, septic_strategies, "energy4_g3");
+  return blend_by_name(line, without_f3(septic_strategies), "energy4_g3");
 }

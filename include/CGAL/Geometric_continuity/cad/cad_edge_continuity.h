@@ -146,6 +146,30 @@ inline Enclosure angle_of_chord_square(double e) {
   return {2 * x, (std::min)(2 * y, 3.1415926535897936)};
 }
 
+inline double square_root_of(double x) { return std::sqrt(x); }
+
+// Encloses the largest value of a function along an edge as closely as `precision` asks for.
+template <class Evaluate, class Is_undefined>
+Maximum_enclosure maximum_enclosure(const std::vector<double>& ends, const Edge_precision& precision, double floor,
+                                    double (*measure)(double), const Evaluate& evaluate,
+                                    const Is_undefined& is_undefined) {
+  return {ends, {precision.relative, floor, measure, precision.boxes, precision.most_boxes}, evaluate, is_undefined};
+}
+
+// Returns the maximum with its point: bounds.point(t) is the point of the edge at the parameter t.
+template <class Bounds>
+Edge_maximum edge_maximum(const Bounds& bounds, const Maximum_enclosure& l, const Enclosure& value) {
+  return {value, l.parameter, bounds.point(l.parameter), l.upper_at};
+}
+// Returns the largest distance, whose square is enclosed. Its upper end is infinite where that of the square is not known.
+template <class Bounds> Edge_maximum largest_distance(const Bounds& bounds, const Maximum_enclosure& square) {
+  // unreachable: by rounding only, of squares next to the largest number
+  const bool bounded = square.undefined.empty() && square.unresolved.empty() && std::isfinite(square.upper);
+  return edge_maximum(bounds, square,
+                      {square.defined ? root_below(square.lower) : 0,
+                       bounded ? root_above(square.upper) : (std::numeric_limits<double>::infinity)()});
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCadEdges
@@ -170,34 +194,27 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
   const Protect_FPU_rounding<true> rounding_upwards;
   const Edge_bounds bounds(a, b, first, last,
                            precision.with_curvature ? Edge_quantity::curvature : Edge_quantity::angle);
-  const std::vector<double>& ends = bounds.ends();
   Edge_enclosure result{};
   const auto largest = [&](Edge_quantity quantity, double floor, double (*measure)(double)) {
-    Maximum_enclosure l(
-        ends, {precision.relative, floor, measure, precision.boxes, precision.most_boxes},
+    Maximum_enclosure l = maximum_enclosure(
+        bounds.ends(), precision, floor, measure,
         [&](double lower, double upper) { return bounds(lower, upper, quantity, precision.flat_curvature); },
         [&](double lower, double upper) { return bounds.is_undefined(lower, upper, quantity); });
     result.boxes += l.evaluated;
     result.exhausted = result.exhausted || l.exhausted;
     return l;
   };
-  const auto maximum = [&](const Maximum_enclosure& l, const Enclosure& value) {
-    return Edge_maximum{value, l.parameter, bounds.point(l.parameter), l.upper_at};
-  };
 
-  const Maximum_enclosure gap = largest(Edge_quantity::gap, precision.gap, [](double x) { return std::sqrt(x); });
-  // unreachable: by rounding only, of squares next to the largest number
-  const bool bounded = gap.undefined.empty() && gap.unresolved.empty() && std::isfinite(gap.upper);
-  result.gap = maximum(gap, {gap.defined ? root_below(gap.lower) : 0,
-                             bounded ? root_above(gap.upper) : (std::numeric_limits<double>::infinity)()});
+  result.gap = largest_distance(bounds, largest(Edge_quantity::gap, precision.gap, square_root_of));
   const Maximum_enclosure angle = largest(Edge_quantity::angle, precision.angle,
                                           [](double x) { return 2 * std::asin((std::min)(1., std::sqrt(x) / 2)); });
   if (angle.defined)
-    result.angle = maximum(angle, {angle_of_chord_square(angle.lower).lower, angle_of_chord_square(angle.upper).upper});
+    result.angle = edge_maximum(bounds, angle,
+                                {angle_of_chord_square(angle.lower).lower, angle_of_chord_square(angle.upper).upper});
   if (precision.with_curvature) {
     const Maximum_enclosure jump =
         largest(Edge_quantity::curvature, precision.curvature_jump, [](double x) { return x; });
-    if (jump.defined) result.curvature_jump = maximum(jump, {jump.lower, (std::min)(jump.upper, 2.)});
+    if (jump.defined) result.curvature_jump = edge_maximum(bounds, jump, {jump.lower, (std::min)(jump.upper, 2.)});
     result.curvature_undefined = jump.undefined;
     result.curvature_unresolved = jump.unresolved;
   }
@@ -251,22 +268,6 @@ inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double firs
   return finished && defined && settled ? Verdict::proved : Verdict::undecided;
 }
 
-namespace internal {
-
-// The square of the distance of a side from points that are given.
-inline Bounds_on_range distance_on(const Edge_range& range, const Side_evaluator& side, const Taylor_vector& points) {
-  Bounds_on_range bounds{0, 0, range.middle, false};
-  std::optional<double> at;
-  for (const Side_models& x : side.models(range, Edge_quantity::gap)) {
-    const Bounds_on_range of_piece = square_on(range, x.point - points, at);
-    if (!of_piece.defined) return of_piece;
-    include(of_piece, bounds, at);
-  }
-  return bounds;
-}
-
-} // namespace internal
-
 /// \ingroup PkgGeometricContinuityCadEdges
 /// Encloses the largest distance \f$ |S(c(t)) - C(t)| \f$ of a side of an edge and the edge as a curve in space, at equal parameters over the
 /// range `[first, last]`, as `edge_enclosure()` encloses gaps. The upper end is infinite where the work does not suffice.
@@ -276,30 +277,9 @@ inline Edge_maximum curve_deviation(const Edge_side& side, const Edge_curve& cur
   using namespace internal;
   check_range(first, last, "curve_deviation: the range");
   const Protect_FPU_rounding<true> rounding_upwards;
-  const Side_evaluator placed_side(side);
-  const Placed_curve placed(curve);
-  for (double t : {first, last}) cad_domain(*curve.curve).check(t, "the range of an edge");
-  std::vector<double> ends = divided_range({&side}, first, last);
-  for (double k : inner_knots(*curve.curve))
-    if (first < k && k < last) ends.push_back(k);
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  const auto square = [](double x) { return std::sqrt(x); };
-  const Maximum_enclosure distance(
-      ends, {precision.relative, precision.gap, square, precision.boxes, precision.most_boxes},
-      [&](double lower, double upper) {
-        const Edge_range range(lower, upper);
-        return distance_on(range, placed_side, placed.models(range));
-      },
-      [](double, double) { return false; });
-  // unreachable: by rounding only, of squares next to the largest number
-  const bool bounded = distance.unresolved.empty() && std::isfinite(distance.upper);
-  const auto [point, derivative] = placed.jet(distance.parameter);
-  return {{distance.defined ? root_below(distance.lower) : 0,
-           bounded ? root_above(distance.upper) : (std::numeric_limits<double>::infinity)()},
-          distance.parameter,
-          {middle(point[0]), middle(point[1]), middle(point[2])},
-          distance.upper_at};
+  const Distance_bounds bounds(side, curve, first, last);
+  return largest_distance(bounds, maximum_enclosure(bounds.ends(), precision, precision.gap, square_root_of, bounds,
+                                                    [](double, double) { return false; }));
 }
 
 /// \ingroup PkgGeometricContinuityCadEdges

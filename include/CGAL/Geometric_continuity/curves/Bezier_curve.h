@@ -28,6 +28,8 @@ namespace Geometric_continuity {
 
 namespace internal {
 
+template <class Shape> struct Curve_shape; // what differs between the shapes of rational curves
+
 // The integral over [0, 1] of |x(t)|^2 for the vectors c_0, ..., c_n of a Bernstein polynomial x:
 //
 //   1/(2n+1) sum_ij w_ij c_i . c_j,   w_ij = C(n,i) C(n,j) / C(2n,i+j),
@@ -97,7 +99,7 @@ template <class FT, int N> FT energy_of_rows(std::vector<Coordinate_vector<FT, N
 /// \cgalModels{ParametricCurve}
 template <class Traits_, int Degree = dynamic_degree> class Bezier_curve : public Bezier_polygon<Traits_, Degree> {
   typedef Bezier_polygon<Traits_, Degree> Polygon;
-  template <class Shape> friend class Rational_curve;
+  friend internal::Curve_shape<Bezier_curve>;
   using Polygon::a_;
   using Polygon::b_;
   using Polygon::points_;

@@ -8,9 +8,10 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
+#include <CGAL/Geometric_continuity/curves/internal/Rational_bezier_shape.h>
+#include <CGAL/Geometric_continuity/curves/internal/Rational_bspline_shape.h>
 #include <CGAL/Geometric_continuity/curves/internal/denominator.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
-#include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <algorithm>
@@ -27,41 +28,6 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-
-namespace internal {
-
-// What differs between the shapes of rational curves.
-template <class Shape> struct Curve_shape;
-template <class Traits, int Degree_> struct Curve_shape<Bezier_curve<Traits, Degree_>> {
-  typedef Bezier_curve<Homogeneous_traits<Traits>, Degree_> Homogeneous;
-  typedef Bezier_curve<Traits> Elevated;
-  static constexpr bool is_spline = false;
-  static constexpr int Degree = Degree_;
-
-  // The curve with other points, on the domain of c.
-  template <class Result, class Curve, class Points> static Result with_points(const Curve& c, const Points& points) {
-    return Result(points.begin(), points.end(), c.domain().first, c.domain().second);
-  }
-  template <class Weights> static void check_weights(const Bezier_curve<Traits, Degree>&, const Weights& weights) {
-    check_denominator<typename Traits::FT>(weights, "Rational_bezier_curve: weights");
-  }
-};
-template <class Traits> struct Curve_shape<Bspline_curve<Traits>> {
-  typedef Bspline_curve<Homogeneous_traits<Traits>> Homogeneous;
-  typedef Bspline_curve<Traits> Elevated;
-  static constexpr bool is_spline = true;
-  static constexpr int Degree = dynamic_degree;
-
-  // The curve with other points, over the knots of c.
-  template <class Result, class Curve, class Points> static Result with_points(const Curve& c, const Points& points) {
-    return Result(points.begin(), points.end(), c.knots());
-  }
-  template <class Weights> static void check_weights(const Bspline_curve<Traits>& c, const Weights& weights) {
-    check_denominator(c.knots(), weights, "Rational_bspline_curve: weights");
-  }
-};
-
-} // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
 /// A rational curve \f$ x(u) = \sum_i w_i b_i B_i(u) / \sum_i w_i B_i(u) \f$: control points \f$ b_i \f$ with weights \f$ w_i \f$
@@ -83,8 +49,8 @@ template <class Traits> struct Curve_shape<Bspline_curve<Traits>> {
 /// \cgalModels{ParametricCurve}
 template <class Shape_> class Rational_curve {
   typedef internal::Curve_shape<Shape_> Kind;
-  static constexpr bool is_spline = Kind::is_spline;
   static constexpr int Degree = Kind::Degree;
+  friend Kind;
 
 public:
   typedef Shape_ Shape;                                   ///< the polynomial curve with the same control points
@@ -107,7 +73,7 @@ public:
   template <class InputIterator, class WeightIterator>
   Rational_curve(InputIterator first, InputIterator last, WeightIterator first_weight, WeightIterator last_weight,
                  const FT& a = FT(0), const FT& b = FT(1))
-      : shape_(first, last, a, b), weights_(taken(first_weight, last_weight)) {
+      : shape_(first, last, a, b), weights_(Kind::template taken<Weights>(shape_, first_weight, last_weight)) {
     Kind::check_weights(shape_, weights_);
     place_infinite_points();
   }
@@ -232,39 +198,22 @@ public:
 
   /// Returns the point at `u`, from the right at a knot. \f$ O(m^2) \f$ in degree `m`, and the search for the span
   /// \throws Error `zero_weight` when the denominator is zero there
-  Point operator()(const FT& u) const {
-    if constexpr (!is_spline && internal::unrolls_jets<FT, Degree>) {
-      Coordinates<Traits> x(dimension());
-      write_jet<0>(u, 0, &x);
-      return to_point<Traits>(x);
-    } else
-      return jet_of_any_order(u, 0).point();
-  }
+  Point operator()(const FT& u) const { return Kind::point(*this, u); }
 
   /// Returns the jet of order `k` at `u`, from the right at a knot. \f$ O(m^2 + m k^2 + k^3) \f$, and the search for the span
   /// \throws Error `negative_count` unless `k >= 0`, `zero_weight` when the denominator is zero there
-  Curve_jet<Traits> jet(const FT& u, int k) const {
-    if constexpr (is_spline)
-      return right_jet(u, k);
-    else
-      return internal::with_largest_order<FT, Degree>(
-          k, [&](auto order) { return jet_of_order<decltype(order)::value>(u, k); },
-          [&] { return jet_of_any_order(u, k); });
-  }
+  Curve_jet<Traits> jet(const FT& u, int k) const { return Kind::jet(*this, u, k); }
   /// Returns the jet of an order `k >= 0` that is known at compile time.
   /// \throws Error `zero_weight` when the denominator is zero there
   template <int k> Curve_jet<Traits> jet(const FT& u) const {
     static_assert(k >= 0);
-    if constexpr (Degree == dynamic_degree)
-      return jet(u, k);
-    else
-      return jet_of_order<k>(u, k);
+    return Kind::template jet<k>(*this, u);
   }
 
   /// Returns the jet of order `k` of a B-spline curve at `u` from the left; at the start of the domain from the right.
-  Curve_jet<Traits> left_jet(const FT& u, int k) const { return jet_on_span(u, knots().left_span(u), k); }
+  Curve_jet<Traits> left_jet(const FT& u, int k) const { return Kind::jet_on_span(*this, u, knots().left_span(u), k); }
   /// Returns the jet of order `k` of a B-spline curve at `u` from the right; at the end of the domain from the left.
-  Curve_jet<Traits> right_jet(const FT& u, int k) const { return jet_on_span(u, knots().span(u), k); }
+  Curve_jet<Traits> right_jet(const FT& u, int k) const { return Kind::jet_on_span(*this, u, knots().span(u), k); }
 
   /// Returns the jet of order `k` at the start of the domain; of a Bézier curve from `k + 1` control points, in \f$ O(k^2) \f$.
   /// \throws Error `negative_count` unless `k >= 0`
@@ -276,28 +225,22 @@ public:
   /// Returns the jet of a B-spline curve from the left in another field, to which all numbers are converted before anything is
   /// computed.
   template <class Field> Coordinate_jet<Field, N> left_jet_over(const FT& u, int k) const {
-    return jet_over<Field>(u, knots().left_span(u), k);
+    return Kind::template jet_over<Field>(*this, u, knots().left_span(u), k);
   }
   /// Returns the jet of a B-spline curve from the right in another field, to which all numbers are converted before anything is
   /// computed.
   template <class Field> Coordinate_jet<Field, N> right_jet_over(const FT& u, int k) const {
-    return jet_over<Field>(u, knots().span(u), k);
+    return Kind::template jet_over<Field>(*this, u, knots().span(u), k);
   }
   /// Returns the jet of order `k` at the start of the domain in another field, to which all numbers are converted before anything
   /// is computed. \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> start_jet_over(int k) const {
-    if constexpr (is_spline)
-      return right_jet_over<Field>(domain().first, k);
-    else
-      return jet_of_differences<Field>(k, length_over<Field>(), [](int j) { return j; });
+    return Kind::template start_jet_over<Field>(*this, k);
   }
   /// Returns the jet of order `k` at the end of the domain in another field, to which all numbers are converted before anything is
   /// computed. \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> end_jet_over(int k) const {
-    if constexpr (is_spline)
-      return left_jet_over<Field>(domain().second, k);
-    else
-      return jet_of_differences<Field>(k, Field(-length_over<Field>()), [m = degree()](int j) { return m - j; });
+    return Kind::template end_jet_over<Field>(*this, k);
   }
 
   /// @}
@@ -334,46 +277,16 @@ public:
   /// Returns the same points in another rational parametrisation, with the weights \f$ w_i c^i \f$. Where two such curves meet
   /// themselves, they are smooth of every order \f$ G^k \f$, and in general not \f$ C^1 \f$.
   /// \throws Error `zero_weight` unless `c > 0`, `not_finite` when a weight overflows
-  Rational_curve reparametrised(const FT& c) const {
-    internal::check_finite(c, "Rational_bezier_curve::reparametrised");
-    if (!(FT(0) < c)) throw Error(Error_code::zero_weight, "Rational_bezier_curve::reparametrised");
-    Rational_curve r = *this;
-    FT power(1);
-    for (FT& w : r.weights_) {
-      w *= power;
-      power *= c;
-    }
-    internal::check_finite_weights(r.weights_, "Rational_bezier_curve::reparametrised");
-    return r;
-  }
+  Rational_curve reparametrised(const FT& c) const { return Kind::reparametrised(*this, c); }
 
   /// Returns the derivative (hodograph) \f$ (p' w - p w') / w^2 \f$: the curve of degree `2 m` whose point at `u` has the
   /// coordinates of the first derivative. \f$ O(n m^2) \f$
   /// \throws Error `not_finite` when a floating-point coordinate overflows
-  Rational_curve<Bezier_curve<Traits>> derivative() const {
-    typedef Rational_curve<Bezier_curve<Traits>> Derivative;
-    const Homogeneous h = homogeneous();
-    const int n = dimension();
-    const Bernstein_polynomial<FT> w = h.coordinate_polynomial(n), dw = w.derivative();
-    const Bernstein_polynomial<FT> square = w * w;
-    const FT length = FT(domain().second - domain().first);
-    std::vector<typename Homogeneous::Point> rows(square.degree() + 1, typename Homogeneous::Point(n + 1));
-    for (int i = 0; i < n; ++i) {
-      const Bernstein_polynomial<FT> p = h.coordinate_polynomial(i);
-      const Bernstein_polynomial<FT> numerator = p.derivative() * w - p * dw;
-      const Bernstein_polynomial<FT> row = numerator.elevated(square.degree() - numerator.degree());
-      for (int j = 0; j <= square.degree(); ++j) rows[j][i] = FT(row[j] / length);
-    }
-    for (int j = 0; j <= square.degree(); ++j) rows[j][n] = square[j];
-    return Derivative(typename Derivative::Homogeneous(rows, domain().first, domain().second));
-  }
+  Rational_curve<Bezier_curve<Traits>> derivative() const { return Kind::derivative(*this); }
 
   /// Returns the parts on [a, u] and [u, b]. \f$ O(m^2) \f$
   /// \throws Error `parameter_outside_domain` unless `a < u < b`
-  std::pair<Rational_curve, Rational_curve> split(const FT& u) const {
-    const std::pair<Homogeneous, Homogeneous> parts = homogeneous().split(u);
-    return {Rational_curve(parts.first), Rational_curve(parts.second)};
-  }
+  std::pair<Rational_curve, Rational_curve> split(const FT& u) const { return Kind::split(*this, u); }
 
   /// Returns this curve of fixed degree with the degree raised by `times`, without allocation.
   template <int times> Rational_curve<Bezier_curve<Traits, Degree + times>> elevate_fixed() const {
@@ -382,21 +295,11 @@ public:
 
   /// Returns the curve with these control points and weights on another domain.
   /// \throws Error `empty_domain` unless `a < b`, `not_finite` when one of them is not finite or `b - a` overflows
-  Rational_curve with_domain(const FT& a, const FT& b) const {
-    internal::check_interval(std::pair<FT, FT>(a, b), "Rational_bezier_curve::with_domain");
-    Rational_curve r = *this;
-    r.shape_ = shape_.with_domain(a, b);
-    return r;
-  }
+  Rational_curve with_domain(const FT& a, const FT& b) const { return Kind::with_domain(*this, a, b); }
 
   /// Returns two opposite corners of a box that contains the curve: that of the control points where all weights are positive,
   /// otherwise that of the control points of its parts, see `positive_parts()`.
-  std::pair<Point, Point> bounding_box() const {
-    if (internal::all_positive(weights_)) return shape_.bounding_box();
-    std::vector<Point> points;
-    for (const Rational_curve& part : positive_parts()) points.insert(points.end(), part.begin(), part.end());
-    return internal::corners_of_box<Traits>(points.begin(), points.end());
-  }
+  std::pair<Point, Point> bounding_box() const { return Kind::bounding_box(*this); }
   /// Returns the box as `Bbox_2` or `Bbox_3`, rounded outwards. Dimension 2 or 3 only.
   auto bbox() const { return internal::bbox_of<Traits>(bounding_box()); }
 
@@ -414,16 +317,7 @@ public:
   /// @{
 
   /// Returns the same curve with `times >= 0` more copies of the knot `u`. \f$ O(n + p\,times) \f$
-  Rational_curve insert(const FT& u, int times = 1) const {
-    typedef typename Homogeneous::Point Row;
-    const Knot_vector<FT> finer = knots().insert(u, times);
-    const internal::Knot_insertion<FT> insertion(knots(), u, times);
-    const std::vector<Row> changed =
-        insertion.template new_coefficients<Row>([&](int j) { return homogeneous_row<FT>(j); });
-    const auto point = [&](int i) { return to_point<Traits>(affine_point(changed[i])); };
-    const auto weight = [&](int i) { return changed[i][dimension()]; };
-    return Rational_curve(insertion.replaced(control_points(), point), insertion.replaced(weights_, weight), finer);
-  }
+  Rational_curve insert(const FT& u, int times = 1) const { return Kind::insert(*this, u, times); }
   /// Returns the same curve over finer knots. \f$ O(p) \f$ for each knot that is inserted, and the copy
   Rational_curve refine(const Knot_vector<FT>& finer) const { return Rational_curve(homogeneous().refine(finer)); }
   /// Returns the same curve with knots of multiplicity `p + 1` at the ends, without those outside the domain.
@@ -440,21 +334,11 @@ public:
 
   /// Returns the rational Bézier curves on the spans that are not empty, in order.
   /// \throws Error `work_limit`
-  std::vector<Rational_curve<Bezier_curve<Traits>>> bezier_pieces() const {
-    std::vector<Rational_curve<Bezier_curve<Traits>>> pieces;
-    for (const auto& piece : homogeneous().bezier_pieces()) pieces.emplace_back(piece);
-    return pieces;
-  }
+  std::vector<Rational_curve<Bezier_curve<Traits>>> bezier_pieces() const { return Kind::bezier_pieces(*this); }
 
   /// Returns the jets of order `k` at both ends of each span, those of `bezier_pieces()`; see `Bspline_curve::span_end_jets()`.
   /// \throws Error `negative_count` unless `k >= 0`, `work_limit`
-  std::vector<Curve_end_jets<Traits>> span_end_jets(int k) const {
-    std::vector<Curve_end_jets<Traits>> result;
-    const Work_scope scope(Work_scope::limit_of_each(), "derivatives of a spline");
-    for (const auto& jets : homogeneous().span_end_jets(k))
-      result.emplace_back(project(jets.template start_jet_over<FT>(k)), project(jets.template end_jet_over<FT>(k)));
-    return result;
-  }
+  std::vector<Curve_end_jets<Traits>> span_end_jets(int k) const { return Kind::span_end_jets(*this, k); }
 
   /// @}
 
@@ -480,31 +364,8 @@ private:
 
   // For splines.
   Rational_curve(internal::Unspecified, const std::vector<Point>& points, Weights weights, const Knot_vector<FT>& knots)
-      : shape_(checked(points, weights, knots).begin(), points.end(), knots), weights_(std::move(weights)) {
+      : shape_(Kind::checked(points, weights, knots).begin(), points.end(), knots), weights_(std::move(weights)) {
     Kind::check_weights(shape_, weights_);
-  }
-  static const std::vector<Point>& checked(const std::vector<Point>& points, const Weights& weights,
-                                           const Knot_vector<FT>& knots) {
-    internal::check_number_of_coefficients(knots, points, "Rational_bspline_curve: control points");
-    internal::check_number_of_coefficients(knots, weights, "Rational_bspline_curve: weights");
-    return points;
-  }
-
-  // For Bézier curves.
-  template <class Iterator> Weights taken(Iterator first, Iterator last) const {
-    Weights weights;
-    std::size_t given = 0;
-    if constexpr (Degree == dynamic_degree) {
-      weights.assign(first, last);
-      given = weights.size();
-    } else
-      for (; first != last; ++first, ++given)
-        if (given < weights.size()) weights[given] = *first;
-    const std::size_t needed = shape_.control_points().size();
-    if (given != needed)
-      throw Error(Error_code::wrong_number_of_points, "Rational_bezier_curve: " + std::to_string(given) +
-                                                          " weights of " + std::to_string(needed) + " control points");
-    return weights;
   }
   Weights ones() const {
     if constexpr (Degree == dynamic_degree)
@@ -543,87 +404,10 @@ private:
     return w == Field(0) ? x : Field(w * x);
   }
 
-  // No lambda expression, which a compiler may refuse to inline.
-  struct Homogeneous_coordinates {
-    const Rational_curve& curve;
-    CGAL_GC_FORCEINLINE FT operator()(int j, int i) const { return curve.homogeneous_coordinate(j, i); }
-  };
-
-  CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF // of loops that are compiled here
-      // x[0], ..., x[order] of a Bézier curve, unrolled for the order k or less
-      template <int k, class Jet>
-      CGAL_GC_FORCEINLINE void write_jet(const FT& u, int order, Jet&& x) const {
-    internal::with_constant_level<Degree, M>(dimension() + 1, degree(), u, shape_.a_, shape_.b_,
-                                             Homogeneous_coordinates{*this}, [&](auto level, const auto& coordinate) {
-                                               internal::rational_bezier_jet<level, k, N>(dimension(), degree(), u,
-                                                                                          shape_.a_, shape_.b_,
-                                                                                          coordinate, order, x);
-                                             });
-  }
-  CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
-
-  template <int k> Curve_jet<Traits> jet_of_order(const FT& u, int order) const {
-    Curve_jet<Traits> x(dimension(), order, internal::Unspecified());
-    write_jet<k>(u, order, x);
-    return x;
-  }
-
-  Curve_jet<Traits> jet_of_any_order(const FT& u, int k) const {
-    if constexpr (is_spline)
-      return right_jet(u, k);
-    else {
-      Coordinate_jet<FT, M> jet(dimension() + 1, k);
-      internal::bezier_jet_of_any_order<Degree, M>(
-          dimension() + 1, degree(), u, domain().first, domain().second, k,
-          [&](int j, int i) { return homogeneous_coordinate(j, i); }, jet);
-      return Curve_jet<Traits>(project(jet));
-    }
-  }
-
-  template <class Field> Field length_over() const {
-    return Field(internal::to_field<Field>(domain().second) - internal::to_field<Field>(domain().first));
-  }
-
-  template <class Field, class Index>
-  Coordinate_jet<Field, N> jet_of_differences(int k, const Field& step, const Index& index) const {
-    return project(internal::jet_of_differences<Field, M, Degree>(
-        dimension() + 1, degree(), k, step, [&](int j, int i) { return homogeneous_coordinate<Field>(index(j), i); }));
-  }
-
   // (w_i b_i, w_i), multiplied in the field
   template <class Field> Coordinate_vector<Field, M> homogeneous_row(int i) const {
     return homogeneous_point(Geometric_continuity::coordinates<Traits, Field>(control_point(i)),
                              internal::to_field<Field>(weights_[i]));
-  }
-
-  template <class Field> Coordinate_jet<Field, N> jet_over(const FT& u, int span, int k) const {
-    Coordinate_jet<Field, M> jet(dimension() + 1, k);
-    internal::derivatives_over<Field>(
-        knots(), span, u, k, [&](int i) { return homogeneous_row<Field>(i); },
-        [&](int j, const Coordinate_vector<Field, M>& x) { jet[j] = x; });
-    return project(jet);
-  }
-  Curve_jet<Traits> jet_on_span(const FT& u, int span, int k) const {
-    return std::is_floating_point_v<FT> && 0 <= k && k <= 3 ? short_jet_on_span(u, span, k)
-                                                            : Curve_jet<Traits>(jet_over<FT>(u, span, k));
-  }
-  Curve_jet<Traits> short_jet_on_span(const FT& u, int span, int k) const {
-    typedef internal::Coordinate_row<FT, M> Row;
-    Curve_jet<Traits> x(dimension(), k, internal::Unspecified());
-    std::array<Row, 4> p;
-    for (int j = degree() + 1; j <= k; ++j)
-      p[j] = internal::coordinate_row<FT, M>(dimension() + 1, [](int) { return FT(0); });
-    internal::derivatives_over<FT>(
-        knots(), span, u, k,
-        [&](int i) {
-          return internal::coordinate_row<FT, M>(dimension() + 1, [&](int l) { return homogeneous_coordinate(i, l); });
-        },
-        [&](int j, const Row& y) {
-          // unreachable: tells compilers what holds
-          if (j <= 3) p[j] = y; // as a compiler may not see
-        });
-    internal::project_short<FT>(p, dimension(), k, x);
-    return x;
   }
 };
 

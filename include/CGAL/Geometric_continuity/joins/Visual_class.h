@@ -90,6 +90,7 @@ public:
     if constexpr (is_double<typename Traits::FT>) {
       // Differences, products and sums are rounded by 2^-52 in every rounding mode, once each.
       const Plane_products<double> r = products<double>();
+      // equivalent [* -> +, 1]: a larger bound leaves more to the exact decision
       const double error = 0x1p-49 * r.size;
       if (0x1p-800 < r.size && r.size < 0x1p800) {
         if (error < std::abs(r.cross))

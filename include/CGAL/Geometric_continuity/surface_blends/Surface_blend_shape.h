@@ -205,6 +205,22 @@ private:
   }
 };
 
+// The rows of both edges at the Greville abscissae of the one that has more of them.
+template <class Kind, class A, class B>
+std::pair<Edge_samples<Kind::is_rational>, Edge_samples<Kind::is_rational>>
+sampled_ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, Edge_direction direction, int order) {
+  const auto ends = Kind::ends(a, edge_a, b, edge_b, direction, order);
+  const auto &x = ends.first.knots, &y = ends.second.knots;
+  const auto& knots = x.number_of_coefficients() < y.number_of_coefficients() ? y : x;
+  std::pair<Edge_samples<Kind::is_rational>, Edge_samples<Kind::is_rational>> samples({ends.first, knots, order},
+                                                                                      {ends.second, knots, order});
+  if (is_zero(samples.first.jet[1]))
+    throw Error(Error_code::zero_tangent, "automatic_surface_shape: the first surface");
+  if (is_zero(samples.second.jet[1]))
+    throw Error(Error_code::zero_tangent, "automatic_surface_shape: the second surface");
+  return samples;
+}
+
 // With few binary digits; nothing where it is small in comparison with the unit.
 inline double short_part(double x, double unit) {
   check_finite(x, "automatic_surface_shape");
@@ -223,6 +239,23 @@ inline std::array<Across_edge, 2> across_edges(const Septic_ends<double, 0>&, co
                                                const Shape_parameters<double>& s) {
   return {{{s.beta, short_part(p.start.beta2, s.beta), short_part(p.start.beta3, s.beta)},
            {s.eta, short_part(p.end.beta2, s.eta), short_part(p.end.beta3, s.eta)}}};
+}
+
+// The derivatives that a strategy chooses for all curves together, which `start` and `end` are the ends of.
+template <class Strategy>
+std::array<Across_edge, 2> chosen_across_edges(const Strategy& strategy, const Coordinate_jet<double, 0>& start,
+                                               const Coordinate_jet<double, 0>& end) {
+  typedef std::conditional_t<is_quintic_surface_strategy_v<Strategy>, Quintic_ends<double, 0>, Septic_ends<double, 0>>
+      Ends;
+  const auto across = [&](const auto& chosen, const Shape_parameters<double>& s) {
+    const Ends e(start, end, s);
+    return across_edges(e, chosen(e), s);
+  };
+  if constexpr (Chooses_shape<Strategy, Coordinate_jet<double, 0>>::value) {
+    const auto chosen = strategy.choose(start, end);
+    return across(chosen.strategy, chosen.shape);
+  } else
+    return across(strategy, automatic_shape(start, end));
 }
 
 template <class FT> Edge_function<FT> short_constant(double x) { return {short_number_in<FT>(x)}; }
@@ -310,34 +343,16 @@ automatic_surface_shape(const Surface_a& a, Patch_edge edge_a, const Surface_b& 
                         const Strategy& strategy, Edge_direction direction) {
   static_assert(is_surface_blend_strategy_v<Strategy>, "the strategy is one for blends in every field");
   typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
-  typedef std::conditional_t<is_quintic_surface_strategy_v<Strategy>, Quintic_ends<double, 0>, Septic_ends<double, 0>>
-      Ends;
-  typedef Coordinate_jet<double, 0> Jet;
-  const auto ends = Kind::ends(a, edge_a, b, edge_b, direction, Ends::order);
-  const auto &x = ends.first.knots, &y = ends.second.knots;
-  const auto& knots = x.number_of_coefficients() < y.number_of_coefficients() ? y : x;
-  const internal::Edge_samples<Kind::is_rational> start(ends.first, knots, Ends::order),
-      end(ends.second, knots, Ends::order);
-  if (is_zero(start.jet[1])) throw Error(Error_code::zero_tangent, "automatic_surface_shape: the first surface");
-  if (is_zero(end.jet[1])) throw Error(Error_code::zero_tangent, "automatic_surface_shape: the second surface");
-
-  const auto shaped = [&](const auto& chosen, const Shape_parameters<double>& s) {
-    const Ends e(start.jet, end.jet, s);
-    const std::array<internal::Across_edge, 2> across = internal::across_edges(e, chosen(e), s);
-    Chosen_surface_shape<Surface_a, Surface_b, Strategy> shape;
-    internal::set_shape(shape.start, across[0], start.weights);
-    internal::set_shape(shape.end, across[1], end.weights);
-    if constexpr (Kind::is_rational)
-      shape.end.lambda = typename Kind::FT(internal::short_part(
-          std::sqrt(internal::mean_square_of_weights(start.weights) / internal::mean_square_of_weights(end.weights)),
-          0));
-    return shape;
-  };
-  if constexpr (internal::Chooses_shape<Strategy, Jet>::value) {
-    const auto chosen = strategy.choose(start.jet, end.jet);
-    return shaped(chosen.strategy, chosen.shape);
-  } else
-    return shaped(strategy, internal::automatic_shape(start.jet, end.jet));
+  constexpr int order = is_quintic_surface_strategy_v<Strategy> ? 2 : 3;
+  const auto [start, end] = internal::sampled_ends<Kind>(a, edge_a, b, edge_b, direction, order);
+  const std::array<internal::Across_edge, 2> across = internal::chosen_across_edges(strategy, start.jet, end.jet);
+  Chosen_surface_shape<Surface_a, Surface_b, Strategy> shape;
+  internal::set_shape(shape.start, across[0], start.weights);
+  internal::set_shape(shape.end, across[1], end.weights);
+  if constexpr (Kind::is_rational)
+    shape.end.lambda = typename Kind::FT(internal::short_part(
+        std::sqrt(internal::mean_square_of_weights(start.weights) / internal::mean_square_of_weights(end.weights)), 0));
+  return shape;
 }
 
 } // namespace Geometric_continuity

@@ -301,6 +301,48 @@ public:
   }
 };
 
+// Bounds the distance of a side of an edge from the edge as a curve in space, on ranges of the parameter.
+class Distance_bounds {
+  Side_evaluator side_;
+  Placed_curve curve_;
+  std::vector<double> ends_;
+
+public:
+  // \throws Error as divided_range()
+  Distance_bounds(const Edge_side& side, const Edge_curve& curve, double first, double last)
+      : side_(side), curve_(curve) {
+    for (double t : {first, last}) cad_domain(*curve.curve).check(t, "the range of an edge");
+    ends_ = divided_range({&side}, first, last);
+    for (double k : inner_knots(*curve.curve))
+      if (first < k && k < last) ends_.push_back(k);
+    std::sort(ends_.begin(), ends_.end());
+    ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
+  }
+
+  // Returns the ends of the parts into which the range is divided first.
+  const std::vector<double>& ends() const { return ends_; }
+
+  // Returns bounds of the square of the distance at equal parameters.
+  Bounds_on_range operator()(double lower, double upper) const {
+    const Edge_range range(lower, upper);
+    const Taylor_vector points = curve_.models(range);
+    Bounds_on_range bounds{0, 0, range.middle, false};
+    std::optional<double> at;
+    for (const Side_models& x : side_.models(range, Edge_quantity::gap)) {
+      const Bounds_on_range of_piece = square_on(range, x.point - points, at);
+      if (!of_piece.defined) return of_piece;
+      include(of_piece, bounds, at);
+    }
+    return bounds;
+  }
+
+  // Returns the point of the curve, rounded.
+  Cad_point<3> point(double t) const {
+    const auto p = curve_.jet(t)[0];
+    return {middle(p[0]), middle(p[1]), middle(p[2])};
+  }
+};
+
 } // namespace internal
 
 } // namespace Geometric_continuity
