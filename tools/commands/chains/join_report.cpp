@@ -109,16 +109,16 @@ std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<Int
 }
 
 template <class Span>
-Join_words join_words(const Join& join, const Span& left, const Span& right, const GC::Corner_threshold& bound) {
+Join_words join_words(const Join& join, const GC::Span_join<Span>& ends, const GC::Corner_threshold& bound) {
   Join_words words;
   bool certain = false;
-  Span::visit_enclosures(left, right, [&](const auto& x, const auto& y) {
+  ends.visit_enclosures([&](const auto& x, const auto& y) {
     const Enclosed_numbers numbers(x, y);
     words = words_of(join, x.dimension(), numbers, bound);
     certain = numbers.certain();
   });
   if (certain) return words;
-  const Jet x = left.jets().end_jet(3), y = right.jets().start_jet(3);
+  const Jet x = ends.left().jets().end_jet(3), y = ends.right().jets().start_jet(3);
   return words_of(join, x.dimension(), Exact_numbers(x, y), bound);
 }
 
@@ -138,7 +138,6 @@ void append_table_row(std::string& table, const Join& join, std::size_t left, st
   append(table, words.remark, '\n');
 }
 
-template Join_words join_words(const Join&, const Program_span<GC::Decimal>&, const Program_span<GC::Decimal>&,
+template Join_words join_words(const Join&, const GC::Span_join<Program_span<GC::Decimal>>&,
                                const GC::Corner_threshold&);
-template Join_words join_words(const Join&, const Program_span<double>&, const Program_span<double>&,
-                               const GC::Corner_threshold&);
+template Join_words join_words(const Join&, const GC::Span_join<Program_span<double>>&, const GC::Corner_threshold&);

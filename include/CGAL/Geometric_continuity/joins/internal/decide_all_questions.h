@@ -57,8 +57,9 @@ bool curvatures_differ(const Legs<std::int64_t, N>& left, const Legs<std::int64_
   return units < 0 ? (a << -2 * units) != b : a != (b << 2 * units);
 }
 template <int N> bool curvatures_differ(const Integer_end<N>& left, const Integer_end<N>& right) {
-  return curvatures_differ<N>(first_differences<2>(left.points), first_differences<2>(right.points),
-                              Degree_factors<std::int64_t>::geometric<Join_question::g2>(left.degree, right.degree), 0);
+  const Degree_factors<std::int64_t> w =
+      Degree_factors<std::int64_t>::geometric<Join_question::g2>(left.degree(), right.degree());
+  return curvatures_differ<N>(left.legs(), right.legs(), w, 0);
 }
 // On grids, or in interval arithmetic.
 template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_end<N>& right) {
@@ -216,11 +217,11 @@ template <class FT, int N> Join_parameters<FT> parameters_of(const Double_end<N>
   return Join_parameters<FT>(along(left), along(right));
 }
 template <class FT, int N> Join_parameters<FT> parameters_of(const Integer_end<N>& left, const Integer_end<N>& right) {
-  const int i = largest_coordinate(first_differences<1>(left.points)[0]);
+  const int i = largest_coordinate(left.legs()[0]);
   const auto along = [i](const Integer_end<N>& end) {
-    Parameter_end result{{}, 0, static_cast<double>(end.length), end.degree};
+    Parameter_end result{{}, 0, static_cast<double>(end.length()), end.degree()};
     for (int j = 0; j <= 3; ++j) {
-      const std::int64_t x = end.points[j][i];
+      const std::int64_t x = end.points()[j][i];
       result.points[j] = static_cast<double>(x);
       result.rests[j] = static_cast<double>(x - static_cast<std::int64_t>(result.points[j]));
     }
@@ -230,10 +231,8 @@ template <class FT, int N> Join_parameters<FT> parameters_of(const Integer_end<N
 }
 
 // Everything that Join_continuity says, for two ends with double coordinates and orders up to 3; see decide_all_questions().
-template <int N, class Left, class Right, class Result>
-void decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join,
-                           bool only_orders = false) {
-  const Double_ends<N> ends(left, right);
+template <int N, class Result>
+void decide_all_on_doubles(const Double_ends<N>& ends, int max_order, Result& join, bool only_orders = false) {
   decide_all_questions(ends, max_order, join, only_orders);
   if (join.g_order >= 1 && !only_orders)
     join.parameters = parameters_of<typename Result::Number, N>(ends.left(), ends.right());
