@@ -153,7 +153,7 @@ private:
 // The blocks of a text with their words, one after the other; with Parallel_tag some are split ahead, on other cores.
 template <class Concurrency_tag> class Text_blocks {
   typedef Task<Concurrency_tag> Splitting;
-  static constexpr std::size_t blocks_ahead = Splitting::concurrent ? 8 : 1;
+  const std::size_t blocks_ahead_ = Splitting::may_wait() ? 8 : 1;
 
   struct Ahead {
     Text_block block;
@@ -173,7 +173,7 @@ public:
   // false at the end of the text, and leaves the old block.
   bool next(Text_block& block, long long& lines) {
     for (long long passed = block.newlines();;) {
-      while (!ended_ && ahead_.size() < blocks_ahead) read_ahead();
+      while (!ended_ && ahead_.size() < blocks_ahead_) read_ahead();
       if (ahead_.empty()) return false;
       std::unique_ptr<Ahead> first = std::move(ahead_.front());
       ahead_.pop_front();

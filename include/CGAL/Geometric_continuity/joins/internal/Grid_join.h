@@ -116,14 +116,14 @@ template <class Part> bool has_bezier_points(const Part& part, bool at_end) {
   return true;
 }
 
-// An enclosure of an integer below 2^60 in absolute value, and of what is one.
-inline Interval_nt<false> enclosed(std::int64_t x) {
+// The product of an interval and an integer below 2^60 in absolute value, or another interval.
+inline Interval_nt<false> enclosed_product(std::int64_t x, const Interval_nt<false>& y) {
   const double infinity = std::numeric_limits<double>::infinity(), rounded = static_cast<double>(x);
   return static_cast<std::int64_t>(rounded) == x
-             ? Interval_nt<false>(rounded)
-             : Interval_nt<false>(std::nextafter(rounded, -infinity), std::nextafter(rounded, infinity));
+             ? rounded * y
+             : Interval_nt<false>(std::nextafter(rounded, -infinity), std::nextafter(rounded, infinity)) * y;
 }
-inline const Interval_nt<false>& enclosed(const Interval_nt<false>& x) { return x; }
+inline Interval_nt<false> enclosed_product(const Interval_nt<false>& x, const Interval_nt<false>& y) { return x * y; }
 
 // Encloses the jet of order 3 at an end with respect to a parameter of the domain [0, 1], from the points in these units: differences of
 // integers are exact. \pre rounding upwards, as in the scope of Protect_FPU_rounding
@@ -135,11 +135,11 @@ Coordinate_jet<Interval_nt<false>, static_cast<int>(N)> enclosed_jet(const std::
   const Differences<T, dimension> d = differences_of<3, left>(first_differences<3>(points), degree);
   Coordinate_jet<Interval, dimension> jet(dimension, 3);
   double factor = 1; // m!/(m-k)!
-  for (int i = 0; i < dimension; ++i) jet[0][i] = enclosed(points[0][i]) * unit;
+  for (int i = 0; i < dimension; ++i) jet[0][i] = enclosed_product(points[0][i], unit);
   for (int k = 1; k <= 3; ++k) {
     factor *= (std::max)(degree - k + 1, 0);
     const Interval scale = Interval(factor) * unit;
-    for (int i = 0; i < dimension; ++i) jet[k][i] = enclosed(d[k - 1][i]) * scale;
+    for (int i = 0; i < dimension; ++i) jet[k][i] = enclosed_product(d[k - 1][i], scale);
   }
   return jet;
 }
@@ -193,6 +193,8 @@ template <int N> class Grid_join {
 
 public:
   static constexpr int dimension = N;
+
+  Grid_join() {} // leaves what set() assigns
 
   // Brings the join of two parts without weights on grids. Returns false if that is not possible.
   template <class Part> bool set(const Part& x, const Part& y) {
@@ -265,8 +267,7 @@ public:
   typedef Coordinate_jet<Interval_nt<false>, N> Jet;
   std::pair<Jet, Jet> enclosed_jets() const {
     typedef Interval_nt<false> Interval;
-    Interval unit(1);
-    unit /= enclosed(denominator_);
+    Interval unit = Interval(1) / enclosed_product(denominator_, Interval(1));
     for (int e = exponent_; e < 0;) {
       double power = 1; // exact up to 10^22
       for (int last = (std::min)(e + 22, 0); e < last; ++e) power *= 10;
