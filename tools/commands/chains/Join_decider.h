@@ -41,7 +41,7 @@ public:
     const bool only_orders = mode_.summary || mode_.has_findings();
     const Ends ends(left, right);
     Join join = only_orders ? ends.orders(demand_.max_order) : ends.continuity(demand_.max_order);
-    if (only_orders && join.g_order == 0) join = ends.continuity(demand_.max_order); // is a tangent zero?
+    if (only_orders && join.g_order == 0) ends.complete(join, demand_.max_order); // is a tangent zero?
     joins.summary.add(join);
     const Drawn drawn = this->drawn(join, left, right);
     if (drawn) joins.drawn.add(*drawn);
@@ -50,7 +50,7 @@ public:
     Claim claim = this->claim(join, drawn, within);
     if (claim == Claim::not_met && is_open && is_about_tangents()) claim = Claim::undecided;
     const bool fails = claim != Claim::met, is_noted = this->is_noted(join, drawn, within);
-    if (only_orders && (fails || (mode_.has_findings() && is_noted))) join = ends.continuity(demand_.max_order);
+    if (only_orders && (fails || (mode_.has_findings() && is_noted))) ends.complete(join, demand_.max_order);
     joins.part.add(place.file, {claim, "join", is_open ? too_few_derivatives : "the tolerance lies between the bounds"},
                    is_noted, [&] { return finding(place, join, drawn, ends, within, claim); });
     if (mode_.has_findings() || (mode_.summary && !fails)) return;

@@ -27,9 +27,16 @@ void append_orders(std::string& text, const Join& join) {
     append(text, 'C', join.c_order, " G", join.g_order, " F", join.f_order);
 }
 
-// "from x to y", or the size of the jump when it does not show in the rounded numbers.
-template <class Size> std::string jump(const std::string& from, const std::string& to, Size size) {
-  return from != to ? "from " + from + " to " + to : "by " + size() + " at " + from;
+// "name jumps from x to y", or the size of the jump when it does not show in the rounded numbers.
+template <class Size>
+std::string jump(const char* name, const std::string& from, const std::string& to, Size size) {
+  std::string text;
+  text.reserve(64);
+  if (from != to)
+    append(text, name, " jumps from ", from, " to ", to);
+  else
+    append(text, name, " jumps by ", size(), " at ", from);
+  return text;
 }
 
 // An angle of tangents is called by its name without a bound of kinks.
@@ -51,12 +58,11 @@ std::string remark_of(const Join& join, const Numbers& numbers, const GC::Corner
   if (!*join.curvature_vector_equal) {
     if (*join.curvature_equal)
       return "equal curvature " + numbers.left_curvature() + ", but the curve bends another way";
-    return "curvature jumps " +
-           jump(numbers.left_curvature(), numbers.right_curvature(), [&] { return numbers.curvature_jump(); });
+    return jump("curvature", numbers.left_curvature(), numbers.right_curvature(),
+                [&] { return numbers.curvature_jump(); });
   }
   if (join.torsion_equal && !*join.torsion_equal)
-    return "torsion jumps " +
-           jump(numbers.left_torsion(), numbers.right_torsion(), [&] { return numbers.torsion_jump(); });
+    return jump("torsion", numbers.left_torsion(), numbers.right_torsion(), [&] { return numbers.torsion_jump(); });
   return "smooth";
 }
 

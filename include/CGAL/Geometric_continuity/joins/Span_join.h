@@ -48,11 +48,20 @@ public:
 
   /// Decides the join as `continuity()` of two curves does.
   /// \throws Error as `continuity()` does
-  Result continuity(int max_order = 3) const { return decided(max_order, false); }
+  Result continuity(int max_order = 3) const { return decided(max_order, internal::Join_asked::all); }
 
   /// Decides the orders, as `continuity()` does, and nothing else: the flags and shape parameters of the result are unspecified.
   /// \throws Error as `continuity()` does
-  Result orders(int max_order = 3) const { return decided(max_order, true); }
+  Result orders(int max_order = 3) const { return decided(max_order, internal::Join_asked::orders); }
+
+  /// Makes of the result of `orders()` that of `continuity()` for the same order: what is known is not decided again.
+  /// \throws Error as `continuity()` does
+  void complete(Result& join, int max_order = 3) const {
+    if (max_order < 2 || max_order > 3 || !visit_ends([&](const auto& ends) {
+          return ends.decide(max_order, join, internal::Join_asked::flags);
+        }))
+      join = continuity(max_order);
+  }
 
   /// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of the left span and at the start of the right one, with respect to
   /// parameters of the domain [0, 1] each: `Coordinate_jet`s of `Interval_nt<false>`, with which `f` can compute. Returns false, without a
@@ -88,12 +97,13 @@ private:
     if (!ends_.template emplace<Ends<N>>().set(left_.part_, right_.part_)) ends_.template emplace<0>();
   }
 
-  Result decided(int max_order, bool only_orders) const {
+  Result decided(int max_order, internal::Join_asked asked) const {
     if (max_order < 0) throw Error(Error_code::negative_count, "continuity: order");
     Result join;
-    if (max_order <= 3 && ((only_orders && is_decided_at_knot(max_order, join)) ||
-                           visit_ends([&](const auto& ends) { return ends.decide(max_order, join, only_orders); })))
-      return join;
+    if (max_order <= 3) {
+      if (asked == internal::Join_asked::orders && is_decided_at_knot(max_order, join)) return join;
+      if (visit_ends([&](const auto& ends) { return ends.decide(max_order, join, asked); })) return join;
+    }
     return Geometric_continuity::continuity(left_.jets(), right_.jets(), max_order);
   }
 

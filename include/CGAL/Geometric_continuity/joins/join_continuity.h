@@ -54,7 +54,7 @@ Join_continuity<Predicate_FT<typename Left::Traits>> decide_polygons_of_doubles(
                                                                                 int max_order, bool only_orders) {
   Join_continuity<Predicate_FT<typename Left::Traits>> join;
   const Double_ends<dimension_v<typename Left::Traits>> ends(left_end(left), right_end(right));
-  decide_all_on_doubles(ends, max_order, join, only_orders);
+  decide_all_on_doubles(ends, max_order, join, only_orders ? Join_asked::orders : Join_asked::all);
   return join;
 }
 

@@ -163,8 +163,8 @@ public:
     ends_.emplace(End<Part>{x, true}, End<Part>{y, false});
     return true;
   }
-  template <class Result> bool decide(int max_order, Result& join, bool only_orders) const {
-    decide_all_on_doubles(*ends_, max_order, join, only_orders);
+  template <class Result> bool decide(int max_order, Result& join, Join_asked asked) const {
+    decide_all_on_doubles(*ends_, max_order, join, asked);
     return true;
   }
   typedef Coordinate_jet<Interval_nt<false>, N> Jet;
@@ -237,9 +237,9 @@ public:
 
   // Everything that Join_continuity says, or only the orders, for orders up to 3. Returns false when some of it needs multi-precision
   // numbers; then `join` is unspecified.
-  template <class FT> bool decide(int max_order, Join_continuity<FT>& join, bool only_orders) const {
-    if (!decide_all_questions(*this, max_order, join, only_orders)) return false;
-    if (join.g_order >= 1 && !only_orders) {
+  template <class FT> bool decide(int max_order, Join_continuity<FT>& join, Join_asked asked) const {
+    if (!decide_all_questions(*this, max_order, join, asked)) return false;
+    if (join.g_order >= 1 && asked != Join_asked::orders) {
       join.parameters = parameters_of<FT, N>(left_, right_);
       join.parameters.set_unit(unit_of_parameters_, exponent_of_parameters_);
     }

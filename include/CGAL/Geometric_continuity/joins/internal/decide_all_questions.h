@@ -104,11 +104,14 @@ inline bool is_curved(const Legs<double, 3>& legs) {
 }
 inline bool is_curved(const Legs<double, 2>&) { return false; }
 
+// What is asked of a join: everything, the orders, or everything where the orders, of which the greatest is 2 or 3, are known.
+enum class Join_asked { all, orders, flags };
+
 // Everything that Join_continuity says but the shape parameters, for a join in the plane or in space and orders up to 3; if only the
 // orders are wanted, the flags are left as they are where they are not decided by the way. `Questions` answers questions about the two
 // ends. Returns false when some of it needs multi-precision numbers; then `join` is unspecified.
 template <class Questions, class Result>
-bool decide_all_questions(const Questions& questions, int max_order, Result& join, bool only_orders = false) {
+bool decide_all_questions(const Questions& questions, int max_order, Result& join, Join_asked asked) {
   constexpr int N = Questions::dimension;
   bool unknown = false;
   const auto holds = [&](auto question) { // nothing is asked any more once one answer has been unknown
@@ -119,8 +122,9 @@ bool decide_all_questions(const Questions& questions, int max_order, Result& joi
   };
   int contact = 0; // of the curves, wherever their ends are
   join.regular = questions.regular();
-  const bool meet = questions.ends_meet();
-  if (meet) { // C^k is asked first, since it costs least, and curves that are regular and C^k are G^k
+  const bool meet = questions.ends_meet(), is_known = asked == Join_asked::flags && meet,
+             only_orders = asked == Join_asked::orders;
+  if (meet && !is_known) { // C^k is asked first, since it costs least, and curves that are regular and C^k are G^k
     join.c_order = join.g_order = join.f_order = 0;
     if (max_order >= 1 && holds(Question<Join_question::c1>())) {
       join.c_order = 1;
@@ -131,7 +135,9 @@ bool decide_all_questions(const Questions& questions, int max_order, Result& joi
     }
   }
   if (join.regular && (meet || !only_orders)) {
-    if (max_order >= 3 && (join.c_order == 3 || holds(Question<Join_question::g3>())))
+    if (is_known)
+      contact = join.g_order;
+    else if (max_order >= 3 && (join.c_order == 3 || holds(Question<Join_question::g3>())))
       contact = 3;
     else
       contact = join.c_order >= 2 || holds(Question<Join_question::g2>())   ? 2
@@ -232,9 +238,9 @@ template <class FT, int N> Join_parameters<FT> parameters_of(const Integer_end<N
 
 // Everything that Join_continuity says, for two ends with double coordinates and orders up to 3; see decide_all_questions().
 template <int N, class Result>
-void decide_all_on_doubles(const Double_ends<N>& ends, int max_order, Result& join, bool only_orders = false) {
-  decide_all_questions(ends, max_order, join, only_orders);
-  if (join.g_order >= 1 && !only_orders)
+void decide_all_on_doubles(const Double_ends<N>& ends, int max_order, Result& join, Join_asked asked) {
+  decide_all_questions(ends, max_order, join, asked);
+  if (join.g_order >= 1 && asked != Join_asked::orders)
     join.parameters = parameters_of<typename Result::Number, N>(ends.left(), ends.right());
 }
 
