@@ -28,8 +28,7 @@ void append_orders(std::string& text, const Join& join) {
 }
 
 // "name jumps from x to y", or the size of the jump when it does not show in the rounded numbers.
-template <class Size>
-std::string jump(const char* name, const std::string& from, const std::string& to, Size size) {
+template <class Size> std::string jump(const char* name, const std::string& from, const std::string& to, Size size) {
   std::string text;
   text.reserve(64);
   if (from != to)

@@ -57,9 +57,8 @@ public:
   /// Makes of the result of `orders()` that of `continuity()` for the same order: what is known is not decided again.
   /// \throws Error as `continuity()` does
   void complete(Result& join, int max_order = 3) const {
-    if (max_order < 2 || max_order > 3 || !visit_ends([&](const auto& ends) {
-          return ends.decide(max_order, join, internal::Join_asked::flags);
-        }))
+    if (max_order < 2 || max_order > 3 ||
+        !visit_ends([&](const auto& ends) { return ends.decide(max_order, join, internal::Join_asked::flags); }))
       join = continuity(max_order);
   }
 

@@ -246,9 +246,7 @@ public:
     return true;
   }
 
-  bool regular() const {
-    return left_.points()[0] != left_.points()[1] && right_.points()[0] != right_.points()[1];
-  }
+  bool regular() const { return left_.points()[0] != left_.points()[1] && right_.points()[0] != right_.points()[1]; }
   bool ends_meet() const { return left_.points()[0] == right_.points()[0]; }
   template <Join_question question> Join_answer decide() const {
     const All_join_stages stages;
