@@ -50,6 +50,7 @@ struct Command {
   std::vector<std::string> arguments;
   double goal;
   int cores = 1;
+  int code = 0; // with which the program ends
 };
 
 // Runs a program on generated files, in turns with the reading limit, and prints what both cost, their ratios and the goals.
@@ -93,23 +94,25 @@ class Program_benchmark {
     system_failure(program_);
   }
   // Waits for the program; when it fails, its messages are printed as well.
-  Cost wait(const Measured_process& process, const std::vector<std::string>& arguments) const {
+  Cost wait(const Measured_process& process, const std::vector<std::string>& arguments, int code = 0) const {
     try {
-      return process.wait(program_ + ' ' + joined(arguments));
+      return process.wait(program_ + ' ' + joined(arguments), code);
     } catch (const std::exception&) {
       std::ifstream messages(folder_ / "messages");
       for (std::string line; std::getline(messages, line);) std::cerr << line << '\n';
       throw;
     }
   }
-  Cost run(const std::vector<std::string>& arguments, int cores, const std::string& output) const {
+  Cost run(const Command& command, const std::string& path, int cores, const std::string& output) const {
+    std::vector<std::string> arguments = command.arguments;
+    arguments.push_back(path);
     const Measured_process process([&] {
       use_cores(cores);
       write_to(output, STDOUT_FILENO);
       write_to(folder_ / "messages", STDERR_FILENO);
       execute(arguments);
     });
-    return wait(process, arguments);
+    return wait(process, arguments, command.code);
   }
   Cost run_limit(const std::string& path, std::int64_t numbers) const {
     const Measured_process process([&] {
@@ -138,18 +141,13 @@ public:
     if (!os) throw std::runtime_error(path + ": cannot be written");
     print_title(name + (": " + std::to_string(std::filesystem::file_size(path)) + " bytes, ") +
                 std::to_string(numbers) + " numbers");
-    const auto arguments = [&path](const Command& command) {
-      std::vector<std::string> words = command.arguments;
-      words.push_back(path);
-      return words;
-    };
-    run(arguments(commands[0]), 1, folder_ / "output");
+    run(commands[0], path, 1, folder_ / "output");
     check_answer(folder_ / "output", answer);
 
     std::vector<Cost> costs; // of the limit, then of the commands
     for (int i = 0; i < runs; ++i) {
       std::vector<Cost> now{run_limit(path, numbers)};
-      for (const Command& command : commands) now.push_back(run(arguments(command), command.cores, "/dev/null"));
+      for (const Command& command : commands) now.push_back(run(command, path, command.cores, "/dev/null"));
       if (i == 0) costs = now;
       for (std::size_t k = 0; k < now.size(); ++k) costs[k] = best(costs[k], now[k]);
     }

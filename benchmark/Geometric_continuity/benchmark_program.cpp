@@ -78,6 +78,15 @@ void measure(const Options& options) {
         return std::int64_t(28) * cubics;
       },
       commands, joins + " joins: " + joins + " G2");
+  const int bent = options.scaled(300000);
+  benchmark.measure(
+      "bent.g2",
+      [&](std::ostream& os) {
+        write_bent_cubics(os, bent);
+        return std::int64_t(28) * bent;
+      },
+      {{{"verify", "--summary"}, 3}, {{"verify"}, 6}, {{"verify", "--summary", "--require", "G2"}, 4, 1, 1}},
+      std::to_string(bent - 1) + " joins: " + std::to_string(bent - 1) + " G1");
   benchmark.measure(
       "patches.g2",
       [&](std::ostream& os) {

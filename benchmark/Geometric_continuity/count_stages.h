@@ -87,8 +87,8 @@ namespace internal {
 
 // What the ladder leaves open is decided from jets: the answer is not known here.
 template <class Questions, class Result>
-bool count_all_questions(const Questions& questions, int max_order, Result& join, bool only_orders) {
-  const bool decided = decide_all_questions(questions, max_order, join, only_orders);
+bool count_all_questions(const Questions& questions, int max_order, Result& join, Join_asked asked) {
+  const bool decided = decide_all_questions(questions, max_order, join, asked);
   if (!decided) stage_counts.join(Stage::multiprecision, Join_answer::unknown);
   return decided;
 }

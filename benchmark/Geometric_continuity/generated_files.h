@@ -127,6 +127,29 @@ inline void write_cubics(std::ostream& os, int count) {
   }
 }
 
+// Writes cubics in space with six decimals of which each goes on in the direction of the one before, exactly, and with another curvature.
+inline void write_bent_cubics(std::ostream& os, int count) {
+  typedef std::array<std::int64_t, 3> Point; // in millionths
+  Block_writer out(os);
+  Point x{0, 0, 0}, leg{1000000, 300000, 200000};
+  for (int i = 0; i < count; ++i) {
+    std::array<Point, 4> p;
+    const Point last = leg;
+    for (int c = 0; c < 3; ++c) {
+      const auto jitter = [&](int k) { return random_bits((std::uint64_t(i) << 3) + 2 * c + k, 19) - (1 << 18); };
+      leg[c] = (c == 0 ? 1000000 : c == 1 ? 300000 : 200000) + jitter(0);
+      p[0][c] = x[c];
+      p[1][c] = x[c] + last[c];
+      p[3][c] = x[c] + 3 * last[c] + jitter(1) / 4;
+      p[2][c] = p[3][c] - leg[c];
+    }
+    out << "100 1 0 0\n3 0\n4 4\n0 0 0 0 1 1 1 1\n";
+    for (const Point& point : p)
+      for (int c = 0; c < 3; ++c) out.decimal(point[c], 6) << (c < 2 ? ' ' : '\n');
+    x = p[3];
+  }
+}
+
 // Writes an SVG drawing of `paths` paths of 100 segments as editors do, in relative coordinates with two decimals: curves that go
 // on in the direction of the segment before as far as the decimals allow, or exactly (`s`), and every fifth segment is a line.
 // Returns the number of coordinates.

@@ -80,8 +80,8 @@ public:
     ::_exit(code);
   }
 
-  // Waits until it ends. \throws std::runtime_error for `name` when it did not succeed.
-  Cost wait(const std::string& name) const {
+  // Waits until it ends. \throws std::runtime_error for `name` when it ends with another exit code.
+  Cost wait(const std::string& name, int code = 0) const {
     int status;
     rusage usage;
     while (::wait4(id_, &status, 0, &usage) < 0) {
@@ -91,7 +91,8 @@ public:
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
     if (Interruption::requested()) throw std::runtime_error("interrupted");
     if (WIFSIGNALED(status)) throw std::runtime_error(name + ": ended by signal " + std::to_string(WTERMSIG(status)));
-    if (WEXITSTATUS(status) != 0) throw std::runtime_error(name + ": exit code " + std::to_string(WEXITSTATUS(status)));
+    if (WEXITSTATUS(status) != code)
+      throw std::runtime_error(name + ": exit code " + std::to_string(WEXITSTATUS(status)));
     return {elapsed.count(), seconds(usage.ru_utime) + seconds(usage.ru_stime),
             static_cast<double>(usage.ru_maxrss) / 1024};
   }

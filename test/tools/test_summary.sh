@@ -106,6 +106,14 @@ assert short["joins"] == [j for j in full["joins"] if j["g_order"] < 2] and len(
 del full["joins"], short["joins"]
 assert full == short'
 fi
+# whatever was decided of a join before it failed
+for options in "--require G3" "--require G2 --max-order 2" "--require G1 --max-order 1" "--require G0 --max-order 0" \
+  "--require C1" "--require F3" "--require G2 --kernel double" "--require C2 --closed"; do
+  run 1 verify short.g2 $options && grep -E '^[0-9]+ -> ' out >full.txt
+  run 1 verify short.g2 $options --summary && grep -E '^[0-9]+ -> ' out >rows.txt
+  holds [ "$(grep -cvxFf full.txt rows.txt)" -eq 0 ]
+  says out "$(wc -l <rows.txt) of them not"
+done
 # other requirements, and a tolerance that some of the kinks keep
 run 1 verify decimal.g2 --require G0 --summary && holds [ "$(wc -l <out)" -eq 78 ]
 run 1 verify short.g2 --require C1 && grep -cE '^[0-9]+ -> [0-9]+ +(gap|C0)' out >expected.txt

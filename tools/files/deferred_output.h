@@ -23,7 +23,7 @@
 // Collects output until all input has been read and found good: in memory, or, what is longer than a few megabytes, in a
 // temporary file of the folder TMPDIR, which has no name any more as soon as it exists.
 class Deferred_output {
-  static constexpr std::size_t max_in_memory = std::size_t(4) << 20;
+  static constexpr std::size_t max_in_memory = std::size_t(4) << 20, block_of_file = std::size_t(1) << 16;
   std::string text_; // behind what is in the file
   std::size_t size_in_file_ = 0;
   std::string path_ = folder() + "/geometric_continuity_XXXXXX";
@@ -73,7 +73,7 @@ public:
 
   void write(const std::string& text) {
     text_ += text;
-    if (text_.size() > max_in_memory) move_to_file();
+    if (text_.size() > (file_ < 0 ? max_in_memory : block_of_file)) move_to_file();
   }
 
   // How much was written.

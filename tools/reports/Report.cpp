@@ -28,9 +28,16 @@ class Text_writer : public Report::Writer {
 public:
   explicit Text_writer(bool summary) : summary_(summary), may_be_short_(!summary && isatty(STDOUT_FILENO) != 0) {}
 
+  void write(Deferred_output& output, const std::string& lines) const {
+    if (lines.size() <= columns_)
+      output.write(lines);
+    else
+      output.write(within_columns(lines, columns_));
+  }
+
   void row(const std::string&, const std::string& rows, const std::string& failing_rows) override {
-    if (!summary_) rows_.write(within_columns(rows, columns_));
-    if (summary_ || may_be_short_) failing_rows_.write(within_columns(failing_rows, columns_));
+    if (!summary_) write(rows_, rows);
+    if (summary_ || may_be_short_) write(failing_rows_, failing_rows);
   }
   void find(const Finding&) override {}
   void pass(const std::string&, std::size_t) override {}

@@ -27,9 +27,9 @@ inline std::string broken_joins(std::size_t broken, std::size_t joins) {
   return "rounding has broken " + std::to_string(broken) + " of " + counted(joins, "join");
 }
 
-// What rounded() returns, for most numbers that are written without an exponent; empty for others. A number times an exact power of
-// ten has a relative error below 2^-51, which matters only next to the middle between two integers.
-inline std::string rounded_by_product(double x, int digits) {
+// What rounded() returns for both of two numbers, for most that are written without an exponent; empty for others. A number times an exact
+// power of ten has a relative error below 2^-51, which matters only next to the middle between two integers.
+inline std::string rounded_by_product(double x, double y, int digits) {
   static constexpr double powers[] = {1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10};
   constexpr int most_digits = 6;
   const double size = std::abs(x);
@@ -37,7 +37,11 @@ inline std::string rounded_by_product(double x, int digits) {
   int places = 0; // behind the point: at most three zeros and the digits
   while (size * powers[places] < powers[digits - 1]) ++places;
   const double product = size * powers[places], low = std::floor(product), rest = product - low;
+  const double other = std::abs(y) * powers[places] - low;
   if (std::abs(rest - 0.5) < 1e-6 || !(low + 1 < powers[digits])) return {};
+  if (x != y && ((x < 0) != (y < 0) || !(0 <= other && other < 1) || std::abs(other - 0.5) < 1e-6 ||
+                 (rest > 0.5) != (other > 0.5)))
+    return {};
   int figures = static_cast<int>(low) + (rest > 0.5);
   for (; places > 0 && figures % 10 == 0; figures /= 10) --places;
   char text[24], *const end = text + sizeof text, *begin = end; // from the last figure on
@@ -64,7 +68,7 @@ template <class... Parts> void append(std::string& text, const Parts&... parts) 
 
 // Returns a number with this many significant digits, as printf() does with %g, but zero has no sign.
 inline std::string rounded(double x, int digits) {
-  std::string text = rounded_by_product(x, digits);
+  std::string text = rounded_by_product(x, x, digits);
   if (!text.empty()) return text;
   char figures[64];
   const double y = x == 0 ? 0.0 : x;

@@ -15,6 +15,8 @@
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Geometric_continuity/joins/Span_join.h>
+#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
@@ -164,8 +166,14 @@ template <class Traits, class Number> std::vector<GC::G2_span<Traits, Number>> r
 template <class Span> int check_join(const Span& left, const Span& right, const std::string& file) {
   int order = 0;
   for (int max_order : {3, below(3)}) {
+    const GC::Span_join<Span> ends(left, right);
     const auto expected = GC::continuity(left.jets(), right.jets(), max_order),
                join = continuity(left, right, max_order), orders = continuity_orders(left, right, max_order);
+    auto completed = ends.orders(max_order);
+    ends.complete(completed, max_order);
+    BOOST_CHECK_MESSAGE(answers(completed) == answers(expected), answers(completed)
+                                                                     << " is not " << answers(expected) << '\n'
+                                                                     << file);
     BOOST_CHECK_MESSAGE(answers(join) == answers(expected), answers(join) << " is not " << answers(expected) << '\n'
                                                                           << file);
     BOOST_CHECK_MESSAGE(orders.c_order == expected.c_order && orders.g_order == expected.g_order &&
@@ -342,6 +350,26 @@ BOOST_AUTO_TEST_CASE(spans_off_the_grid) {
   CHECK_ERROR(continuity(left, right, -1), negative_count);
   CHECK_ERROR(continuity(right, spatial), dimension_mismatch);
   CHECK_ERROR(continuity_orders(right, spatial), dimension_mismatch);
+}
+
+// Short decimals are decided on integers, without the work on jets: legs beyond those of doubles, and domains of any lengths.
+BOOST_AUTO_TEST_CASE(decided_on_integers) {
+  const std::string head = "100 1 0 0 2 0\n4 4\n";
+  const auto order = [&](const std::string& ends, const std::string& unit, bool is_smooth) {
+    std::string file = head + "0 0 0 0 1 1 1 1\n";
+    for (const int x : {0, 0, 1, 2, 3, 2, 4, 1}) file += std::to_string(x) + unit + ' ';
+    file += '\n' + head + ends;
+    for (const int x : {4, 1, is_smooth ? 5 : 7, 0, 6, 3, 8, 2}) file += std::to_string(x) + unit + ' ';
+    const auto spans = read_spans<Exact_2, GC::Decimal>(file);
+    const GC::Work_scope none(GC::Work_limit(1));
+    return continuity_orders(spans[0], spans[1]).g_order;
+  };
+  for (const std::string& unit :
+       {std::string(), std::string("e-6"), std::string("3456789012345"), std::string("34567890123456701")}) {
+    BOOST_CHECK_EQUAL(order("0 0 0 0 1 1 1 1\n", unit, false), 0);
+    BOOST_CHECK_EQUAL(order("0 0 0 0 2 2 2 2\n", unit, true), 1);
+    BOOST_CHECK_EQUAL(order("0 0 0 0 1.234567 1.234567 1.234567 1.234567\n", unit, true), 1);
+  }
 }
 
 // Enclosures of the jets at a join of two spans, with respect to parameters of [0, 1], contain the exact ones, and are narrow. Returns

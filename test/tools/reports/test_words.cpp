@@ -38,6 +38,18 @@ void check(double x, int digits) {
   }
 }
 
+// Two numbers have one text by products only where each has it.
+bool check_both(double x, double y, int digits) {
+  const std::string text = rounded_by_product(x, y, digits);
+  if (!text.empty()) {
+    check(x, digits);
+    check(y, digits);
+    BOOST_REQUIRE_EQUAL(text, rounded(x, digits));
+    BOOST_REQUIRE_EQUAL(text, rounded(y, digits));
+  }
+  return !text.empty();
+}
+
 } // namespace
 
 BOOST_AUTO_TEST_CASE(rounded_as_printf) {
@@ -46,4 +58,18 @@ BOOST_AUTO_TEST_CASE(rounded_as_printf) {
   for (const double x : {0., -0., 1., -1., 1e-4, 9.9995, 0.00099995, 2.5, 999999.5, 1e300, 5e-324,
                          std::numeric_limits<double>::infinity()})
     for (int digits = 1; digits <= 9; ++digits) check(x, digits);
+}
+
+BOOST_AUTO_TEST_CASE(rounded_together) {
+  Random random;
+  int found = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const double x = random.number(), y = x * (1 + std::pow(10., -random.integer(1, 12)));
+    const int digits = random.integer(1, 6);
+    found += check_both(x, y, digits) + check_both(y, x, digits);
+    BOOST_REQUIRE(!check_both(x, -x, digits) || x == 0);
+  }
+  BOOST_CHECK_GT(found, 10000);
+  BOOST_CHECK(check_both(12.341, 12.344, 4) && check_both(-0.5, -0.5, 3));
+  BOOST_CHECK(!check_both(12.344, 12.346, 4) && !check_both(12.336, 12.344, 4) && !check_both(12.34, 123.4, 4));
 }

@@ -8,6 +8,7 @@
 #include "commands/chains/Chain_report.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
+#include <CGAL/Geometric_continuity/joins/Span_join.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 
@@ -27,6 +28,7 @@ struct Join_place {
 
 // Decides the joins of spans and writes the rows of a report, or its findings.
 template <class Span> class Join_decider {
+  typedef GC::Span_join<Span> Ends;
   const Join_demand& demand_;
   const Report_mode mode_;
 
@@ -37,9 +39,9 @@ public:
     std::optional<GC::Order_within> within;
     if (demand_.tolerance) within = GC::order_within(left.jets(), right.jets(), demand_.tolerance->joins);
     const bool only_orders = mode_.summary || mode_.has_findings();
-    Join join =
-        only_orders ? continuity_orders(left, right, demand_.max_order) : continuity(left, right, demand_.max_order);
-    if (only_orders && join.g_order == 0) join = continuity(left, right, demand_.max_order); // is a tangent zero?
+    const Ends ends(left, right);
+    Join join = only_orders ? ends.orders(demand_.max_order) : ends.continuity(demand_.max_order);
+    if (only_orders && join.g_order == 0) ends.complete(join, demand_.max_order); // is a tangent zero?
     joins.summary.add(join);
     const Drawn drawn = this->drawn(join, left, right);
     if (drawn) joins.drawn.add(*drawn);
@@ -48,16 +50,16 @@ public:
     Claim claim = this->claim(join, drawn, within);
     if (claim == Claim::not_met && is_open && is_about_tangents()) claim = Claim::undecided;
     const bool fails = claim != Claim::met, is_noted = this->is_noted(join, drawn, within);
-    if (only_orders && (fails || (mode_.has_findings() && is_noted))) join = continuity(left, right, demand_.max_order);
+    if (only_orders && (fails || (mode_.has_findings() && is_noted))) ends.complete(join, demand_.max_order);
     joins.part.add(place.file, {claim, "join", is_open ? too_few_derivatives : "the tolerance lies between the bounds"},
-                   is_noted, [&] { return finding(place, join, drawn, left, right, within, claim); });
+                   is_noted, [&] { return finding(place, join, drawn, ends, within, claim); });
     if (mode_.has_findings() || (mode_.summary && !fails)) return;
     std::string& rows = mode_.summary ? joins.part.failing_rows : joins.part.rows;
     const std::size_t begin = rows.size();
     if (mode_.format == Report_format::json)
       append_json_row(rows, place, join, drawn, within, joins.stream);
     else
-      append_row(rows, place, join, drawn, left, right, within);
+      append_row(rows, place, join, drawn, ends, within);
     if (fails && !mode_.summary) joins.part.failing_rows.append(rows, begin, std::string::npos);
   }
 
@@ -132,15 +134,15 @@ private:
     rows += s.str();
   }
 
-  Join_words words(const Join& join, const Drawn& drawn, const Span& left, const Span& right) const {
-    Join_words words = join_words(join, left, right, demand_.corner_threshold);
+  Join_words words(const Join& join, const Drawn& drawn, const Ends& ends) const {
+    Join_words words = join_words(join, ends, demand_.corner_threshold);
     if (drawn) words.remark += drawn->text();
     return words;
   }
 
-  void append_row(std::string& rows, const Join_place& place, const Join& join, const Drawn& drawn, const Span& left,
-                  const Span& right, const std::optional<GC::Order_within>& within) const {
-    append_table_row(rows, join, place.left, place.right, words(join, drawn, left, right));
+  void append_row(std::string& rows, const Join_place& place, const Join& join, const Drawn& drawn, const Ends& ends,
+                  const std::optional<GC::Order_within>& within) const {
+    append_table_row(rows, join, place.left, place.right, words(join, drawn, ends));
     if (!within) return;
     std::ostringstream s;
     s << "             within the tolerance: order";
@@ -162,8 +164,9 @@ private:
     return *join.curvature_vector_equal ? Finding_rule::derivative : Finding_rule::curvature;
   }
 
-  Finding finding(const Join_place& place, const Join& join, const Drawn& drawn, const Span& left, const Span& right,
+  Finding finding(const Join_place& place, const Join& join, const Drawn& drawn, const Ends& ends,
                   const std::optional<GC::Order_within>& within, Claim claim) const {
+    const Span &left = ends.left(), &right = ends.right();
     const GC::Join_deviation deviation = within ? within->deviation : GC::deviation(left.jets(), right.jets());
     Finding f;
     f.file = place.file;
@@ -171,7 +174,7 @@ private:
     f.kind = "join";
     f.place = "join " + std::to_string(place.left) + " -> " + std::to_string(place.right);
     f.rule = claim == Claim::undecided ? Finding_rule::undecided : rule(join, drawn, left, right);
-    const Join_words words = this->words(join, drawn, left, right);
+    const Join_words words = this->words(join, drawn, ends);
     std::ostringstream message, properties;
     if (claim == Claim::not_met)
       message << "not " << demand_.order->text() << (within ? " within the tolerance" : "") << ", ";

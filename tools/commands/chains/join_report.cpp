@@ -27,9 +27,15 @@ void append_orders(std::string& text, const Join& join) {
     append(text, 'C', join.c_order, " G", join.g_order, " F", join.f_order);
 }
 
-// "from x to y", or the size of the jump when it does not show in the rounded numbers.
-template <class Size> std::string jump(const std::string& from, const std::string& to, Size size) {
-  return from != to ? "from " + from + " to " + to : "by " + size() + " at " + from;
+// "name jumps from x to y", or the size of the jump when it does not show in the rounded numbers.
+template <class Size> std::string jump(const char* name, const std::string& from, const std::string& to, Size size) {
+  std::string text;
+  text.reserve(64);
+  if (from != to)
+    append(text, name, " jumps from ", from, " to ", to);
+  else
+    append(text, name, " jumps by ", size(), " at ", from);
+  return text;
 }
 
 // An angle of tangents is called by its name without a bound of kinks.
@@ -51,12 +57,11 @@ std::string remark_of(const Join& join, const Numbers& numbers, const GC::Corner
   if (!*join.curvature_vector_equal) {
     if (*join.curvature_equal)
       return "equal curvature " + numbers.left_curvature() + ", but the curve bends another way";
-    return "curvature jumps " +
-           jump(numbers.left_curvature(), numbers.right_curvature(), [&] { return numbers.curvature_jump(); });
+    return jump("curvature", numbers.left_curvature(), numbers.right_curvature(),
+                [&] { return numbers.curvature_jump(); });
   }
   if (join.torsion_equal && !*join.torsion_equal)
-    return "torsion jumps " +
-           jump(numbers.left_torsion(), numbers.right_torsion(), [&] { return numbers.torsion_jump(); });
+    return jump("torsion", numbers.left_torsion(), numbers.right_torsion(), [&] { return numbers.torsion_jump(); });
   return "smooth";
 }
 
@@ -109,16 +114,16 @@ std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<Int
 }
 
 template <class Span>
-Join_words join_words(const Join& join, const Span& left, const Span& right, const GC::Corner_threshold& bound) {
+Join_words join_words(const Join& join, const GC::Span_join<Span>& ends, const GC::Corner_threshold& bound) {
   Join_words words;
   bool certain = false;
-  Span::visit_enclosures(left, right, [&](const auto& x, const auto& y) {
+  ends.visit_enclosures([&](const auto& x, const auto& y) {
     const Enclosed_numbers numbers(x, y);
     words = words_of(join, x.dimension(), numbers, bound);
     certain = numbers.certain();
   });
   if (certain) return words;
-  const Jet x = left.jets().end_jet(3), y = right.jets().start_jet(3);
+  const Jet x = ends.left().jets().end_jet(3), y = ends.right().jets().start_jet(3);
   return words_of(join, x.dimension(), Exact_numbers(x, y), bound);
 }
 
@@ -138,7 +143,6 @@ void append_table_row(std::string& table, const Join& join, std::size_t left, st
   append(table, words.remark, '\n');
 }
 
-template Join_words join_words(const Join&, const Program_span<GC::Decimal>&, const Program_span<GC::Decimal>&,
+template Join_words join_words(const Join&, const GC::Span_join<Program_span<GC::Decimal>>&,
                                const GC::Corner_threshold&);
-template Join_words join_words(const Join&, const Program_span<double>&, const Program_span<double>&,
-                               const GC::Corner_threshold&);
+template Join_words join_words(const Join&, const GC::Span_join<Program_span<double>>&, const GC::Corner_threshold&);

@@ -10,6 +10,7 @@
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
+#include <CGAL/Geometric_continuity/joins/Span_join.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Sqrt_extension.h>
@@ -69,7 +70,7 @@ struct Join_words {
 
 // A larger angle than `bound` is a corner.
 template <class Span>
-Join_words join_words(const Join& join, const Span& left, const Span& right, const GC::Corner_threshold& bound);
+Join_words join_words(const Join& join, const GC::Span_join<Span>& ends, const GC::Corner_threshold& bound);
 
 // Returns the first line of a table of joins.
 std::string table_head();

@@ -133,7 +133,9 @@ public:
 
 private:
   std::string text(const Interval& x) const {
-    const std::string low = four_digits(x.inf());
+    std::string low = rounded_by_product(x.inf(), x.sup(), 4);
+    if (!low.empty()) return low;
+    low = four_digits(x.inf());
     if (x.inf() != x.sup() && low != four_digits(x.sup())) certain_ = false;
     return low;
   }

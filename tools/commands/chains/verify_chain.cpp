@@ -30,7 +30,7 @@ struct Span_end {
 
 // Consecutive spans, with the last one before them, and what is decided about their joins.
 template <class Span> struct Span_batch {
-  static constexpr std::size_t most_spans = 1024;
+  static constexpr std::size_t most_spans = 256;
 
   std::vector<Span> spans;
   std::vector<Span_end> ends;

@@ -10,9 +10,8 @@
 #include <CGAL/Geometric_continuity/IO/internal/G2_spline_parts.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
-#include <CGAL/Geometric_continuity/joins/internal/Grid_join.h>
-#include <CGAL/Geometric_continuity/joins/internal/Spline_knot.h>
-#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <CGAL/Geometric_continuity/joins/Span_join.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <algorithm>
@@ -254,6 +253,7 @@ template <class Traits_, class Number_ = Decimal> class G2_span {
   mutable std::shared_ptr<const Curve_end_jets<Traits_>> jets_;
 
   template <class, class, class> friend class G2_span_reader;
+  template <class> friend class Span_join;
 
 public:
   typedef Traits_ Traits; ///< the traits class
@@ -274,62 +274,23 @@ public:
     return *jets_;
   }
 
-  /// Decides the join of two spans as `continuity()` of two curves does: in the plane and in space up to order 3, where all
-  /// numbers are short decimals, on integers, otherwise from `jets()`.
-  /// \throws Error as `continuity()` does
+  /// Decides the join of two spans, see `Span_join`.
+  /// \throws Error as `continuity()` of two curves does
   friend Join_continuity<Predicate_FT<Traits_>> continuity(const G2_span& left, const G2_span& right,
                                                            int max_order = 3) {
-    return decided(left, right, max_order, false);
+    return Span_join<G2_span>(left, right).continuity(max_order);
   }
 
-  /// Decides the orders of the join of two spans, as `continuity()` does, and nothing else: the flags and shape parameters of the
-  /// result are unspecified.
-  /// \throws Error as `continuity()` does
+  /// Decides the orders of the join of two spans, see `Span_join`.
+  /// \throws Error as `continuity()` of two curves does
   friend Join_continuity<Predicate_FT<Traits_>> continuity_orders(const G2_span& left, const G2_span& right,
                                                                   int max_order = 3) {
-    return decided(left, right, max_order, true);
+    return Span_join<G2_span>(left, right).orders(max_order);
   }
 
-  /// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of `left` and at the start of `right`, with respect to parameters of
-  /// the domain [0, 1] each: `Coordinate_jet`s of `Interval_nt<false>`, with which `f` can compute. Returns false, without a call, where
-  /// `continuity()` takes `jets()`.
+  /// Calls `f(x, y)` with enclosures of the jets at the join of two spans, see `Span_join`.
   template <class Function> static bool visit_enclosures(const G2_span& left, const G2_span& right, Function f) {
-    if (!left.has_one_span_ || !right.has_one_span_ || left.dimension() != right.dimension()) return false;
-    return left.dimension() == 2   ? visit_enclosures_in<2>(left, right, f)
-           : left.dimension() == 3 ? visit_enclosures_in<3>(left, right, f)
-                                   : false;
-  }
-
-private:
-  template <int N, class Function>
-  static bool visit_enclosures_in(const G2_span& left, const G2_span& right, Function& f) {
-    internal::Grid_join<N> grid;
-    if (!grid.set(left.part_, right.part_)) return false;
-    const Protect_FPU_rounding<true> rounding_upwards;
-    const auto jets = grid.enclosed_jets();
-    f(jets.first, jets.second);
-    return true;
-  }
-
-  static Join_continuity<Predicate_FT<Traits_>> decided(const G2_span& left, const G2_span& right, int max_order,
-                                                        bool only_orders) {
-    if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, "continuity of two spans");
-    if (max_order < 0) throw Error(Error_code::negative_count, "continuity: order");
-    if (max_order <= 3 && left.has_one_span_ && right.has_one_span_) {
-      Join_continuity<Predicate_FT<Traits_>> join;
-      if ((left.dimension() == 2 && decide_without_jets<2>(left, right, max_order, only_orders, join)) ||
-          (left.dimension() == 3 && decide_without_jets<3>(left, right, max_order, only_orders, join)))
-        return join;
-    }
-    return Geometric_continuity::continuity(left.jets(), right.jets(), max_order);
-  }
-
-  template <int N, class Join>
-  static bool decide_without_jets(const G2_span& left, const G2_span& right, int max_order, bool only_orders,
-                                  Join& join) {
-    if (only_orders && internal::decide_at_spline_knot<N>(left.part_, right.part_, max_order, join)) return true;
-    internal::Grid_join<N> grid;
-    return grid.set(left.part_, right.part_) && grid.decide(max_order, join, only_orders);
+    return left.dimension() == right.dimension() && Span_join<G2_span>(left, right).visit_enclosures(f);
   }
 };
 

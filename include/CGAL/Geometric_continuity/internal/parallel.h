@@ -60,7 +60,7 @@ template <class Concurrency_tag, class = void> class Task {
                 "Parallel_tag needs TBB, see CGAL_TBB_support; Parallel_if_available_tag does without");
 
 public:
-  static constexpr bool concurrent = false;
+  static constexpr bool may_wait() { return false; }
   template <class Function> void run(Function f) { f(); }
   void wait() {}
 };
@@ -72,7 +72,7 @@ class Task<Concurrency_tag, std::enable_if_t<std::is_convertible_v<Concurrency_t
   std::optional<tbb::task_group> group_;
 
 public:
-  static constexpr bool concurrent = true;
+  static bool may_wait() { return several_cores(); }
   Task() = default;
   Task(const Task&) = delete;
   Task& operator=(const Task&) = delete;

@@ -53,8 +53,8 @@ template <class Left, class Right>
 Join_continuity<Predicate_FT<typename Left::Traits>> decide_polygons_of_doubles(const Left& left, const Right& right,
                                                                                 int max_order, bool only_orders) {
   Join_continuity<Predicate_FT<typename Left::Traits>> join;
-  decide_all_on_doubles<dimension_v<typename Left::Traits>>(left_end(left), right_end(right), max_order, join,
-                                                            only_orders);
+  const Double_ends<dimension_v<typename Left::Traits>> ends(left_end(left), right_end(right));
+  decide_all_on_doubles(ends, max_order, join, only_orders ? Join_asked::orders : Join_asked::all);
   return join;
 }
 

@@ -182,7 +182,7 @@ std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_join<T
     }
   if (path_join.has_grid_ && 0 <= max_order && max_order <= 3) {
     Join_continuity<FT> join;
-    if (path_join.grid_.decide(max_order, join, false)) return join;
+    if (path_join.grid_.decide(max_order, join, internal::Join_asked::all)) return join;
   }
   const int order = (std::max)(max_order, 3); // curvature is reported for every max_order
   const auto decide = [&](const auto& left_root, const auto& right_root) {

@@ -124,6 +124,19 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_noticed) {
   static_assert(!all_fit<Join_question::curvature_vector>({53, std::int64_t(1) << 20}));
 }
 
+// Ends of integers have short legs where these are no longer than those of points with 53 bits, on either side.
+BOOST_AUTO_TEST_CASE(short_legs) {
+  const std::int64_t longest = std::int64_t(1) << 54;
+  static_assert(2 * bound_of_bits(53) == 0x1p54);
+  for (int place = 0; place < 6; ++place)
+    for (const std::int64_t sign : {-1, 1})
+      for (const std::int64_t more : {0, 1}) {
+        End_polygon<std::int64_t, 2> points{};
+        for (int j = place / 2 + 1; j <= 3; ++j) points[j][place % 2] = sign * (longest + more);
+        BOOST_CHECK_EQUAL(Integer_end<2>(points, 3, 1).is_short(), more == 0);
+      }
+}
+
 // Points of quotients with numbers of 60 bits: a point between two, or none where one of the numbers gets longer.
 BOOST_AUTO_TEST_CASE(points_between_points) {
   typedef Short_point<2> Point;

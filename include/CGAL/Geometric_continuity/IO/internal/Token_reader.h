@@ -8,7 +8,10 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/IO/text.h>
+#include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/internal/parallel.h>
+
+#include <boost/config.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -154,7 +157,7 @@ private:
 // The blocks of a text with their words, one after the other; with Parallel_tag some are split ahead, on other cores.
 template <class Concurrency_tag> class Text_blocks {
   typedef Task<Concurrency_tag> Splitting;
-  static constexpr std::size_t blocks_ahead = Splitting::concurrent ? 8 : 1;
+  const std::size_t blocks_ahead_ = Splitting::may_wait() ? 8 : 1;
 
   struct Ahead {
     Text_block block;
@@ -174,7 +177,7 @@ public:
   // false at the end of the text, and leaves the old block.
   bool next(Text_block& block, long long& lines) {
     for (long long passed = block.newlines();;) {
-      while (!ended_ && ahead_.size() < blocks_ahead) read_ahead();
+      while (!ended_ && ahead_.size() < blocks_ahead_) read_ahead();
       if (ahead_.empty()) return false;
       std::unique_ptr<Ahead> first = std::move(ahead_.front());
       ahead_.pop_front();
@@ -229,12 +232,10 @@ public:
   Token_reader& operator=(const Token_reader&) = delete;
 
   // Moves to the next word. Returns false at the end of the text, and stays at the last word.
-  bool advance() {
+  CGAL_GC_FORCEINLINE bool advance() {
     if (next_ == end_ && !next_block()) return false;
     word_ = next_++;
-    if (word_->size > max_number_length)
-      refuse("more than " + std::to_string(max_number_length) +
-             " characters without a space: " + quoted_token(token()));
+    if (word_->size > max_number_length) refuse_length();
     return true;
   }
 
@@ -243,11 +244,11 @@ public:
   std::size_t place() const { return block_.place(*word_); }
 
   // The number that the current word is. Throws Number_error.
-  template <class FT> FT number() const {
-    const Short_decimal& decimal = word_->decimal;
-    if constexpr (std::is_same_v<FT, Decimal>)
-      return decimal.exists() ? FT(decimal.digits, decimal.exponent) : FT(number_value<Exact_rational>(token()));
-    else
+  template <class FT> CGAL_GC_FORCEINLINE FT number() const {
+    if constexpr (std::is_same_v<FT, Decimal>) {
+      const Short_decimal& decimal = word_->decimal;
+      return decimal.exists() ? FT(decimal.digits, decimal.exponent) : FT(long_number());
+    } else
       return number_value<FT>(token());
   }
 
@@ -265,7 +266,13 @@ public:
   }
 
 private:
-  bool next_block() {
+  [[noreturn]] BOOST_NOINLINE void refuse_length() const {
+    refuse("more than " + std::to_string(max_number_length) + " characters without a space: " + quoted_token(token()));
+  }
+
+  BOOST_NOINLINE Exact_rational long_number() const { return number_value<Exact_rational>(token()); }
+
+  BOOST_NOINLINE bool next_block() {
     try {
       if (!blocks_.next(block_, line_)) return false;
     } catch (const Error&) {

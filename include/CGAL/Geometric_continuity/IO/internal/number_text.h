@@ -109,6 +109,11 @@ inline const char* read_short_decimal(const char* p, const char* end, Short_deci
   const char* const integer = p;
   p = take_few_digits(p, end, value);
   const char *const point = p, *fraction = p;
+  if (point != integer && point - integer <= Short_decimal::max_digits &&
+      (p == end || (*p != '.' && *p != 'e' && *p != 'E'))) {
+    decimal = {negative ? -static_cast<std::int64_t>(value) : static_cast<std::int64_t>(value), 0};
+    return p;
+  }
   if (p != end && *p == '.') {
     fraction = ++p;
     p = take_many_digits(p, end, value);

@@ -17,18 +17,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 /// \file Grid_join.h
 /// Decimals become integers when they are multiplied by a power of ten. No order of continuity changes when all points are multiplied
-/// by one factor and all parameters by another one. So the stages for doubles decide the joins of curves that are given by
-/// decimals, exactly, if the integers are doubles. Of a span of a B-spline curve whose knots and control points are integers, the Bézier
+/// by one factor and all parameters by another one. So the stages decide the joins of curves that are given by decimals on ends of
+/// integers. Of a span of a B-spline curve whose knots and control points are integers, the Bézier
 /// points are found first, as long as the numbers stay short.
 
 namespace CGAL {
@@ -114,13 +116,76 @@ template <class Part> bool has_bezier_points(const Part& part, bool at_end) {
   return true;
 }
 
+// The product of an interval and an integer below 2^60 in absolute value, or another interval.
+inline Interval_nt<false> enclosed_product(std::int64_t x, const Interval_nt<false>& y) {
+  const double infinity = std::numeric_limits<double>::infinity(), rounded = static_cast<double>(x);
+  return static_cast<std::int64_t>(rounded) == x
+             ? rounded * y
+             : Interval_nt<false>(std::nextafter(rounded, -infinity), std::nextafter(rounded, infinity)) * y;
+}
+inline Interval_nt<false> enclosed_product(const Interval_nt<false>& x, const Interval_nt<false>& y) { return x * y; }
+
+// Encloses the jet of order 3 at an end with respect to a parameter of the domain [0, 1], from the points in these units: differences of
+// integers are exact. \pre rounding upwards, as in the scope of Protect_FPU_rounding
+template <bool left, class T, std::size_t N>
+Coordinate_jet<Interval_nt<false>, static_cast<int>(N)> enclosed_jet(const std::array<std::array<T, N>, 4>& points,
+                                                                     int degree, const Interval_nt<false>& unit) {
+  typedef Interval_nt<false> Interval;
+  constexpr int dimension = static_cast<int>(N);
+  const Differences<T, dimension> d = differences_of<3, left>(first_differences<3>(points), degree);
+  Coordinate_jet<Interval, dimension> jet(dimension, 3);
+  double factor = 1; // m!/(m-k)!
+  for (int i = 0; i < dimension; ++i) jet[0][i] = enclosed_product(points[0][i], unit);
+  for (int k = 1; k <= 3; ++k) {
+    factor *= (std::max)(degree - k + 1, 0);
+    const Interval scale = Interval(factor) * unit;
+    for (int i = 0; i < dimension; ++i) jet[k][i] = enclosed_product(d[k - 1][i], scale);
+  }
+  return jet;
+}
+
+// The join of two parts whose numbers are doubles.
+template <int N> class Double_part_join {
+  std::optional<Double_ends<N>> ends_;
+
+  template <class Part> struct End {
+    const Part& part;
+    bool at_end;
+    int degree() const { return part.degree; }
+    int dimension() const { return N; }
+    std::pair<double, double> domain() const { return {part.knots[part.degree], part.knots[part.degree + 1]}; }
+    double coordinate(int j, int i) const { return part.coordinates[(at_end ? part.degree - j : j) * N + i]; }
+  };
+
+public:
+  template <class Part> bool set(const Part& x, const Part& y) {
+    if (!has_bezier_points(x, true) || !has_bezier_points(y, false)) return false;
+    ends_.emplace(End<Part>{x, true}, End<Part>{y, false});
+    return true;
+  }
+  template <class Result> bool decide(int max_order, Result& join, Join_asked asked) const {
+    decide_all_on_doubles(*ends_, max_order, join, asked);
+    return true;
+  }
+  typedef Coordinate_jet<Interval_nt<false>, N> Jet;
+  std::pair<Jet, Jet> enclosed_jets() const {
+    const auto numbers = [](const Double_end<N>& end) {
+      End_polygon<Interval_nt<false>, N> x;
+      for (int j = 0; j <= 3; ++j)
+        for (int i = 0; i < N; ++i) x[j][i] = Interval_nt<false>(end.points()[j][i]);
+      return x;
+    };
+    const Double_end<N>&left = ends_->left(), &right = ends_->right();
+    return {enclosed_jet<true>(numbers(left), left.degree(), 1),
+            enclosed_jet<false>(numbers(right), right.degree(), 1)};
+  }
+};
+
 // A join on grids: the points and parameters of the curves are these times powers of ten. It answers questions as
 // decide_all_questions() asks them.
 template <int N> class Grid_join {
   Integer_end<N> left_, right_;
-  Double_end<N> double_left_, double_right_; // the same rounded, or what is given
-  Short_lengths lengths_;                    // of their domains
-  bool has_integers_ = false, has_doubles_ = true;
+  bool is_short_ = false; // as the first differences of double numbers are
   double unit_of_parameters_ = 1;
   int exponent_ = 0, exponent_of_parameters_ = 0;
   std::int64_t denominator_ = 1; // of the unit of the points
@@ -129,17 +194,12 @@ template <int N> class Grid_join {
 public:
   static constexpr int dimension = N;
 
+  Grid_join() {} // leaves what set() assigns
+
   // Brings the join of two parts without weights on grids. Returns false if that is not possible.
   template <class Part> bool set(const Part& x, const Part& y) {
-    left_.degree = x.degree;
-    right_.degree = y.degree;
+    if (!has_bezier_points(x, true) || !has_bezier_points(y, false)) return set_spans(x, y);
     typedef std::decay_t<decltype(x.coordinates[0])> Number;
-    if (!has_bezier_points(x, true) || !has_bezier_points(y, false)) {
-      if constexpr (std::is_floating_point_v<Number>)
-        return false;
-      else
-        return set_spans(x, y);
-    }
     const Number* numbers[8 * N];
     for (int j = 0; j <= 3; ++j)
       for (int i = 0; i < N; ++i) {
@@ -148,7 +208,10 @@ public:
       }
     const Number* const parameters[4] = {&x.knots[x.degree], &x.knots[x.degree + 1], &y.knots[y.degree],
                                          &y.knots[y.degree + 1]};
-    return bring_on_grid(numbers, parameters);
+    std::int64_t integers[8 * N], ends[4];
+    return integers_on_grid<8 * N>(numbers, integers, exponent_) &&
+           integers_on_grid<4>(parameters, ends, exponent_of_parameters_) &&
+           set_integers(x.degree, y.degree, integers, ends);
   }
 
   // Brings the join of two Bezier curves with rational coordinates over domains with integers as ends on grids. Returns false if the
@@ -169,124 +232,50 @@ public:
       };
       if (!with_coordinate<Traits>(point, k % N, split)) return false;
     }
-    left_.degree = x.degree();
-    right_.degree = y.degree();
-    return set_fractions(numerators, denominators, ends);
+    return set_fractions(x.degree(), y.degree(), numerators, denominators, ends);
   }
 
   // Everything that Join_continuity says, or only the orders, for orders up to 3. Returns false when some of it needs multi-precision
   // numbers; then `join` is unspecified.
-  template <class FT> bool decide(int max_order, Join_continuity<FT>& join, bool only_orders) const {
-    if (!decide_all_questions(*this, max_order, join, only_orders)) return false;
-    if (join.g_order >= 1 && !only_orders) {
-      join.parameters =
-          has_integers_ ? parameters_of<FT, N>(left_, right_) : parameters_of<FT, N>(double_left_, double_right_);
+  template <class FT> bool decide(int max_order, Join_continuity<FT>& join, Join_asked asked) const {
+    if (!decide_all_questions(*this, max_order, join, asked)) return false;
+    if (join.g_order >= 1 && asked != Join_asked::orders) {
+      join.parameters = parameters_of<FT, N>(left_, right_);
       join.parameters.set_unit(unit_of_parameters_, exponent_of_parameters_);
     }
     return true;
   }
 
-  bool regular() const {
-    return has_integers_ ? differ(left_.points) && differ(right_.points)
-                         : differ(double_left_.points()) && differ(double_right_.points());
-  }
-  bool ends_meet() const {
-    return has_integers_ ? left_.points[0] == right_.points[0] : double_left_.points()[0] == double_right_.points()[0];
-  }
+  bool regular() const { return left_.points()[0] != left_.points()[1] && right_.points()[0] != right_.points()[1]; }
+  bool ends_meet() const { return left_.points()[0] == right_.points()[0]; }
   template <Join_question question> Join_answer decide() const {
     const All_stages stages;
-    return has_doubles_ ? decide_by_stages(Double_join<question, N>(double_left_, double_right_, lengths_), stages)
-                        : decide_by_stages(Integer_join<question, N>(left_, right_), stages);
+    const Join_answer answer =
+        is_short_ ? decide_by_stages(Integer_join<question, N, 1>(left_, right_), stages) : Join_answer::unknown;
+    return answer != Join_answer::unknown ? answer
+                                          : decide_by_stages(Integer_join<question, N, 2>(left_, right_), stages);
   }
-  bool is_curved() const {
-    return internal::is_curved(has_integers_ ? converted<2, double>(first_differences<2>(left_.points))
-                                             : double_left_.first_differences());
-  }
+  bool is_curved() const { return internal::is_curved(left_.rounded_differences()); }
   Join_answer equal_curvatures() const {
-    const bool differ =
-        has_integers_ ? curvatures_differ<N>(left_, right_) : curvatures_differ<N>(double_left_, double_right_);
-    return differ ? Join_answer::no : Join_answer::unknown;
+    return curvatures_differ<N>(left_, right_) ? Join_answer::no : Join_answer::unknown;
   }
 
   // Enclosures of the jets of order 3 on both sides, with respect to parameters of the domain [0, 1]. \pre rounding upwards, as in
   // the scope of Protect_FPU_rounding
-  typedef Interval_nt<false> Interval;
-  typedef Coordinate_jet<Interval, N> Jet;
+  typedef Coordinate_jet<Interval_nt<false>, N> Jet;
   std::pair<Jet, Jet> enclosed_jets() const {
-    Interval unit(1);
-    unit /= interval(denominator_);
+    typedef Interval_nt<false> Interval;
+    Interval unit = Interval(1) / enclosed_product(denominator_, Interval(1));
     for (int e = exponent_; e < 0;) {
       double power = 1; // exact up to 10^22
       for (int last = (std::min)(e + 22, 0); e < last; ++e) power *= 10;
       unit /= Interval(power);
     }
-    if (has_integers_)
-      return {jet<true>(left_.points, left_.degree, unit), jet<false>(right_.points, right_.degree, unit)};
-    return {jet<true>(double_left_.points(), left_.degree, unit),
-            jet<false>(double_right_.points(), right_.degree, unit)};
+    return {enclosed_jet<true>(left_.points(), left_.degree(), unit),
+            enclosed_jet<false>(right_.points(), right_.degree(), unit)};
   }
 
 private:
-  static Interval interval(double x) { return Interval(x); }
-  static Interval interval(std::int64_t x) {
-    const double infinity = std::numeric_limits<double>::infinity(), rounded = static_cast<double>(x);
-    return is_exact_double(x) ? Interval(rounded)
-                              : Interval(std::nextafter(rounded, -infinity), std::nextafter(rounded, infinity));
-  }
-  static Interval interval(const Interval& x) { return x; }
-
-  // Differences of integers are exact, those of doubles are enclosed.
-  static const End_polygon<std::int64_t, N>& numbers(const End_polygon<std::int64_t, N>& points) { return points; }
-  static End_polygon<Interval, N> numbers(const End_polygon<double, N>& points) {
-    End_polygon<Interval, N> x;
-    for (int j = 0; j <= 3; ++j)
-      for (int i = 0; i < N; ++i) x[j][i] = Interval(points[j][i]);
-    return x;
-  }
-
-  template <bool left, class Points> static Jet jet(const Points& points, int degree, const Interval& unit) {
-    const auto& x = numbers(points);
-    typedef std::decay_t<decltype(x[0][0])> Number;
-    const Differences<Number, N> d = differences_of<3, left>(first_differences<3>(x), degree);
-    Jet jet(N, 3);
-    double factor = 1; // m!/(m-k)!
-    for (int i = 0; i < N; ++i) jet[0][i] = interval(x[0][i]) * unit;
-    for (int k = 1; k <= 3; ++k) {
-      factor *= (std::max)(degree - k + 1, 0);
-      for (int i = 0; i < N; ++i) jet[k][i] = interval(d[k - 1][i]) * (Interval(factor) * unit);
-    }
-    return jet;
-  }
-
-  template <class Points> static bool differ(const Points& points) { return points[0] != points[1]; }
-
-  void set_doubles(const End_polygon<double, N>& x, const std::pair<double, double>& left,
-                   const End_polygon<double, N>& y, const std::pair<double, double>& right) {
-    double_left_ = Double_end<N>(x, left_.degree, left);
-    double_right_ = Double_end<N>(y, right_.degree, right);
-    lengths_ = Short_lengths(left, right);
-  }
-
-  bool bring_on_grid(const double* const* numbers, const double* const* parameters) {
-    End_polygon<double, N> x, y;
-    for (int j = 0; j <= 3; ++j)
-      for (int i = 0; i < N; ++i) {
-        x[j][i] = *numbers[j * N + i];
-        y[j][i] = *numbers[(4 + j) * N + i];
-      }
-    set_doubles(x, {*parameters[0], *parameters[1]}, y, {*parameters[2], *parameters[3]});
-    return true;
-  }
-
-  // Numbers that know by exponent() and on_grid() of which power of ten they are multiples, such as Decimal.
-  template <class Number> bool bring_on_grid(const Number* const* numbers, const Number* const* parameters) {
-    std::int64_t integers[8 * N], ends[4];
-    if (!integers_on_grid<8 * N>(numbers, integers, exponent_) ||
-        !integers_on_grid<4>(parameters, ends, exponent_of_parameters_))
-      return false;
-    return set_integers(integers, ends);
-  }
-
   // Spans of B-spline curves without Bezier points at the join: these are computed.
   template <class Part> bool set_spans(const Part& x, const Part& y) {
     std::int64_t numerators[8 * N], denominators[8 * N];
@@ -319,11 +308,12 @@ private:
       ends[at_end ? 0 : 2] = knots[p];
       ends[at_end ? 1 : 3] = knots[p + 1];
     }
-    return set_fractions(numerators, denominators, ends);
+    return set_fractions(x.degree, y.degree, numerators, denominators, ends);
   }
 
   // Numbers with their denominators.
-  bool set_fractions(std::int64_t* numerators, const std::int64_t* denominators, const std::int64_t* ends) {
+  bool set_fractions(int left_degree, int right_degree, std::int64_t* numerators, const std::int64_t* denominators,
+                     const std::int64_t* ends) {
     for (int k = 0; k < 8 * N; ++k) {
       if (denominator_ % denominators[k] == 0) continue;
       const std::int64_t factor = denominators[k] / std::gcd(denominator_, denominators[k]);
@@ -335,33 +325,26 @@ private:
       if (std::abs(numerators[k]) > largest / factor) return false;
       numerators[k] *= factor;
     }
-    return set_integers(numerators, ends);
+    return set_integers(left_degree, right_degree, numerators, ends);
   }
 
-  bool set_integers(const std::int64_t* integers, const std::int64_t* ends) {
+  bool set_integers(int left_degree, int right_degree, const std::int64_t* integers, const std::int64_t* ends) {
+    const auto is_exact_double = [](std::int64_t x) { return static_cast<std::int64_t>(static_cast<double>(x)) == x; };
     const std::int64_t length = ends[1] - ends[0], other = ends[3] - ends[2],
                        unit = length == other ? length : std::gcd(length, other);
-    left_.length = length / unit;
-    right_.length = other / unit;
-    if (!is_exact_double(left_.length) || !is_exact_double(right_.length) || !is_exact_double(unit)) return false;
+    if (!is_exact_double(length / unit) || !is_exact_double(other / unit) || !is_exact_double(unit)) return false;
     unit_of_parameters_ = static_cast<double>(unit);
-    has_integers_ = true;
-    End_polygon<double, N> rounded_left, rounded_right;
+    End_polygon<std::int64_t, N> x, y;
     for (int j = 0; j <= 3; ++j)
       for (int i = 0; i < N; ++i) {
-        const std::int64_t x = integers[j * N + i], y = integers[(4 + j) * N + i];
-        left_.points[j][i] = x;
-        right_.points[j][i] = y;
-        rounded_left[j][i] = static_cast<double>(x);
-        rounded_right[j][i] = static_cast<double>(y);
-        has_doubles_ = has_doubles_ && is_exact_double(x) && is_exact_double(y);
+        x[j][i] = integers[j * N + i];
+        y[j][i] = integers[(4 + j) * N + i];
       }
-    set_doubles(rounded_left, {0, static_cast<double>(left_.length)}, rounded_right,
-                {0, static_cast<double>(right_.length)});
+    left_ = Integer_end<N>(x, left_degree, length / unit);
+    right_ = Integer_end<N>(y, right_degree, other / unit);
+    is_short_ = left_.is_short() && right_.is_short();
     return true;
   }
-
-  static bool is_exact_double(std::int64_t x) { return static_cast<std::int64_t>(static_cast<double>(x)) == x; }
 
   // The numbers as integers below 2^60 times 10^exponent.
   template <int n, class Number>

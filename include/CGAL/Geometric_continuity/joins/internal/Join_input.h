@@ -202,48 +202,69 @@ public:
 #endif
 };
 
-// An end with integers as coordinates, all below 2^60 in absolute value: longer than those of doubles.
-template <int N> struct Integer_end {
-  End_polygon<std::int64_t, N> points; // the last one repeated
-  int degree;
-  std::int64_t length; // of the domain, in units of both curves
+// An end with integers as coordinates, all below 2^60 in absolute value: its first differences are below 2^61, and become doubles by one rounding.
+template <int N> class Integer_end {
+  End_polygon<std::int64_t, N> points_;                  // the last one repeated
+  First_differences<std::int64_t, N> first_differences_; // inwards
+  First_differences<double, N> rounded_differences_;
+  std::int64_t length_; // of the domain, in units of both curves; it is a double
+  int degree_;
+
+public:
+  Integer_end() = default;
+  Integer_end(const End_polygon<std::int64_t, N>& points, int degree, std::int64_t length)
+      : points_(points), first_differences_(internal::first_differences<3>(points)),
+        rounded_differences_(converted<3, double>(first_differences_)), length_(length), degree_(degree) {}
+
+  int degree() const { return degree_; }
+  std::int64_t length() const { return length_; }
+  const End_polygon<std::int64_t, N>& points() const { return points_; }
+  const First_differences<std::int64_t, N>& first_differences() const { return first_differences_; }
+  const First_differences<double, N>& rounded_differences() const { return rounded_differences_; }
+
+  // Returns whether the first differences are as short as those of double numbers.
+  bool is_short() const {
+    constexpr std::int64_t longest = std::int64_t(1) << 54;
+    for (const std::array<std::int64_t, N>& difference : first_differences_)
+      for (const std::int64_t x : difference)
+        if (x < -longest || longest < x) return false;
+    return true;
+  }
 };
 
-// The first differences of two such ends. They are below 2^61, the differences below 2^61, 2^62 and 2^63, and first differences become doubles by one rounding, as
-// Rounding_of_differences expects.
-template <int k, int N> struct Integer_differences {
-  First_differences<std::int64_t, N> left_integers, right_integers;
-  First_differences<double, N> rounded_left, rounded_right;
-
-  CGAL_GC_FORCEINLINE Integer_differences(const Integer_end<N>& left, const Integer_end<N>& right)
-      : left_integers(first_differences<k>(left.points)), right_integers(first_differences<k>(right.points)),
-        rounded_left(converted<k, double>(left_integers)), rounded_right(converted<k, double>(right_integers)) {}
-};
-
-// Two such ends.
-template <Join_question question_, int N>
-class Integer_join : Integer_differences<highest_difference(question_), N>, public Rounded_polygons<question_, N> {
-  static constexpr int k = highest_difference(question_);
-  typedef Integer_differences<k, N> Integers;
+// Two such ends, which must outlive the object. Differences have one limb; the second one is room for the factors, where first differences are long.
+template <Join_question question_, int N, int limbs_of_differences>
+class Integer_join : public Rounded_polygons<question_, N> {
   typedef Rounded_polygons<question_, N> Base;
-  std::int64_t h_, l_;
+  static constexpr int k = highest_difference(question_);
+  const Integer_end<N>&left_, &right_;
 
 public:
   using typename Base::Factors;
 
   CGAL_GC_FORCEINLINE Integer_join(const Integer_end<N>& left, const Integer_end<N>& right)
-      : Integers(left, right), Base(this->rounded_left, left.degree, this->rounded_right, right.degree),
-        h_(left.length), l_(right.length) {}
+      : Base(left.rounded_differences(), left.degree(), right.rounded_differences(), right.degree()), left_(left),
+        right_(right) {}
 
   CGAL_GC_FORCEINLINE bool find_factors(Factors& w) const {
-    if (is_parametric(question_) && (std::max)(h_, l_) > 1024) return false;
-    return this->factors_with(h_, l_, w);
+    if (is_parametric(question_) && (std::max)(left_.length(), right_.length()) > 1024) return false;
+    return this->factors_with(left_.length(), right_.length(), w);
   }
-  CGAL_GC_FORCEINLINE bool first_derivatives_differ() const { return false; }
+  CGAL_GC_FORCEINLINE bool first_derivatives_differ() const {
+    if constexpr (is_parametric(question_))
+      return internal::first_derivatives_differ(this->first_left(), left_.degree(),
+                                                {0, static_cast<double>(left_.length())}, this->first_right(),
+                                                right_.degree(), {0, static_cast<double>(right_.length())});
+    else
+      return false;
+  }
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-  typedef std::integer_sequence<int, form_degree(question_) <= 2 ? 2 : form_degree(question_) <= 4 ? 4 : 6> Limbs;
-  template <int limbs> using Integer = Fixed_integer<2, limbs>; // leaves room for the factors
+  typedef std::integer_sequence<int, form_degree(question_) <= 2   ? 2
+                                     : form_degree(question_) <= 4 ? 2 + limbs_of_differences
+                                                                   : 2 + 2 * limbs_of_differences>
+      Limbs;
+  template <int limbs> using Integer = Fixed_integer<limbs_of_differences, limbs>;
 
   CGAL_GC_FORCEINLINE bool find_unit(double, int& unit) const {
     unit = 0;
@@ -252,13 +273,18 @@ public:
   template <int>
   CGAL_GC_FORCEINLINE bool integer_factors(const Factors& given, const typename Base::Units&, Factors& w) const {
     w = given;
-    return true;
+    if constexpr (limbs_of_differences > 1 || is_parametric(question_))
+      return true;
+    else
+      return factors_fit<question_>(w);
   }
   template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> left_in(int, int pivot) const {
-    return converted<k, Integer<limbs>>(differences_of<k, true>(rotated<k>(this->left_integers, pivot), this->m_));
+    return converted<k, Integer<limbs>>(
+        differences_of<k, true>(rotated<k>(left_.first_differences(), pivot), this->m_));
   }
   template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> right_in(int, int pivot) const {
-    return converted<k, Integer<limbs>>(differences_of<k, false>(rotated<k>(this->right_integers, pivot), this->n_));
+    return converted<k, Integer<limbs>>(
+        differences_of<k, false>(rotated<k>(right_.first_differences(), pivot), this->n_));
   }
 #endif
 };

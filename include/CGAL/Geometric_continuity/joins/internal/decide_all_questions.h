@@ -58,8 +58,9 @@ bool curvatures_differ(const First_differences<std::int64_t, N>& left, const Fir
   return units < 0 ? (a << -2 * units) != b : a != (b << 2 * units);
 }
 template <int N> bool curvatures_differ(const Integer_end<N>& left, const Integer_end<N>& right) {
-  return curvatures_differ<N>(first_differences<2>(left.points), first_differences<2>(right.points),
-                              Degree_factors<std::int64_t>::geometric<Join_question::g2>(left.degree, right.degree), 0);
+  const Degree_factors<std::int64_t> w =
+      Degree_factors<std::int64_t>::geometric<Join_question::g2>(left.degree(), right.degree());
+  return curvatures_differ<N>(left.first_differences(), right.first_differences(), w, 0);
 }
 // On grids, or in interval arithmetic.
 template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_end<N>& right) {
@@ -106,11 +107,14 @@ inline bool is_curved(const First_differences<double, 3>& differences) {
 // unreachable: asked for in space only
 inline bool is_curved(const First_differences<double, 2>&) { return false; }
 
+// What is asked of a join: everything, the orders, or everything where the orders, of which the greatest is 2 or 3, are known.
+enum class Join_asked { all, orders, flags };
+
 // Everything that Join_continuity says but the shape parameters, for a join in the plane or in space and orders up to 3; if only the
 // orders are wanted, the flags are left as they are where they are not decided by the way. `Questions` answers questions about the two
 // ends. Returns false when some of it needs multi-precision numbers; then `join` is unspecified.
 template <class Questions, class Result>
-bool decide_all_questions(const Questions& questions, int max_order, Result& join, bool only_orders = false) {
+bool decide_all_questions(const Questions& questions, int max_order, Result& join, Join_asked asked) {
   constexpr int N = Questions::dimension;
   bool unknown = false;
   const auto holds = [&](auto question) { // nothing is asked any more once one answer has been unknown
@@ -121,8 +125,9 @@ bool decide_all_questions(const Questions& questions, int max_order, Result& joi
   };
   int contact = 0; // of the curves, wherever their ends are
   join.regular = questions.regular();
-  const bool meet = questions.ends_meet();
-  if (meet) { // C^k is asked first, since it costs least, and curves that are regular and C^k are G^k
+  const bool meet = questions.ends_meet(), is_known = asked == Join_asked::flags && meet,
+             only_orders = asked == Join_asked::orders;
+  if (meet && !is_known) { // C^k is asked first, since it costs least, and curves that are regular and C^k are G^k
     join.c_order = join.g_order = join.f_order = 0;
     if (max_order >= 1 && holds(Question<Join_question::c1>())) {
       join.c_order = 1;
@@ -133,7 +138,9 @@ bool decide_all_questions(const Questions& questions, int max_order, Result& joi
     }
   }
   if (join.regular && (meet || !only_orders)) {
-    if (max_order >= 3 && (join.c_order == 3 || holds(Question<Join_question::g3>())))
+    if (is_known)
+      contact = join.g_order;
+    else if (max_order >= 3 && (join.c_order == 3 || holds(Question<Join_question::g3>())))
       contact = 3;
     else
       contact = join.c_order >= 2 || holds(Question<Join_question::g2>())   ? 2
@@ -216,11 +223,11 @@ template <class FT, int N> Join_parameters<FT> parameters_of(const Double_end<N>
   return Join_parameters<FT>(along(left), along(right));
 }
 template <class FT, int N> Join_parameters<FT> parameters_of(const Integer_end<N>& left, const Integer_end<N>& right) {
-  const int i = largest_coordinate(first_differences<1>(left.points)[0]);
+  const int i = largest_coordinate(left.first_differences()[0]);
   const auto along = [i](const Integer_end<N>& end) {
-    Parameter_end result{{}, 0, static_cast<double>(end.length), end.degree};
+    Parameter_end result{{}, 0, static_cast<double>(end.length()), end.degree()};
     for (int j = 0; j <= 3; ++j) {
-      const std::int64_t x = end.points[j][i];
+      const std::int64_t x = end.points()[j][i];
       result.points[j] = static_cast<double>(x);
       result.rests[j] = static_cast<double>(x - static_cast<std::int64_t>(result.points[j]));
     }
@@ -230,12 +237,10 @@ template <class FT, int N> Join_parameters<FT> parameters_of(const Integer_end<N
 }
 
 // Everything that Join_continuity says, for two ends with double coordinates and orders up to 3; see decide_all_questions().
-template <int N, class Left, class Right, class Result>
-void decide_all_on_doubles(const Left& left, const Right& right, int max_order, Result& join,
-                           bool only_orders = false) {
-  const Double_ends<N> ends(left, right);
-  decide_all_questions(ends, max_order, join, only_orders);
-  if (join.g_order >= 1 && !only_orders)
+template <int N, class Result>
+void decide_all_on_doubles(const Double_ends<N>& ends, int max_order, Result& join, Join_asked asked) {
+  decide_all_questions(ends, max_order, join, asked);
+  if (join.g_order >= 1 && asked != Join_asked::orders)
     join.parameters = parameters_of<typename Result::Number, N>(ends.left(), ends.right());
 }
 
