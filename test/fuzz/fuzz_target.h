@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_FUZZ_FUZZ_TARGET_H
-#define GEOMETRIC_CONTINUITY_FUZZ_FUZZ_TARGET_H
+#pragma once
 
 // What the fuzz targets have in common. Each is one function of bytes, which libFuzzer or replay_main.cpp calls: typed
 // errors are expected, everything else that escapes is a mistake, and so is a property that does not hold.
@@ -52,5 +51,3 @@ template <class Function> bool accepts(Function f) {
     return false;
   }
 }
-
-#endif // GEOMETRIC_CONTINUITY_FUZZ_FUZZ_TARGET_H

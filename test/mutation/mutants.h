@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_MUTANTS_H
-#define CGAL_GEOMETRIC_CONTINUITY_MUTANTS_H
+#pragma once
 
 #include <algorithm>
 #include <cstdio>
@@ -146,5 +145,3 @@ template <int i, bool is_min> struct Extremum {
 };
 
 } // namespace mutants
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_MUTANTS_H

@@ -5,30 +5,13 @@
 // Numbers as they are written: they are the rational numbers that parse_number() reads, in all forms, and so are their order and
 // their multiples of powers of ten.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
 #include <CGAL/FPU.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Interval_nt.h>
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Decimal)
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-
-namespace {
 
 std::mt19937 random_bits;
 
@@ -83,8 +66,6 @@ std::string refusal_of_text_number(const std::string& text) {
 std::string refusal_of_number(const std::string& text) {
   return error_of([&] { GC::parse_number<Q>(text); });
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(values_are_those_that_are_parsed) {
   seed();

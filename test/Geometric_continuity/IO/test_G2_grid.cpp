@@ -5,39 +5,20 @@
 // Surfaces as they are written: the same as those of rational numbers, and, where they become surfaces of integers, with the same
 // continuity along all edges.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cstddef>
-#include <random>
-#include <sstream>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(G2_grid)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Double;
 typedef std::vector<GC::Bspline_surface<Exact>> Exact_surfaces;
 typedef std::vector<GC::Bspline_surface<Double>> Double_surfaces;
 typedef std::vector<GC::Rational_bspline_surface<Exact>> Rational_surfaces;
-
-namespace {
 
 // The polynomial surfaces of a file, and the others.
 struct Texts {
@@ -66,9 +47,7 @@ Exact_surfaces read_exact(const std::string& file) {
 }
 
 template <class Surface> std::string written(const Surface& surface) {
-  std::ostringstream os;
-  GC::write_g2(os, surface);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_g2(os, surface); });
 }
 
 // Both ways to read the surfaces of a file, none of which has weights.
@@ -153,8 +132,6 @@ std::string profile(const std::string& knots, const std::vector<std::pair<std::s
     for (const auto& [x, z] : points) file += x + ' ' + y + ' ' + z + '\n';
   return file;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(read_as_exact_surfaces) {
   const unsigned seed = 20261122;

@@ -4,32 +4,16 @@
 
 // Curves in .g2 files that are read piece by piece.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <optional>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(G2_piece_reader)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Rounded;
 typedef std::vector<GC::Rational_bezier_curve<Exact>> Pieces;
-
-namespace {
 
 template <class Source> Pieces read_pieces(const std::string& text) {
   std::istringstream is(text);
@@ -60,8 +44,6 @@ Pieces pieces_of_curves(const std::string& text) {
     for (const auto& piece : curve.bezier_pieces()) pieces.push_back(piece);
   return pieces;
 }
-
-} // namespace
 
 // Of all degrees, with knots of all multiplicities, also outside of the domain and at its ends. The numbers are halves of
 // integers, which are the same in floating point.

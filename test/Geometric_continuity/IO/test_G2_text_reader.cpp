@@ -5,15 +5,7 @@
 // Numbers with their places, wherever the blocks of the text end.
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
-#include <boost/test/unit_test.hpp>
-
-#include <sstream>
-#include <string>
-
-namespace GC = CGAL::Geometric_continuity;
+#include "support/test.h"
 
 BOOST_AUTO_TEST_SUITE(G2_text_reader)
 

@@ -7,58 +7,30 @@
 #endif
 
 #define BOOST_TEST_MODULE io
-#define BOOST_TEST_DYN_LINK
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/MP_Float.h>
 #include <CGAL/Quotient.h>
-#include <CGAL/Simple_cartesian.h>
 #ifdef CGAL_USE_GMP
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #endif
 
 #include <boost/multiprecision/cpp_int.hpp>
-
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
-#include <iostream>
-#include <iterator>
-#include <limits>
 #include <locale>
-#include <random>
-#include <sstream>
-#include <stdexcept>
 #include <streambuf>
-#include <string>
-#include <utility>
-#include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
 namespace fs = std::filesystem;
 
-typedef CGAL::Exact_rational Q;
 typedef CGAL::Epeck Epeck;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
 typedef GC::Traits_3<Epeck> Epeck_3;
-
-namespace {
 
 constexpr unsigned seed = 20260719;
 
@@ -94,22 +66,8 @@ public:
   ~Global_locale() { std::locale::global(old_); }
 };
 
-// The message of the error that f() throws.
-template <class F> std::string error_of(F f) {
-  try {
-    f();
-  } catch (const GC::Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
 template <class FT> std::string written(const FT& x) {
-  std::ostringstream os;
-  GC::write_number(os, x);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_number(os, x); });
 }
 
 // 10^n for exact types, by another way than the reader's.
@@ -151,9 +109,7 @@ template <class Traits> std::string g2_error(const std::string& text) {
 }
 
 template <class Curve> std::string g2_text(const Curve& curve) {
-  std::ostringstream os;
-  GC::write_g2(os, curve);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_g2(os, curve); });
 }
 
 const std::string line_text = "100 1 0 0\n"
@@ -173,8 +129,6 @@ const std::string cubic_text = "100 1 0 0\n"
                                "570 705\n"
                                "388 705\n"
                                "\n";
-
-} // namespace
 
 // numbers
 

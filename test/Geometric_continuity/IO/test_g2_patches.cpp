@@ -4,32 +4,11 @@
 
 // Bezier patches in .g2 files.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE g2_patches
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cstddef>
 #include <ios>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
-
-namespace {
-
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
 
 template <class Traits = Exact_3> std::vector<GC::Bezier_patch<Traits>> read(const std::string& text) {
   std::istringstream is(text);
@@ -50,8 +29,6 @@ void check_refused(const std::string& what, const std::string& by, const std::st
     return e.code() == GC::Error_code::malformed_input;
   });
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(g2_surfaces_are_read) {
   const std::vector<GC::Bezier_patch<Exact_3>> s = read(good + "\n" + good);

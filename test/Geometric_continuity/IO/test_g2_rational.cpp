@@ -5,32 +5,15 @@
 // Rational curves and surfaces in .g2 files: written and read without loss, and refused where the text or the type does not allow
 // them.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/arcs.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <iostream>
-#include <random>
-#include <sstream>
-#include <string>
-#include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(g2_rational)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Q2;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Q3;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> D2;
@@ -38,14 +21,10 @@ typedef GC::Traits_3<CGAL::Simple_cartesian<double>> D3;
 typedef std::tuple<Q2, D2> Planar;
 typedef std::tuple<Q3, D3> Space;
 
-namespace {
-
 constexpr unsigned seed = 2026;
 
 template <class Object> std::string text_of(const Object& object) {
-  std::ostringstream os;
-  GC::write_g2(os, object);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_g2(os, object); });
 }
 template <class Traits> std::vector<GC::Rational_bspline_curve<Traits>> curves_in(const std::string& text) {
   std::istringstream is(text);
@@ -56,10 +35,7 @@ template <class Traits> std::vector<GC::Rational_bspline_surface<Traits>> surfac
   return GC::read_g2_rational_bspline_surfaces<Traits>(is, "f.g2");
 }
 
-} // namespace
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(curves_are_kept, Traits, Planar) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(curves_are_kept, Traits, Planar) {
   typedef typename Traits::Point Point;
   typedef GC::Rational_bspline_curve<Traits> Curve;
   const GC::Rational_bezier_curve<Traits> arc = GC::circular_arc<Traits>(
@@ -110,8 +86,7 @@ BOOST_AUTO_TEST_CASE(doubles_are_kept) {
   BOOST_CHECK(curves_in<D2>(text_of(c)).front() == c);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(surfaces_are_kept, Traits, Space) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(surfaces_are_kept, Traits, Space) {
   typedef typename Traits::Point Point;
   std::vector<std::vector<Point>> net(3);
   std::vector<std::vector<FT>> weights(3);

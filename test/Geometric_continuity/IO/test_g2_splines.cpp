@@ -4,20 +4,11 @@
 
 // B-spline curves in .g2 files.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 
-#include <cstddef>
-#include <sstream>
-#include <string>
-#include <vector>
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(splines_in_files, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(splines_in_files, K, Kernels) {
   repeat<FT>(10, [](Random<FT>& random) {
     std::vector<Curve3<K>> curves;
     for (int p = 0; p <= 4; ++p) curves.push_back(random.template curve<Traits3<K>>(random.knots(p, p + 1), 3));

@@ -4,35 +4,13 @@
 
 // B-spline surfaces in .g2 files.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE g2_surfaces
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/MP_Float.h>
 #include <CGAL/Quotient.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <cstring>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
 
 template <class Traits> std::vector<GC::Bspline_surface<Traits>> read(const std::string& text) {
   std::istringstream is(text);
@@ -40,18 +18,7 @@ template <class Traits> std::vector<GC::Bspline_surface<Traits>> read(const std:
 }
 
 template <class Surface> std::string written(const Surface& s) {
-  std::ostringstream os;
-  GC::write_g2(os, s);
-  return os.str();
-}
-
-template <class F> std::string error_of(F f) {
-  try {
-    f();
-    return "no error";
-  } catch (const GC::Error& e) {
-    return e.what();
-  }
+  return written_by([&](std::ostream& os) { GC::write_g2(os, s); });
 }
 
 // Quadratic in u with an inner knot, not clamped, and linear in v.
@@ -85,8 +52,6 @@ std::vector<std::string> words_of(const std::string& text) {
   for (std::string word; is >> word;) words.push_back(word);
   return words;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(inner_knots_are_read) {
   const std::vector<GC::Bspline_surface<Exact_3>> s = read<Exact_3>(good + "\n\n" + good);

@@ -2,57 +2,29 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
 #include <iomanip>
-#include <limits>
 #include <locale>
-#include <optional>
-#include <sstream>
-#include <string>
 
 BOOST_AUTO_TEST_SUITE(json)
 
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Bezier_curve<Exact> Curve;
 typedef Exact::Point Point;
 
-// The text that f(os) writes.
-template <class F> std::string written(F f) {
-  std::ostringstream os;
-  f(os);
-  return os.str();
-}
-
 template <class T> std::string json(const T& x) {
-  return written([&](std::ostream& os) { GC::write_json(os, x); });
+  return written_by([&](std::ostream& os) { GC::write_json(os, x); });
 }
 
 // f(os) throws `not_finite` and writes nothing.
 template <class F> void check_not_finite(F f) {
   std::ostringstream os;
-  try {
-    f(os);
-    BOOST_ERROR("no error");
-  } catch (const GC::Error& e) {
-    BOOST_CHECK(e.code() == GC::Error_code::not_finite);
-  }
+  CHECK_ERROR(f(os), not_finite);
   BOOST_CHECK_EQUAL(os.str(), "");
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(texts) {
   BOOST_CHECK_EQUAL(json(""), "\"\"");
@@ -104,12 +76,12 @@ BOOST_AUTO_TEST_CASE(joins) {
   const std::string members = "\"left\":7,\"right\":12345,\"c_order\":0,\"g_order\":3,\"f_order\":2,\"betas\":[\"1/3\","
                               "\"0\",\"0\"],\"regular\":true,\"tangent_equal\":true,\"curvature_equal\":true,"
                               "\"curvature_vector_equal\":true,\"torsion_equal\":null";
-  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json(os, join, 7, 12345); }), '{' + members + '}');
-  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, join, 7, 12345); }), members);
+  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json(os, join, 7, 12345); }), '{' + members + '}');
+  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json_members(os, join, 7, 12345); }), members);
   const std::string of_two = "\"left\":0,\"right\":1" + members.substr(members.find(",\"c_order\""));
-  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json(os, join); }), '{' + of_two + '}');
-  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, join); }), of_two);
-  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, GC::continuity(left, gap), 0, 1); }),
+  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json(os, join); }), '{' + of_two + '}');
+  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json_members(os, join); }), of_two);
+  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json_members(os, GC::continuity(left, gap), 0, 1); }),
                     "\"left\":0,\"right\":1,\"c_order\":-1,\"g_order\":-1,\"f_order\":-1,\"betas\":[],\"regular\":true,"
                     "\"tangent_equal\":true,\"curvature_equal\":true,\"curvature_vector_equal\":true,"
                     "\"torsion_equal\":null");
@@ -124,14 +96,14 @@ BOOST_AUTO_TEST_CASE(orders_within_a_tolerance) {
   within.verdicts[3] = GC::Verdict::undecided;
   within.deviation.torsion_jump.reset();
   BOOST_CHECK_EQUAL(json(within), '{' + members + '}');
-  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, within); }), members);
+  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json_members(os, within); }), members);
   within.deviation.curvature_jump = GC::Enclosure{0.25, 0.5};
   within.deviation.tangent_angle.reset();
-  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, within.deviation); }),
+  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json_members(os, within.deviation); }),
                     "\"gap\":[0,0],\"tangent_angle\":null,\"curvature_jump\":[0.25,0.5],\"torsion_jump\":null,"
                     "\"angle_degrees\":null,\"curvature_percent\":[25,50]");
   within.deviation.curvature_jump.reset();
-  BOOST_CHECK_EQUAL(written([&](std::ostream& os) { GC::write_json_members(os, within.deviation); }),
+  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json_members(os, within.deviation); }),
                     "\"gap\":[0,0],\"tangent_angle\":null,\"curvature_jump\":null,\"torsion_jump\":null,"
                     "\"angle_degrees\":null,\"curvature_percent\":null");
   within.deviation.torsion_jump = GC::Enclosure{0, std::nan("")};

@@ -2,22 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/IO/mesh.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <sstream>
 
 BOOST_AUTO_TEST_SUITE(mesh)
-
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
 
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Traits;
 typedef GC::Tessellation<Traits> Tessellation;
@@ -36,23 +25,16 @@ Tessellation triangle() {
 template <class Traits> void check_refused(const GC::Tessellation<Traits>& t, GC::Error_code code) {
   for (const GC::Mesh_format format : formats) {
     std::ostringstream os;
-    try {
-      GC::write_mesh(os, t, format);
-      BOOST_ERROR("no error");
-    } catch (const GC::Error& e) {
-      BOOST_CHECK(e.code() == code);
-    }
+    BOOST_CHECK_EXCEPTION(GC::write_mesh(os, t, format), GC::Error, [&](const auto& e) { return e.code() == code; });
     BOOST_CHECK_EQUAL(os.str(), "");
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(each_format_has_all_coordinates) {
   for (const GC::Mesh_format format : formats) {
     std::ostringstream os;
     GC::write_mesh(os, triangle(), format);
-    BOOST_CHECK(os.str().find("0 1 0.10000000000000001") != std::string::npos);
+    BOOST_CHECK(contains(os.str(), "0 1 0.10000000000000001"));
   }
 }
 

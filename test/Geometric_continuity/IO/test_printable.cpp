@@ -2,19 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/IO/text.h>
 
-#include <cstddef>
-#include <iostream>
-#include <random>
-#include <string>
-#include <string_view>
-
 BOOST_AUTO_TEST_SUITE(printable)
-
-namespace GC = CGAL::Geometric_continuity;
 
 BOOST_AUTO_TEST_CASE(what_can_be_shown_stays) {
   for (const char* text : {"", "a\\n \"b\" ~", "caf\xc3\xa9", "\xe2\x82\xac\xf0\x9f\x98\x80", "\xc2\xa0\xe2\x80\x8b"})

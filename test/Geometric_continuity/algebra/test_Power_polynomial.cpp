@@ -4,28 +4,17 @@
 
 // Power polynomials: the Bernstein form and back, division, greatest common divisors; and sets of signs.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/random.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 
-#include <initializer_list>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Power_polynomial)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Power_polynomial<Q> Power;
 typedef GC::Bernstein_polynomial<Q> Bernstein;
 using GC::Sign_pattern;
-
-namespace {
 
 Power power(std::initializer_list<int> c) { return Power(std::vector<Q>(c.begin(), c.end())); }
 
@@ -57,8 +46,6 @@ Power monic(Power p) {
   p.make_monic();
   return p;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(forms) {
   BOOST_CHECK(Power().is_zero() && Power().degree() == -1);

@@ -4,25 +4,14 @@
 
 // Determinants of many rows, which are computed by elimination.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 
-#include <tuple>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(determinant)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef std::tuple<Q, double> Numbers; // whole numbers in this test, which doubles represent
-
-namespace {
 
 template <class FT> FT determinant(const std::vector<std::vector<FT>>& a) {
   return GC::determinant<FT>(static_cast<int>(a.size()), [&](int i, int j) -> const FT& { return a[i][j]; });
@@ -41,8 +30,6 @@ std::vector<std::vector<Q>> vandermonde(int n, Q& expected) {
   }
   return a;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(permutations, FT, Numbers) {
   for (int n = 3; n <= 12; ++n) { // a cycle of the rows

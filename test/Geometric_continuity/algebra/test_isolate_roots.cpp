@@ -4,18 +4,9 @@
 
 // Roots of polynomials on [0, 1].
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/swept_surfaces.h"
 
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
-
-namespace {
 
 typedef std::vector<GC::Isolated_root<Q>> Roots;
 
@@ -25,8 +16,6 @@ bool is(const GC::Isolated_root<Q>& r, const Q& x, int multiplicity) {
 bool holds(const GC::Isolated_root<Q>& r, const Q& x, int multiplicity, const Q& width = Q(Q(1) / Q(1024))) {
   return r.begin < x && x < r.end && Q(r.end - r.begin) <= width && r.multiplicity == multiplicity;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(roots_of_products_of_linear_factors) {
   const Q third = Q(Q(1) / Q(3)), half = Q(Q(1) / Q(2)), near = Q(half + Q(1) / Q(100000));

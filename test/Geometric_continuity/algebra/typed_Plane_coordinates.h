@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_ALGEBRA_TYPED_PLANE_COORDINATES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_ALGEBRA_TYPED_PLANE_COORDINATES_H
+#pragma once
 
 #include "support/typed.h"
 
@@ -11,32 +10,26 @@ BOOST_AUTO_TEST_SUITE(plane_coordinates)
 
 typedef std::pair<FT, FT> Pair;
 
-BOOST_AUTO_TEST_CASE(vectors_of_the_plane) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Column<Traits> v = column<Traits>(d, {1, 2}), w = column<Traits>(d, {3, 1});
-    const GC::Plane_coordinates plane(v, w);
-    for (int a = -2; a <= 2; ++a)
-      for (int b = -2; b <= 2; ++b) {
-        const Column<Traits> u = FT(a) * v + FT(b) * w;
-        BOOST_CHECK(plane(u) == Pair(FT(a), FT(b)));
-        BOOST_CHECK(plane.nearest(u) == Pair(FT(a), FT(b)));
-      }
-  });
+TEST_IN_EVERY_SPACE(vectors_of_the_plane) {
+  const Column<Traits> v = column<Traits>(d, {1, 2}), w = column<Traits>(d, {3, 1});
+  const GC::Plane_coordinates plane(v, w);
+  for (int a = -2; a <= 2; ++a)
+    for (int b = -2; b <= 2; ++b) {
+      const Column<Traits> u = FT(a) * v + FT(b) * w;
+      BOOST_CHECK(plane(u) == Pair(FT(a), FT(b)));
+      BOOST_CHECK(plane.nearest(u) == Pair(FT(a), FT(b)));
+    }
 }
 
-BOOST_AUTO_TEST_CASE(vectors_off_the_plane) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    if (d < 3) return; // in the plane there are none
-    const Column<Traits> v = column<Traits>(d, {1, 2}), w = column<Traits>(d, {3, 1});
-    Column<Traits> normal(d);
-    normal[d - 1] = FT(1);
-    const GC::Plane_coordinates plane(v, w);
-    const Column<Traits> u = FT(2) * v - w + ratio(1, 1024) * normal;
-    BOOST_CHECK(!plane(u));
-    BOOST_CHECK(plane.nearest(u) == Pair(FT(2), FT(-1)));
-  });
+TEST_IN_EVERY_SPACE(vectors_off_the_plane) {
+  if (d < 3) return; // in the plane there are none
+  const Column<Traits> v = column<Traits>(d, {1, 2}), w = column<Traits>(d, {3, 1});
+  Column<Traits> normal(d);
+  normal[d - 1] = FT(1);
+  const GC::Plane_coordinates plane(v, w);
+  const Column<Traits> u = FT(2) * v - w + ratio(1, 1024) * normal;
+  BOOST_CHECK(!plane(u));
+  BOOST_CHECK(plane.nearest(u) == Pair(FT(2), FT(-1)));
 }
 
 BOOST_AUTO_TEST_CASE(random_vectors) {
@@ -55,17 +48,12 @@ BOOST_AUTO_TEST_CASE(random_vectors) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(parallel_vectors_are_refused) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Column<Traits> v = column<Traits>(d, {1, 2}), zero = column<Traits>(d, {0});
-    for (const Column<Traits>& w : {v, FT(-2) * v, zero}) {
-      CHECK_ERROR(GC::Plane_coordinates(v, w), singular_frame);
-      CHECK_ERROR(GC::Plane_coordinates(w, v), singular_frame);
-    }
-  });
+TEST_IN_EVERY_SPACE(parallel_vectors_are_refused) {
+  const Column<Traits> v = column<Traits>(d, {1, 2}), zero = column<Traits>(d, {0});
+  for (const Column<Traits>& w : {v, FT(-2) * v, zero}) {
+    CHECK_ERROR(GC::Plane_coordinates(v, w), singular_frame);
+    CHECK_ERROR(GC::Plane_coordinates(w, v), singular_frame);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_ALGEBRA_TYPED_PLANE_COORDINATES_H

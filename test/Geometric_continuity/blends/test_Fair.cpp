@@ -5,41 +5,20 @@
 // Fair blends are as fair as they can be: compared with an optimum that shares nothing with the package. E is computed by the
 // textbook formulas of curvature and torsion, and minimised without derivatives.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Fair
-#include <boost/test/unit_test.hpp>
 
 #include "support/allocations.h"
-#include "support/errors.h"
 #include "support/fairness.h"
+#include "support/test.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
-#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <boost/config.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdlib>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <tuple>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Plane;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Space;
 typedef std::tuple<Plane, Space> Traits_classes;
-
-namespace {
 
 // The method of Nelder and Mead, from x with edges of the given lengths. Returns the least value; x is where it is.
 template <std::size_t n, class Function>
@@ -154,14 +133,11 @@ template <class Traits> void compare_with_optimum() {
   BOOST_CHECK_GE(converged, 0.98 * static_cast<double>(pairs));
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(optimum, Traits, Traits_classes) { compare_with_optimum<Traits>(); }
 
 BOOST_AUTO_TEST_CASE(reports) {
-  std::ostringstream os;
-  os << GC::Fair_report{8, 176.5, 158.25, true} << '\n' << GC::Fair_report{1, 2, 2, false};
-  BOOST_CHECK_EQUAL(os.str(), "E = 158.25, from 176.5 in 8 steps\nE = 2, from 2 in 1 steps, not converged");
+  BOOST_CHECK_EQUAL(text(GC::Fair_report{8, 176.5, 158.25, true}, '\n', GC::Fair_report{1, 2, 2, false}),
+                    "E = 158.25, from 176.5 in 8 steps\nE = 2, from 2 in 1 steps, not converged");
 }
 
 // Where nothing good may exist: never worse than the automatic shape, and the same again.

@@ -6,43 +6,20 @@
 // where no good blend exists.
 
 #define BOOST_TEST_MODULE Fair_kernels
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Gmpq.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <array>
 #include <cfenv>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_3;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
 typedef GC::Traits_2<CGAL::Epeck> Lazy;
 typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Gmpq>> Gmp_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
-
-namespace {
 
 typedef std::vector<std::vector<double>> Numbers; // the derivatives
 
@@ -99,8 +76,6 @@ template <class Traits> std::array<double, 4> check_exact(const Curves& curves) 
   for (double x : numbers(gamma)) BOOST_CHECK_EQUAL(std::ldexp(x, 20), std::floor(std::ldexp(x, 20))); // short
   return numbers(gamma);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(exact_and_the_same_on_all_kernels) {
   constexpr unsigned seed = 11;
@@ -202,8 +177,6 @@ BOOST_AUTO_TEST_CASE(invariance) {
   }
 }
 
-namespace {
-
 // What every blend must satisfy, however strange its ends are. Points stay within `reach` of the ends.
 template <class Strategy>
 auto sensible(const Numbers& phi, const Numbers& psi, const Strategy& strategy, double reach) {
@@ -214,8 +187,6 @@ auto sensible(const Numbers& phi, const Numbers& psi, const Strategy& strategy, 
     for (int i = 0; i < 2; ++i) BOOST_CHECK_LE(std::abs(gamma.control_point(j)[i]), reach);
   return gamma;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(lines) {
   // a fillet, symmetric to the line x + y = 0

@@ -4,29 +4,18 @@
 
 // Representable blends that aim at the fair one: exactly G2, and almost as fair.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/fairness.h"
+#include "support/test.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Fair_representable)
 
 typedef GC::Traits_2<CGAL::Epick> Plane;
 typedef GC::Traits_3<CGAL::Epick> Space;
 typedef std::tuple<Plane, Space> Traits_classes;
-
-namespace {
 
 // A cubic from about x = from to from + 3, on the grid.
 template <class Traits> GC::Bezier_curve<Traits> cubic(std::mt19937_64& random, double from, int grid) {
@@ -43,8 +32,6 @@ template <class Traits> GC::Bezier_curve<Traits> cubic(std::mt19937_64& random, 
   }
   return GC::Bezier_curve<Traits>(points.begin(), points.end());
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(almost_as_fair, Traits, Traits_classes) {
   double largest = 0;

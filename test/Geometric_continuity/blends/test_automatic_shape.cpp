@@ -4,38 +4,20 @@
 
 // The shape parameters by the chord: rounded exactly, the same on every kernel, and defined for every chord.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/rounding_modes.h"
+#include "support/test.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <limits>
-#include <random>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(automatic_shape)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_2<CGAL::Epeck> Lazy;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
-
-namespace {
 
 // A jet of order 2 with a point and a tangent.
 template <class Traits, class T> GC::Curve_jet<Traits> jet(const std::vector<T>& point, const std::vector<T>& tangent) {
@@ -63,8 +45,6 @@ bool is_nearest(double b, const Q& x, const Q& y) {
   const Q low = Q(b) - Q(below) / 2, high = Q(b) + Q(unit) / 2;
   return low * low * y <= x && x < high * high * y;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(nearest_short_number) {
   constexpr unsigned seed = 41;

@@ -4,19 +4,13 @@
 
 // Blends of splines.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
-#include <cstddef>
-#include <vector>
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(splines_are_blended_and_joined, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(splines_are_blended_and_joined, K, Kernels) {
   repeat<FT>(10, [](Random<FT>& random) {
     const Curve3<K> phi = random.template curve<Traits3<K>>(random.knots(3, 2, !exact_v<FT>), 3),
                     psi = random.template curve<Traits3<K>>(random.knots(random.integer(2, 4), 2), 3);

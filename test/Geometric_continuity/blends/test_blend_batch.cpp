@@ -4,14 +4,9 @@
 
 // Many blends at once: the same points as one by one.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_points.h"
 
 #include <CGAL/Geometric_continuity/blends/blend.h>
-
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_CASE(blends) {
   const int n = 20;

@@ -5,40 +5,23 @@
 // Blends of rational numbers are computed on unreduced fractions, blends of lazy numbers as one lazy construction: the same
 // numbers as the formulas give with the operators of the number type.
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #include <CGAL/Quotient.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/gmp.hpp>
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
 #include "support/fractions.h"
-
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <type_traits>
-#include <utility>
-#include <vector>
+#include "support/test.h"
 
 BOOST_AUTO_TEST_SUITE(exact_blends)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Exact;
 typedef CGAL::Exact_predicates_exact_constructions_kernel Lazy_kernel;
 typedef Lazy_kernel::FT Lazy;
-
-namespace {
 
 std::mt19937_64 engine(20);
 
@@ -139,8 +122,7 @@ template <class FT> struct Every_strategy {
   }
 };
 
-template <class Traits> void check_every_strategy(int dimension) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> void check_every_strategy(int dimension) {
   // what the operators of cpp_rational take minutes for
   constexpr bool slow = std::is_same_v<FT, boost::multiprecision::cpp_rational>;
   for (int family = 0; family < number_of_families; ++family) {
@@ -168,8 +150,6 @@ template <class FT> void check_in_every_space() {
   check_every_strategy<GC::Traits_d<CGAL::Cartesian_d<FT>>>(4);
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(exact_rational) { check_in_every_space<Exact>(); }
 BOOST_AUTO_TEST_CASE(gmpq) { check_in_every_space<CGAL::Gmpq>(); }
 BOOST_AUTO_TEST_CASE(cpp_rational) {
@@ -180,8 +160,6 @@ BOOST_AUTO_TEST_CASE(mpq_rational) {
   typedef boost::multiprecision::mpq_rational FT;
   check_every_strategy<GC::Traits_3<CGAL::Simple_cartesian<FT>>>(3);
 }
-
-namespace {
 
 // A strategy of the user that knows one number type only.
 template <class FT, int N> struct Product_of_tangents {
@@ -229,18 +207,13 @@ struct Septic_of_the_user {
 // A strategy that cannot be changed: the user allows it from outside.
 struct Foreign_strategy : Slide_of_the_user<false> {};
 
-} // namespace
-
 BOOST_AUTO_TEST_SUITE_END()
 
 template <> constexpr bool CGAL::Geometric_continuity::works_in_every_field_v<exact_blends::Foreign_strategy> = true;
 
 BOOST_AUTO_TEST_SUITE(exact_blends)
 
-namespace {
-
-template <class Traits> void check_strategies_in_every_field(int dimension) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> void check_strategies_in_every_field(int dimension) {
   const GC::Shape_parameters<FT> shape{FT(FT(2) / FT(3)), 2};
   for (int family : {small, mixed, doubles, zeros}) {
     const GC::Curve_jet<Traits> phi = jet<Traits>(dimension, 3, family), psi = jet<Traits>(dimension, 3, family);
@@ -262,8 +235,7 @@ template <class Traits> void check_strategies_in_every_field(int dimension) {
   }
 }
 
-template <class Traits> void check_strategies_of_the_user(int dimension) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> void check_strategies_of_the_user(int dimension) {
   const GC::Curve_jet<Traits> phi = jet<Traits>(dimension, 3, mixed), psi = jet<Traits>(dimension, 3, doubles);
   const GC::Shape_parameters<FT> shape{FT(FT(1) / FT(3)), FT(2)};
   check_blend(phi, psi, Product_of_tangents<FT, GC::dimension_v<Traits>>(), shape);
@@ -273,8 +245,7 @@ template <class Traits> void check_strategies_of_the_user(int dimension) {
 }
 
 // Two pieces of one straight line: Near_line, Sequential_f3 and Joint_g3 are not defined.
-template <class Traits> void check_fallbacks(int dimension) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> void check_fallbacks(int dimension) {
   GC::Curve_jet<Traits> phi(dimension, 3), psi(dimension, 3);
   for (int i = 0; i < dimension; ++i) {
     const FT a = number<FT>(small), d = number<FT>(mixed);
@@ -293,8 +264,7 @@ template <class Traits> void check_fallbacks(int dimension) {
   check_blend(phi, psi, GC::Joint_g3(), shape);
 }
 
-template <class Traits> void check_errors(int dimension) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> void check_errors(int dimension) {
   const GC::Curve_jet<Traits> phi = jet<Traits>(dimension, 3, mixed);
   GC::Curve_jet<Traits> standing = phi;
   for (int i = 0; i < dimension; ++i) standing[1][i] = FT(FT(FT(1) / FT(3)) * FT(3) - FT(1)); // 0, not only near it
@@ -316,8 +286,6 @@ template <class Traits> void check_all_but_strategies(int dimension) {
 typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Exact_traits;
 typedef GC::Traits_d<CGAL::Cartesian_d<Exact>> Exact_traits_d;
 typedef GC::Traits_3<Lazy_kernel> Lazy_traits;
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(strategies_of_the_user_fallbacks_and_errors) {
   check_all_but_strategies<Exact_traits>(3);
@@ -400,8 +368,6 @@ BOOST_AUTO_TEST_CASE(jets_that_are_not_finite) {
       }
 }
 
-namespace {
-
 // A curve of the user: an arc of a parabola that can be read only by its jets.
 struct Parabola {
   typedef Exact_traits Traits;
@@ -418,8 +384,6 @@ struct Parabola {
     return x;
   }
 };
-
-} // namespace
 
 // blend() reads the ends of a curve as continuity() does.
 BOOST_AUTO_TEST_CASE(ends_of_curves) {

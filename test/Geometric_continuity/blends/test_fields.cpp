@@ -5,31 +5,17 @@
 // Blends in fields that have nothing but what the concept asks for, and in those of Boost: what is chosen in floating-point numbers
 // is the same as in every other field. How blends are called.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/archetype.h"
 #include "support/plain_traits.h"
+#include "support/test.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include <array>
-#include <sstream>
-#include <string>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(fields)
-
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
 
 typedef GC::Traits_2<CGAL::Simple_cartesian<CGAL::Exact_rational>> Exact;
 typedef boost::multiprecision::cpp_bin_float_100 Float;
@@ -90,8 +76,6 @@ template <class Traits, class Same> void check_blends(const Same& same) {
   const auto q = given_shape(exact);
   for (int j = 0; j <= 5; ++j) BOOST_CHECK(same(x.coordinates(j)[0], q.coordinates(j)[0]));
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(field_of_the_concept) {
   typedef archetype::Number Number;

@@ -4,8 +4,6 @@
 
 // Fair splines through points: joins are decided exactly, and fairness is compared with that of cubic splines.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/exact_splines.h"
 
 #include <CGAL/Geometric_continuity/blends/interpolate_fair.h>
@@ -13,17 +11,7 @@
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(fair_interpolation)
-
-namespace {
 
 using GC::Closure;
 typedef GC::Traits_3<Exact> Space;
@@ -57,8 +45,6 @@ std::vector<Plane::Point> circle(int n) {
   for (int i = 0; i < n; ++i) p.emplace_back(std::cos(2 * M_PI * i / n), std::sin(2 * M_PI * i / n));
   return p;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(random_points) {
   repeat(3, [](Random& random) {

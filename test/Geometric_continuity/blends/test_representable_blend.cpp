@@ -4,33 +4,18 @@
 
 // Blends whose control points are floating-point numbers and whose joins are exactly G2.
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/blends/representable_blend.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/rounding_modes.h"
-
-#include <cmath>
-#include <cstdint>
-#include <iostream>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <vector>
+#include "support/test.h"
 
 BOOST_AUTO_TEST_SUITE(representable_blend)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Traits_2<CGAL::Epick> Plane;
 typedef GC::Traits_3<CGAL::Epick> Space;
 typedef GC::Bezier_curve<Space> Curve;
 typedef GC::Representable_blend<Space> Blend;
-
-namespace {
 
 std::mt19937_64 random_engine(2026);
 
@@ -63,8 +48,6 @@ Blend unit_blend(const Curve& phi, const Curve& psi) {
 }
 
 double length(const Space::Vector& v) { return std::sqrt(v.squared_length()); }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(points_with_digits_to_spare_stay) {
   for (int m = 1; m <= 9; ++m)
@@ -177,8 +160,6 @@ BOOST_AUTO_TEST_CASE(unlike_sizes) {
   CHECK_ERROR(GC::representable_blend(phi, psi, GC::Given_parameters<double>{1e308, 0}), not_representable);
 }
 
-namespace {
-
 // Each moved coordinate stays within half a unit of its grid, and is a multiple of that.
 template <class Join> void check_moves(const Curve& given, const Curve& moved, const Join& join) {
   for (int k = 0; k <= given.degree(); ++k)
@@ -188,8 +169,6 @@ template <class Join> void check_moves(const Curve& given, const Curve& moved, c
       BOOST_CHECK(change <= unit / 2 && change <= CGAL::Exact_rational(join.moved));
     }
 }
-
-} // namespace
 
 // Positive shape parameters of every size: a blend with exact joins, or the promised error, and soon.
 BOOST_AUTO_TEST_CASE(tiny_and_huge_shape_parameters) {

@@ -4,40 +4,18 @@
 
 // What is said of joins of rounded numbers that miss an order by no more than rounding.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <random>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(up_to_rounding)
-
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
 
 typedef GC::Traits_2<CGAL::Epick> Traits;
 typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
-
-template <class Join> std::string text(const Join& join) {
-  std::ostringstream os;
-  os << join;
-  return os.str();
-}
-
-} // namespace
 
 // Not one of a hundred rounded blends has exact joins at both ends, and all of them are G2 but for some units.
 BOOST_AUTO_TEST_CASE(blends) {
@@ -154,8 +132,6 @@ BOOST_AUTO_TEST_CASE(rational_curves) {
   BOOST_CHECK_EQUAL(other.up_to_rounding()->g_order, 1);
 }
 
-namespace {
-
 // A circle that has derivatives only.
 struct Circle {
   typedef GC::Traits_2<CGAL::Epick> Traits;
@@ -169,8 +145,6 @@ struct Circle {
     return x;
   }
 };
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(curves_without_control_points) {
   const Curve line{Point(-1, 3), Point(-3, 3)};

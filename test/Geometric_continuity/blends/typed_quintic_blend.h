@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_BLENDS_TYPED_QUINTIC_BLEND_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_BLENDS_TYPED_QUINTIC_BLEND_H
+#pragma once
 
 #include "support/typed.h"
 
@@ -163,92 +162,79 @@ BOOST_AUTO_TEST_CASE(minimal_energy, *boost::unit_test::enable_if<exact>()) {
 // ---------------------------------------------------------------- degenerate input
 
 // B1 = (1, 0). The line B1 B2 is parallel to u, to v, to both, or B1 = B2.
-BOOST_AUTO_TEST_CASE(near_line_fallback) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    struct Case {
-      Row a2, v;
-      bool start, end;
-    };
-    const Case cases[] = {{{7, 1}, {5, 5}, true, false},   // B2 = (6, 0)
-                          {{-3, 1}, {5, 5}, true, false},  // B2 = (-4, 0)
-                          {{7, 6}, {5, 5}, false, true},   // B2 = (6, 5)
-                          {{-3, -4}, {5, 5}, false, true}, // B2 = (-4, -5)
-                          {{7, 0}, {5, 0}, true, true},    // B2 = (6, 0)
-                          {{1, 1}, {0, 5}, true, true},    // B2 = B1
-                          {{7, 6}, {5, 0}, false, false}}; // B2 = (6, 6)
-    for (const Case& c : cases) {
-      const Blend_input<Traits> input{
-          jet<Traits>(d, {{0}, {5, 0}, {0, 20}}), jet<Traits>(d, {c.a2, c.v, {20, 40}}), {}};
-      const Blend<Traits> near = input(GC::Near_line()), normal = input(GC::Normal_offset());
-      BOOST_CHECK_EQUAL(near.parameters.fallback_start, c.start);
-      BOOST_CHECK_EQUAL(near.parameters.fallback_end, c.end);
-      BOOST_CHECK_EQUAL(near.parameters.s1 == normal.parameters.s1, c.start);
-      BOOST_CHECK_EQUAL(near.parameters.s2 == normal.parameters.s2, c.end);
-      BOOST_CHECK(!normal.parameters.fallback_start && !normal.parameters.fallback_end);
-    }
-  });
+TEST_IN_EVERY_SPACE(near_line_fallback) {
+  struct Case {
+    Row a2, v;
+    bool start, end;
+  };
+  const Case cases[] = {{{7, 1}, {5, 5}, true, false},   // B2 = (6, 0)
+                        {{-3, 1}, {5, 5}, true, false},  // B2 = (-4, 0)
+                        {{7, 6}, {5, 5}, false, true},   // B2 = (6, 5)
+                        {{-3, -4}, {5, 5}, false, true}, // B2 = (-4, -5)
+                        {{7, 0}, {5, 0}, true, true},    // B2 = (6, 0)
+                        {{1, 1}, {0, 5}, true, true},    // B2 = B1
+                        {{7, 6}, {5, 0}, false, false}}; // B2 = (6, 6)
+  for (const Case& c : cases) {
+    const Blend_input<Traits> input{jet<Traits>(d, {{0}, {5, 0}, {0, 20}}), jet<Traits>(d, {c.a2, c.v, {20, 40}}), {}};
+    const Blend<Traits> near = input(GC::Near_line()), normal = input(GC::Normal_offset());
+    BOOST_CHECK_EQUAL(near.parameters.fallback_start, c.start);
+    BOOST_CHECK_EQUAL(near.parameters.fallback_end, c.end);
+    BOOST_CHECK_EQUAL(near.parameters.s1 == normal.parameters.s1, c.start);
+    BOOST_CHECK_EQUAL(near.parameters.s2 == normal.parameters.s2, c.end);
+    BOOST_CHECK(!normal.parameters.fallback_start && !normal.parameters.fallback_end);
+  }
 }
 
 // The middle part of a curve is found again from the outer ones.
-BOOST_AUTO_TEST_CASE(reproduction) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const auto check = [&](int degree, const auto& strategy) {
-      const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3)); // three parts of length 1
-      const Jet<Traits> phi = whole.jet(FT(1), 2), psi = whole.jet(FT(2), 2);
-      if (is_zero(phi[1]) || is_zero(psi[1])) return;
-      const Blend<Traits> gamma = GC::blend(phi, psi, strategy, {});
-      const Jet<Traits> expected = whole.jet(FT(1), 5), start = gamma.start_jet(5);
-      // whole numbers up to 2^9, conditions below 2^3, and differences that multiply errors by up to 5! 2^5 < 2^12
+TEST_WITH_RANDOM_INPUT(reproduction) {
+  const auto check = [&](int degree, const auto& strategy) {
+    const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3)); // three parts of length 1
+    const Jet<Traits> phi = whole.jet(FT(1), 2), psi = whole.jet(FT(2), 2);
+    if (is_zero(phi[1]) || is_zero(psi[1])) return;
+    const Blend<Traits> gamma = GC::blend(phi, psi, strategy, {});
+    const Jet<Traits> expected = whole.jet(FT(1), 5), start = gamma.start_jet(5);
+    // whole numbers up to 2^9, conditions below 2^3, and differences that multiply errors by up to 5! 2^5 < 2^12
+    for (int j = 0; j <= 5; ++j)
+      for (int i = 0; i < d; ++i) BOOST_CHECK(close(start[j][i], expected[j][i], FT(1 << 24), 100));
+  };
+  check(1, GC::Minimal_second_derivative());
+  check(1, GC::Minimal_energy<2>());
+  check(2, GC::Minimal_energy<3>());
+  check(2, GC::Matching_second_derivative());
+  if constexpr (exact) check(5, GC::Matching_second_derivative());
+}
+
+TEST_IN_EVERY_SPACE(straight_and_closed) {
+  for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
+      // on the first axis, with curvature 0
+      const Jet<Traits> phi = jet<Traits>(d, {{0}, {1}, {4}}), psi = jet<Traits>(d, {{7}, {2}, {-1}});
+      const Blend<Traits> line = strategy.blend({phi, psi, {}});
       for (int j = 0; j <= 5; ++j)
-        for (int i = 0; i < d; ++i) BOOST_CHECK(close(start[j][i], expected[j][i], FT(1 << 24), 100));
-    };
-    check(1, GC::Minimal_second_derivative());
-    check(1, GC::Minimal_energy<2>());
-    check(2, GC::Minimal_energy<3>());
-    check(2, GC::Matching_second_derivative());
-    if constexpr (exact) check(5, GC::Matching_second_derivative());
-  });
-}
-
-BOOST_AUTO_TEST_CASE(straight_and_closed) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
-        // on the first axis, with curvature 0
-        const Jet<Traits> phi = jet<Traits>(d, {{0}, {1}, {4}}), psi = jet<Traits>(d, {{7}, {2}, {-1}});
-        const Blend<Traits> line = strategy.blend({phi, psi, {}});
-        for (int j = 0; j <= 5; ++j)
-          for (int i = 1; i < d; ++i) BOOST_CHECK(line.coordinates(j)[i] == FT(0));
-        // from a point back to itself, with other tangents
-        const Jet<Traits> x = jet<Traits>(d, {{1, 2}, {4, 0}, {0, 8}}), y = jet<Traits>(d, {{1, 2}, {0, 4}, {8, 0}});
-        const Blend<Traits> loop = strategy.blend({x, y, {FT(2), FT(4)}});
-        BOOST_CHECK(loop.coordinates(0) == x[0] && loop.coordinates(5) == y[0]);
-        if constexpr (exact) check_joins(Blend_input<Traits>{x, y, {FT(2), FT(4)}}, loop);
-        // an end that is the start: all joins of the closed curve are smooth
-        const Blend<Traits> closed = strategy.blend({x, x, {}});
-        if constexpr (exact) BOOST_CHECK_EQUAL(GC::continuity(closed, closed, 2).g_order, 2);
-      }
-  });
-}
-
-BOOST_AUTO_TEST_CASE(refused_blends) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    check_blend_errors<Traits>(d, 2, GC::Minimal_energy<2>());
-    check_blend_errors<Traits>(d, 2, GC::Near_line());
-    if constexpr (std::is_floating_point_v<typename Traits::FT>) {
-      const FT infinity = std::numeric_limits<FT>::infinity(), undefined = std::numeric_limits<FT>::quiet_NaN();
-      const Jet<Traits> x = jet<Traits>(d, {{1, 2}, {4, 0}, {0, 8}});
-      const GC::Normal_offset normal;
-      CHECK_ERROR(GC::blend(x, x, normal, {undefined, FT(1)}), nonpositive_beta);
-      CHECK_ERROR(GC::blend(x, x, normal, {FT(1), infinity}), not_finite);
-      Jet<Traits> far = x;
-      far[1] *= FT(1e150);
-      CHECK_ERROR(GC::blend(x, far, GC::Minimal_energy<2>(), {FT(1), FT(1e150)}), not_finite);
+        for (int i = 1; i < d; ++i) BOOST_CHECK(line.coordinates(j)[i] == FT(0));
+      // from a point back to itself, with other tangents
+      const Jet<Traits> x = jet<Traits>(d, {{1, 2}, {4, 0}, {0, 8}}), y = jet<Traits>(d, {{1, 2}, {0, 4}, {8, 0}});
+      const Blend<Traits> loop = strategy.blend({x, y, {FT(2), FT(4)}});
+      BOOST_CHECK(loop.coordinates(0) == x[0] && loop.coordinates(5) == y[0]);
+      if constexpr (exact) check_joins(Blend_input<Traits>{x, y, {FT(2), FT(4)}}, loop);
+      // an end that is the start: all joins of the closed curve are smooth
+      const Blend<Traits> closed = strategy.blend({x, x, {}});
+      if constexpr (exact) BOOST_CHECK_EQUAL(GC::continuity(closed, closed, 2).g_order, 2);
     }
-  });
+}
+
+TEST_IN_EVERY_SPACE(refused_blends) {
+  check_blend_errors<Traits>(d, 2, GC::Minimal_energy<2>());
+  check_blend_errors<Traits>(d, 2, GC::Near_line());
+  if constexpr (std::is_floating_point_v<typename Traits::FT>) {
+    const FT infinity = std::numeric_limits<FT>::infinity(), undefined = std::numeric_limits<FT>::quiet_NaN();
+    const Jet<Traits> x = jet<Traits>(d, {{1, 2}, {4, 0}, {0, 8}});
+    const GC::Normal_offset normal;
+    CHECK_ERROR(GC::blend(x, x, normal, {undefined, FT(1)}), nonpositive_beta);
+    CHECK_ERROR(GC::blend(x, x, normal, {FT(1), infinity}), not_finite);
+    Jet<Traits> far = x;
+    far[1] *= FT(1e150);
+    CHECK_ERROR(GC::blend(x, far, GC::Minimal_energy<2>(), {FT(1), FT(1e150)}), not_finite);
+  }
 }
 
 // ---------------------------------------------------------------- strategies and curves of the user's own
@@ -260,42 +246,39 @@ struct Half_way { // between two strategies of the package
   }
 };
 
-BOOST_AUTO_TEST_CASE(own_strategies_and_curves) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Blend_input<Traits> input = random_blend<Traits>(random, d, 2);
-    const Blend<Traits> half = input(Half_way()), p = input(GC::Minimal_energy<3>()), q = input(GC::Normal_offset());
-    BOOST_CHECK(half.parameters.s1 == FT((p.parameters.s1 + q.parameters.s1) / FT(2)));
-    BOOST_CHECK(half.parameters.fallback_start && !half.parameters.fallback_end);
-    BOOST_CHECK(same_points<Traits>(half, input(Given{half.parameters.s1, half.parameters.s2})));
+TEST_WITH_RANDOM_INPUT(own_strategies_and_curves) {
+  const Blend_input<Traits> input = random_blend<Traits>(random, d, 2);
+  const Blend<Traits> half = input(Half_way()), p = input(GC::Minimal_energy<3>()), q = input(GC::Normal_offset());
+  BOOST_CHECK(half.parameters.s1 == FT((p.parameters.s1 + q.parameters.s1) / FT(2)));
+  BOOST_CHECK(half.parameters.fallback_start && !half.parameters.fallback_end);
+  BOOST_CHECK(same_points<Traits>(half, input(Given{half.parameters.s1, half.parameters.s2})));
 
-    int calls = 0;
-    const Blend<Traits> lambda = input([&](const GC::Quintic_ends<FT, Curve<Traits>::N>& e) {
-      ++calls;
-      BOOST_CHECK(e.a1 == input.phi[0] && e.a2 == input.psi[0]);
-      BOOST_CHECK(e.u == input.shape.beta * input.phi[1] && e.v == input.shape.eta * input.psi[1]);
-      BOOST_CHECK(e.w1 == FT(input.shape.beta * input.shape.beta) * input.phi[2]);
-      BOOST_CHECK(e.w2 == FT(input.shape.eta * input.shape.eta) * input.psi[2]);
-      return GC::Quintic_parameters<FT>{FT(3), FT(4)};
-    });
-    BOOST_CHECK_EQUAL(calls, 1);
-    BOOST_CHECK(same_points<Traits>(lambda, input(Given{FT(3), FT(4)})));
-    // without naming the type of the ends
-    const Blend<Traits> generic = input([](const auto& e) {
-      return GC::Quintic_parameters<FT>{FT(e.u[0] - e.u[0] + FT(3)), FT(4)};
-    });
-    BOOST_CHECK(same_points<Traits>(lambda, generic));
-
-    check_input_types(input, GC::Near_line());
-    const Taylor_curve<Traits> left(input.phi, FT(-1), FT(0)), right(input.psi, FT(0), FT(1));
-    const Jet<Traits> phi = left.jet(FT(0), 2);
-    if (!is_zero(phi[1]))
-      BOOST_CHECK(same_points<Traits>(GC::blend(left, right), GC::blend(phi, input.psi, GC::Minimal_energy<3>())));
-    // more derivatives than needed change nothing
-    const Blend_input<Traits> longer = random_blend<Traits>(random, d, 4);
-    const Blend_input<Traits> shorter{truncated(longer.phi, 2), truncated(longer.psi, 2), longer.shape};
-    BOOST_CHECK(same_points<Traits>(longer(GC::Minimal_energy<2>()), shorter(GC::Minimal_energy<2>())));
+  int calls = 0;
+  const Blend<Traits> lambda = input([&](const GC::Quintic_ends<FT, Curve<Traits>::N>& e) {
+    ++calls;
+    BOOST_CHECK(e.a1 == input.phi[0] && e.a2 == input.psi[0]);
+    BOOST_CHECK(e.u == input.shape.beta * input.phi[1] && e.v == input.shape.eta * input.psi[1]);
+    BOOST_CHECK(e.w1 == FT(input.shape.beta * input.shape.beta) * input.phi[2]);
+    BOOST_CHECK(e.w2 == FT(input.shape.eta * input.shape.eta) * input.psi[2]);
+    return GC::Quintic_parameters<FT>{FT(3), FT(4)};
   });
+  BOOST_CHECK_EQUAL(calls, 1);
+  BOOST_CHECK(same_points<Traits>(lambda, input(Given{FT(3), FT(4)})));
+  // without naming the type of the ends
+  const Blend<Traits> generic = input([](const auto& e) {
+    return GC::Quintic_parameters<FT>{FT(e.u[0] - e.u[0] + FT(3)), FT(4)};
+  });
+  BOOST_CHECK(same_points<Traits>(lambda, generic));
+
+  check_input_types(input, GC::Near_line());
+  const Taylor_curve<Traits> left(input.phi, FT(-1), FT(0)), right(input.psi, FT(0), FT(1));
+  const Jet<Traits> phi = left.jet(FT(0), 2);
+  if (!is_zero(phi[1]))
+    BOOST_CHECK(same_points<Traits>(GC::blend(left, right), GC::blend(phi, input.psi, GC::Minimal_energy<3>())));
+  // more derivatives than needed change nothing
+  const Blend_input<Traits> longer = random_blend<Traits>(random, d, 4);
+  const Blend_input<Traits> shorter{truncated(longer.phi, 2), truncated(longer.psi, 2), longer.shape};
+  BOOST_CHECK(same_points<Traits>(longer(GC::Minimal_energy<2>()), shorter(GC::Minimal_energy<2>())));
 }
 
 // ---------------------------------------------------------------- rounded numbers
@@ -336,5 +319,3 @@ BOOST_AUTO_TEST_CASE(rounded_blends, *boost::unit_test::enable_if<!exact>()) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_BLENDS_TYPED_QUINTIC_BLEND_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_BLENDS_TYPED_SEPTIC_BLEND_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_BLENDS_TYPED_SEPTIC_BLEND_H
+#pragma once
 
 #include "support/typed.h"
 
@@ -161,36 +160,33 @@ BOOST_AUTO_TEST_CASE(minimal_energy, *boost::unit_test::enable_if<exact && cance
 // ---------------------------------------------------------------- degenerate input
 
 // Curvature 0 at one end or at both
-BOOST_AUTO_TEST_CASE(fallbacks) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Jet<Traits> bent = jet<Traits>(d, {{0}, {2}, {2, 4}, {0, 8, 16}}),
-                      straight = jet<Traits>(d, {{3, 4}, {0, 1}, {0, 4}, {1, 2, 3}});
-    for (bool start : {false, true})
-      for (bool end : {false, true}) {
-        const Blend_input<Traits> input{start ? straight : bent, end ? straight : bent, {FT(2), FT(1)}};
-        for (const auto& strategy : all_strategies<Traits>())
-          BOOST_TEST_CONTEXT(strategy.name << ", curvature 0: " << start << end) {
-            const std::string name = strategy.name;
-            const bool falls_back = name == "Sequential_f3" || name == "Joint_g3";
-            const Blend<Traits> gamma = strategy.blend(input), g3 = input(GC::Sequential_g3());
-            BOOST_CHECK_EQUAL(gamma.parameters.fallback_start, start && falls_back);
-            BOOST_CHECK_EQUAL(gamma.parameters.fallback_end, end && falls_back);
-            if (start && name == "Joint_g3") BOOST_CHECK(gamma.parameters.start == g3.parameters.start);
-            if (end && name == "Joint_g3") BOOST_CHECK(gamma.parameters.end == g3.parameters.end);
-            if (start && name == "Sequential_f3") BOOST_CHECK(gamma.parameters.start.mu == FT(0));
-            if (end && name == "Sequential_f3") BOOST_CHECK(gamma.parameters.end.mu == FT(0));
-            if constexpr (exact) {
-              const auto left = GC::continuity(input.phi, gamma.start_jet(3)),
-                         right = GC::continuity(gamma.end_jet(3), input.psi);
-              BOOST_CHECK(left.f_order == std::min(d, 3) && right.f_order == left.f_order);
-              const bool g3_asked = name.find("g3") != std::string::npos;
-              if (g3_asked || start) BOOST_CHECK_EQUAL(left.g_order, 3);
-              if (g3_asked || end) BOOST_CHECK_EQUAL(right.g_order, 3);
-            }
+TEST_IN_EVERY_SPACE(fallbacks) {
+  const Jet<Traits> bent = jet<Traits>(d, {{0}, {2}, {2, 4}, {0, 8, 16}}),
+                    straight = jet<Traits>(d, {{3, 4}, {0, 1}, {0, 4}, {1, 2, 3}});
+  for (bool start : {false, true})
+    for (bool end : {false, true}) {
+      const Blend_input<Traits> input{start ? straight : bent, end ? straight : bent, {FT(2), FT(1)}};
+      for (const auto& strategy : all_strategies<Traits>())
+        BOOST_TEST_CONTEXT(strategy.name << ", curvature 0: " << start << end) {
+          const std::string name = strategy.name;
+          const bool falls_back = name == "Sequential_f3" || name == "Joint_g3";
+          const Blend<Traits> gamma = strategy.blend(input), g3 = input(GC::Sequential_g3());
+          BOOST_CHECK_EQUAL(gamma.parameters.fallback_start, start && falls_back);
+          BOOST_CHECK_EQUAL(gamma.parameters.fallback_end, end && falls_back);
+          if (start && name == "Joint_g3") BOOST_CHECK(gamma.parameters.start == g3.parameters.start);
+          if (end && name == "Joint_g3") BOOST_CHECK(gamma.parameters.end == g3.parameters.end);
+          if (start && name == "Sequential_f3") BOOST_CHECK(gamma.parameters.start.mu == FT(0));
+          if (end && name == "Sequential_f3") BOOST_CHECK(gamma.parameters.end.mu == FT(0));
+          if constexpr (exact) {
+            const auto left = GC::continuity(input.phi, gamma.start_jet(3)),
+                       right = GC::continuity(gamma.end_jet(3), input.psi);
+            BOOST_CHECK(left.f_order == std::min(d, 3) && right.f_order == left.f_order);
+            const bool g3_asked = name.find("g3") != std::string::npos;
+            if (g3_asked || start) BOOST_CHECK_EQUAL(left.g_order, 3);
+            if (g3_asked || end) BOOST_CHECK_EQUAL(right.g_order, 3);
           }
-      }
-  });
+        }
+    }
 }
 
 // The middle part of a curve is found again from the outer ones.
@@ -211,29 +207,23 @@ BOOST_AUTO_TEST_CASE(reproduction, *boost::unit_test::enable_if<exact && cancels
   });
 }
 
-BOOST_AUTO_TEST_CASE(straight_and_closed) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
-        const Jet<Traits> phi = jet<Traits>(d, {{0}, {1}, {4}, {9}}), psi = jet<Traits>(d, {{7}, {2}, {-1}, {3}});
-        const Blend<Traits> line = strategy.blend({phi, psi, {}});
-        for (int j = 0; j <= 7; ++j)
-          for (int i = 1; i < d; ++i) BOOST_CHECK(line.coordinates(j)[i] == FT(0));
-        const Jet<Traits> x = jet<Traits>(d, {{1, 2}, {4, 0}, {0, 8}, {1, 1, 1}}),
-                          y = jet<Traits>(d, {{1, 2}, {0, 4}, {8, 0}, {1, 1, -1}});
-        const Blend<Traits> loop = strategy.blend({x, y, {FT(2), FT(4)}});
-        BOOST_CHECK(loop.coordinates(0) == x[0] && loop.coordinates(7) == y[0]);
-        if constexpr (exact) check_joins(Blend_input<Traits>{x, y, {FT(2), FT(4)}}, loop);
-      }
-  });
+TEST_IN_EVERY_SPACE(straight_and_closed) {
+  for (const auto& strategy : all_strategies<Traits>()) BOOST_TEST_CONTEXT(strategy.name) {
+      const Jet<Traits> phi = jet<Traits>(d, {{0}, {1}, {4}, {9}}), psi = jet<Traits>(d, {{7}, {2}, {-1}, {3}});
+      const Blend<Traits> line = strategy.blend({phi, psi, {}});
+      for (int j = 0; j <= 7; ++j)
+        for (int i = 1; i < d; ++i) BOOST_CHECK(line.coordinates(j)[i] == FT(0));
+      const Jet<Traits> x = jet<Traits>(d, {{1, 2}, {4, 0}, {0, 8}, {1, 1, 1}}),
+                        y = jet<Traits>(d, {{1, 2}, {0, 4}, {8, 0}, {1, 1, -1}});
+      const Blend<Traits> loop = strategy.blend({x, y, {FT(2), FT(4)}});
+      BOOST_CHECK(loop.coordinates(0) == x[0] && loop.coordinates(7) == y[0]);
+      if constexpr (exact) check_joins(Blend_input<Traits>{x, y, {FT(2), FT(4)}}, loop);
+    }
 }
 
-BOOST_AUTO_TEST_CASE(refused_blends) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    if constexpr (cancels) check_blend_errors<Traits>(d, 3, GC::Minimal_energy_g3<3>());
-    check_blend_errors<Traits>(d, 3, GC::Joint_g3());
-  });
+TEST_IN_EVERY_SPACE(refused_blends) {
+  if constexpr (cancels) check_blend_errors<Traits>(d, 3, GC::Minimal_energy_g3<3>());
+  check_blend_errors<Traits>(d, 3, GC::Joint_g3());
 }
 
 // ---------------------------------------------------------------- strategies and curves of the user's own
@@ -324,5 +314,3 @@ BOOST_AUTO_TEST_CASE(rounded_blends, *boost::unit_test::enable_if<!exact>()) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_BLENDS_TYPED_SEPTIC_BLEND_H

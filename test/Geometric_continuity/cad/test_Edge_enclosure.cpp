@@ -4,33 +4,17 @@
 
 // Enclosures over whole edges: of shapes with known answers, and of random ones against samples.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Edge_enclosure
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
 #include "support/random.h"
 #include "support/sampled_edges.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
-#include <tuple>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 typedef GC::Cad_point<3> P3;
 typedef GC::Cad_point<2> P2;
-
-namespace {
 
 const double pi = 3.141592653589793;
 const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
@@ -100,8 +84,6 @@ std::pair<GC::Edge_side, GC::Edge_side> fillet(double radius) {
   return {side(plane(), line(0, 0, 0, 1), true), side(Elementary{Kind::cylinder, frame, radius}, line(0, 0, 0, -1))};
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(fillets) {
   for (double radius : {0.1, 3., 1e4}) {
     const auto [a, b] = fillet(radius);
@@ -160,8 +142,6 @@ BOOST_AUTO_TEST_CASE(cones_cylinders_and_tori) {
   check_is(g.curvature_jump->value, 1, 0);
 }
 
-namespace {
-
 std::vector<double> clamped(int degree, const std::vector<double>& inner) {
   std::vector<double> k(degree + 1, 0.);
   k.insert(k.end(), inner.begin(), inner.end());
@@ -179,8 +159,6 @@ GC::Cad_spline_surface tilted(const std::vector<double>& u_knots, const std::vec
   }
   return s;
 }
-
-} // namespace
 
 // The normal turns by 1e-7 within a thousandth of the edge.
 BOOST_AUTO_TEST_CASE(kink_between_samples) {
@@ -321,8 +299,6 @@ BOOST_AUTO_TEST_CASE(placements) {
   check_samples(c, image, -1, 5, e, 100);
 }
 
-namespace {
-
 template <class Random> GC::Cad_spline_surface random_surface(Random& random, bool rational) {
   std::uniform_real_distribution<double> noise(-0.1, 0.1), weight(0.5, 2);
   GC::Cad_spline_surface s{3, 2, clamped(3, {0.25, 0.5, 0.5, 0.875}), clamped(2, {0.375}), {}, {}};
@@ -333,8 +309,6 @@ template <class Random> GC::Cad_spline_surface random_surface(Random& random, bo
     }
   return s;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(random_splines) {
   const unsigned seed = first_seed();

@@ -4,31 +4,16 @@
 
 // Exact verdicts along whole edges: what continues each other exactly, what is off by one unit in the last place, and what is not decided.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE cad_edge_continuity
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
 #include "support/limited.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 typedef GC::Cad_point<3> P3;
-
-namespace {
 
 const double pi = 3.141592653589793;
 const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}},
@@ -106,8 +91,6 @@ GC::Cad_spline_surface turned(const GC::Cad_spline_surface& s) {
     }
   return t;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(splines_that_continue_each_other) {
   std::mt19937 random(seed());
@@ -252,14 +235,10 @@ BOOST_AUTO_TEST_CASE(factors_of_rational_edges) {
   BOOST_TEST(verdict(side(a, line(0, 0, 1, 0)), side(b, line(0, 0, 1, 0))) == "undecided");
 }
 
-namespace {
-
 // A plane and a cylinder that touches it along the axis of y: the normal of both points down.
 const GC::Cad_frame lying{{0, 0, 2}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}};
 const GC::Edge_side ground = side(plane(), line(0, 0, 0, 1), 0, true),
                     fillet = side(Elementary{Kind::cylinder, lying, 2}, line(0, 0, 0, -1));
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(planes_and_cylinders) {
   BOOST_TEST(verdict(ground, fillet, -1, 5) == "G1 curvature");

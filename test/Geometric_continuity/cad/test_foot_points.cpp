@@ -4,31 +4,16 @@
 
 // Curves in space and the faces that they belong to: distances and foot points that are known.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE foot_points
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
-#include <tuple>
-#include <utility>
 #include <variant>
-#include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
-
-namespace {
 
 const double pi = 3.141592653589793;
 const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
@@ -53,8 +38,6 @@ void check_is(const GC::Enclosure& e, double value, double error) {
   BOOST_TEST_CONTEXT("enclosure " << e << " of " << value)
   BOOST_TEST((e.lower <= value + error && value - error <= e.upper && e.upper - e.lower <= 0.01 * e.upper + 1e-9));
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(distances_of_curves) {
   const GC::Edge_side plane = side(Elementary{Kind::plane, standard}, line(0, 0, 1, 0));

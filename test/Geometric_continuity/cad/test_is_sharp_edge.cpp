@@ -4,27 +4,15 @@
 
 // Tells whether edges are sharp everywhere: with angles that are known along the edge.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE is_sharp_edge
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <random>
 #include <variant>
 
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
-
-namespace {
 
 const double degree = 0.017453292519943295;
 const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
@@ -43,8 +31,6 @@ GC::Edge_side ramp(double start, double end) {
           1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, -1, start}, {0, 0, 0}, {1, -1, end}, {1, 0, 0}}, {}},
       {{0, 1}, {1, 0}});
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(slopes) {
   using GC::Verdict;

@@ -4,31 +4,16 @@
 
 // What belongs to the poles of surfaces: lengths that are known, and what is no pole; foot points next to poles.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE range_at_pole
-#include <boost/test/unit_test.hpp>
 
-#include "support/errors.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <random>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 typedef std::optional<std::pair<double, double>> Found;
-
-namespace {
 
 const double pi = 3.141592653589793;
 const GC::Cad_placement unmoved{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
@@ -64,8 +49,6 @@ GC::Cad_spline_surface fan(const std::vector<GC::Cad_point<3>>& tip) {
   }
   return s;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(elementary_surfaces) {
   const unsigned seed = first_seed();

@@ -5,17 +5,11 @@
 // Verdicts along edges of rational patches against exact normals at many parameters: the surfaces are G1 exactly where all normals
 // of both sides have the same direction.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE sampled_normals
-#include <boost/test/unit_test.hpp>
 
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-
-#include <array>
-
-namespace {
 
 // Homogeneous points (w x, w), a row of them for each layer from the edge v = 0 into the patch.
 typedef std::array<Q, 4> Row_point;
@@ -71,8 +65,6 @@ template <class A, class B> bool normals_agree(const A& a, const B& b) {
   }
   return true;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(tangent_and_altered_patches) {
   Random random;

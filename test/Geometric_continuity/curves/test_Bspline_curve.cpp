@@ -4,23 +4,13 @@
 
 // B-spline curves.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/archetype.h"
 #include "support/splines.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
-
-#include <cstddef>
-#include <limits>
-#include <sstream>
-#include <utility>
-#include <vector>
 
 // The i-th coordinate as a function.
 template <class Traits> Function<typename Traits::FT> coordinate(const GC::Bspline_curve<Traits>& c, int i) {
@@ -34,8 +24,8 @@ template <class Traits, class Test> void in_each_coordinate(const GC::Bspline_cu
   for (int i = 0; i < c.dimension(); ++i) test(coordinate(c, i), i);
 }
 
-template <class Traits> void check_curve_operations(Random<typename Traits::FT>& random, int d) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT>
+void check_curve_operations(Random<typename Traits::FT>& random, int d) {
   typedef GC::Bspline_curve<Traits> Curve;
   const int p = random.integer(0, 4);
   const Curve c = random.template curve<Traits>(random.knots(p, p + 1), d);
@@ -91,8 +81,7 @@ template <class Traits> void check_curve_operations(Random<typename Traits::FT>&
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(curves_are_functions_in_each_coordinate, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(curves_are_functions_in_each_coordinate, K, Kernels) {
   repeat<FT>(12, [](Random<FT>& random) {
     check_curve_operations<GC::Traits_2<K>>(random, 2);
     check_curve_operations<GC::Traits_3<K>>(random, 3);
@@ -136,8 +125,7 @@ BOOST_AUTO_TEST_CASE(curves_over_an_archetype) {
   BOOST_CHECK_EQUAL((f + f)[1] == FT(6), true);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(bezier_curves_and_back, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(bezier_curves_and_back, K, Kernels) {
   typedef Curve3<K> Curve;
   typedef Bezier3<K> Bezier;
   repeat<FT>(25, [](Random<FT>& random) {
@@ -205,8 +193,7 @@ BOOST_AUTO_TEST_CASE(bezier_curves_of_different_dimensions_do_not_join) {
               dimension_mismatch);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(refused_curves_equality_and_output, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(refused_curves_equality_and_output, K, Kernels) {
   typedef GC::Bspline_curve<GC::Traits_2<K>> Curve;
   typedef typename K::Point_2 Point;
   const std::vector<Point> points{Point(0, 0), Point(1, 2), Point(3, 4), Point(5, 6)};
@@ -219,9 +206,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(refused_curves_equality_and_output, K, Kernels) {
   BOOST_CHECK(c == Curve(points.begin(), points.end(), knots));
   BOOST_CHECK(c != Curve(others.begin(), others.end(), knots));
   BOOST_CHECK(c != Curve(points.begin(), points.end(), GC::Knot_vector<FT>(2, FT(0), FT(4), {{FT(2), 1}})));
-  std::ostringstream os;
-  os << c;
-  BOOST_CHECK_EQUAL(os.str(), "B-spline curve of degree 2 over 0 0 0 1 4 4 4: (0, 0) (1, 2) (3, 4) (5, 6)");
+  BOOST_CHECK_EQUAL(text(c), "B-spline curve of degree 2 over 0 0 0 1 4 4 4: (0, 0) (1, 2) (3, 4) (5, 6)");
   if constexpr (!exact_v<FT>) {
     others[1] = Point(std::numeric_limits<FT>::quiet_NaN(), 0);
     CHECK_ERROR(Curve(others.begin(), others.end(), knots), not_finite);

@@ -4,25 +4,13 @@
 
 // Segmented curves.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/composite_curves.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
-#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
-
-#include <algorithm>
-#include <initializer_list>
-#include <limits>
-#include <utility>
-#include <vector>
 
 // --------------------------------------------------------------------------------------------- Hagen, definition 3.1
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(evaluation_by_the_definition, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(evaluation_by_the_definition, Traits, All_traits) {
   Random random;
   for (int m = 0; m <= 4; ++m)
     for (int segments = 1; segments <= (m == 0 ? 1 : 4); ++segments) {
@@ -48,8 +36,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(evaluation_by_the_definition, Traits, All_traits) 
     }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(derivatives_on_both_sides_of_a_knot, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(derivatives_on_both_sides_of_a_knot, Traits, All_traits) {
   Random random;
   for (int m = 3; m <= 5; ++m) {
     const Composite<Traits> c = random.curve<Traits>(m, 3);
@@ -82,8 +69,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(derivatives_on_both_sides_of_a_knot, Traits, All_t
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(parameters_outside_the_domain, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(parameters_outside_the_domain, Traits, All_traits) {
   const Composite<Traits> c = composite<Traits>({{0}, {1}, {2}, {3}, {4}}, {1, 2, 4});
   std::vector<FT> bad = {ratio<FT>(999, 1000), ratio<FT>(4001, 1000)};
   if constexpr (!is_exact<Traits>) bad.push_back(std::numeric_limits<double>::quiet_NaN());
@@ -109,8 +95,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(parameters_outside_the_domain, Traits, All_traits)
 
 // ------------------------------------------------------------------------------------------------------ construction
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(bad_points_and_knots, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(bad_points_and_knots, Traits, All_traits) {
   const std::vector<typename Traits::Point> b = points<Traits>({{0}, {1}, {2}, {3}, {4}, {5}, {6}});
   const auto make = [&](int n, std::initializer_list<int> knots) {
     return Composite<Traits>(b.begin(), b.begin() + n, numbers<FT>(knots));
@@ -149,8 +134,7 @@ BOOST_AUTO_TEST_CASE(points_of_different_dimensions) {
   CHECK_ERROR(Composite<Exact_d>(curves.begin(), curves.end()), dimension_mismatch);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(from_curves_that_meet, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(from_curves_that_meet, Traits, All_traits) {
   Random random;
   const Composite<Traits> c = random.curve<Traits>(3, 4);
   const std::vector<Bezier<Traits>> parts(c.segments().begin(), c.segments().end());
@@ -210,8 +194,7 @@ BOOST_AUTO_TEST_CASE(adjacent_domains_are_not_rounded) {
 
 // --------------------------------------------------------------------------------------------------------- iteration
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(segments_and_joins, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(segments_and_joins, Traits, All_traits) {
   Random random;
   for (bool closed : {false, true})
     for (int segments = 1; segments <= 3; ++segments) {
@@ -240,8 +223,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(segments_and_joins, Traits, All_traits) {
 
 // ------------------------------------------------------------------------------------------------------ other curves
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_knot_is_inserted, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(a_knot_is_inserted, Traits, All_traits) {
   Random random;
   for (int m = 0; m <= 3; ++m) {
     const int segments = m == 0 ? 1 : 3;
@@ -261,8 +243,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_knot_is_inserted, Traits, All_traits) {
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(parts, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(parts, Traits, All_traits) {
   Random random;
   const Composite<Traits> c = random.curve<Traits>(3, 4);
   for (int i = 0; i < 4; ++i)
@@ -296,8 +277,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(parts, Traits, All_traits) {
   BOOST_CHECK(at_knot.first == c.segment_range(0, 1) && at_knot.second == c.segment_range(1, 4));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(run_through_backwards, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(run_through_backwards, Traits, All_traits) {
   Random random;
   const Composite<Traits> c = random.curve<Traits>(3, 3), r = c.reverse();
   BOOST_CHECK(r.domain() == c.domain());
@@ -323,8 +303,7 @@ BOOST_AUTO_TEST_CASE(reversal_of_rounded_knots) {
   CHECK_ERROR(Composite<Double_2>(b.begin(), b.end(), {0, 1e-20, 1}).reverse(), empty_domain);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(values, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(values, Traits, All_traits) {
   Random random;
   const Composite<Traits> c = random.curve<Traits>(2, 3);
   Composite<Traits> d = c;
@@ -365,8 +344,7 @@ BOOST_AUTO_TEST_CASE(output) {
   BOOST_CHECK_EQUAL(text(summary), "2 joins, 1 with a gap");
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_segmented_curve_is_a_parametric_curve, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(a_segmented_curve_is_a_parametric_curve, Traits, All_traits) {
   Random random;
   const Composite<Traits> c = random.curve<Traits>(3, 4);
   const std::pair<Composite<Traits>, Composite<Traits>> halves = c.split(inside<Traits>(c, 1, ratio<FT>(1, 2)));

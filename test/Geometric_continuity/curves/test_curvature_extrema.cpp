@@ -4,32 +4,12 @@
 
 // Extrema of curvature and inflections: of curves where they are known, and of random ones, where dense sampling finds them.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <array>
-#include <cmath>
-#include <random>
-#include <sstream>
-#include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(curvature_extrema)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
-typedef GC::Traits_d<CGAL::Cartesian_d<double>> Double_d;
 typedef std::tuple<GC::Traits_2<CGAL::Simple_cartesian<Q>>, GC::Traits_2<CGAL::Epeck>, GC::Traits_2<CGAL::Epick>,
                    GC::Traits_2<CGAL::Simple_cartesian<double>>, Exact_d, Double_d>
     Planar_traits;
@@ -37,8 +17,6 @@ typedef std::tuple<GC::Traits_3<CGAL::Simple_cartesian<Q>>, GC::Traits_3<CGAL::E
                    GC::Traits_3<CGAL::Simple_cartesian<double>>, Exact_d, Double_d>
     Space_traits;
 typedef std::vector<std::vector<double>> Rows;
-
-namespace {
 
 constexpr unsigned seed = 2026;
 
@@ -121,8 +99,6 @@ Rows random_rows(std::mt19937& engine, int degree, int dimension, int spread) {
   return rows;
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_parabola_has_one_extremum, Traits, Planar_traits) {
   const GC::Curvature_extrema c = measured<Traits>(parabola, 3, 5);
   BOOST_REQUIRE_EQUAL(c.extrema.size(), 1u);
@@ -161,9 +137,7 @@ BOOST_AUTO_TEST_CASE(the_cube_of_x) {
   BOOST_CHECK(holds(c.extrema[0].parameter, -x) && holds(c.extrema[1].parameter, x));
   BOOST_CHECK(holds(c.extrema[0].curvature, -kappa) && holds(c.extrema[1].curvature, kappa));
   BOOST_CHECK(c.inflections.size() == 1 && (c.inflections[0] == GC::Enclosure{0, 0}));
-  std::ostringstream os;
-  os << c;
-  BOOST_CHECK(os.str().find("2 extrema of curvature, 1 inflection, curvature from [-1.7") == 0);
+  BOOST_CHECK(text(c).find("2 extrema of curvature, 1 inflection, curvature from [-1.7") == 0);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(other_planar_curves, Traits, Planar_traits) {
@@ -264,8 +238,7 @@ BOOST_AUTO_TEST_CASE(similar_and_reversed_curves) {
 }
 
 // The counts of a curve are those of its pieces, with what is at the knots.
-BOOST_AUTO_TEST_CASE_TEMPLATE(pieces, Traits, Planar_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(pieces, Traits, Planar_traits) {
   typedef GC::Bezier_curve<Traits> Bezier;
   const auto of = [](const std::vector<Bezier>& curves) {
     return GC::curvature_extrema(GC::Composite_bezier_curve<Traits>(curves.begin(), curves.end()));
@@ -301,8 +274,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(pieces, Traits, Planar_traits) {
 }
 
 // With floating-point numbers the Bezier pieces of a B-spline curve would be rounded; it is decided as it is given.
-BOOST_AUTO_TEST_CASE_TEMPLATE(splines, Traits, Planar_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(splines, Traits, Planar_traits) {
   const std::vector<typename Traits::Point> p =
       points<Traits>({{0, 0}, {0.1, 1}, {1.3, 1.7}, {2, -1}, {3, 0.3}, {4, 0}});
   std::vector<FT> knots;

@@ -4,26 +4,12 @@
 
 // Hagen 1.7 (b): the curvatures determine a curve up to an isometry.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE curve_from_curvatures
-#include <boost/test/unit_test.hpp>
 
 #include "support/jets.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/curve_from_curvatures.h>
-#include <CGAL/Geometric_continuity/local/congruence.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <utility>
-#include <vector>
-
-namespace {
 
 constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
 const double pi = std::acos(-1.);
@@ -117,8 +103,6 @@ std::pair<double, double> fresnel(double s, double b) {
   }
   return {static_cast<double>(x), static_cast<double>(y)};
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(circle) {
   const double r = 2;

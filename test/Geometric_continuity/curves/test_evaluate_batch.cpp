@@ -4,24 +4,11 @@
 
 // Many jets at once: the same numbers as one by one, exactly with rational numbers, and within rounding with doubles.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_points.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <tuple>
-#include <type_traits>
-#include <vector>
-
-namespace {
 
 // The same curve with exact numbers.
 template <class Curve> GC::Bezier_curve<Traits<Exact>> exact_curve(const Curve& curve) {
@@ -127,8 +114,6 @@ template <class FT, int degree> void check_fixed_degree(const FT& a, const FT& b
     }
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(jets) {
   for (int degree : {0, 3, 4, 9, 10, 11}) {

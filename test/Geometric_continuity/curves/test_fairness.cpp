@@ -4,42 +4,18 @@
 
 // The variation of curvature and the bending energy, against closed formulas and independent sums.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(fairness)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double_2;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
-typedef GC::Traits_d<CGAL::Cartesian_d<double>> Double_d;
 typedef std::tuple<GC::Traits_2<CGAL::Simple_cartesian<Q>>, GC::Traits_2<CGAL::Epeck>, GC::Traits_2<CGAL::Epick>,
                    Double_2, Exact_d, Double_d>
     Planar_traits;
 typedef std::vector<std::vector<double>> Rows;
-
-namespace {
 
 constexpr unsigned seed = 2026;
 
@@ -99,8 +75,6 @@ Rows random_rows(std::mt19937& engine, int degree, int dimension) {
   }
   return rows;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(circles_and_lines) {
   for (double r : {1e-3, 1., 1e5})
@@ -205,8 +179,6 @@ BOOST_AUTO_TEST_CASE(crossings_of_polygons) {
   BOOST_CHECK((!GC::Crossings{3, 2, 1}.diminished()) && (!GC::Crossings{1, 1, 2}.diminished()));
 }
 
-namespace {
-
 // (t, a sin(w t) / w), of jets up to a certain order; and (s^2, s^3) with s = t - 1/2, a cusp.
 struct Wave {
   typedef Double_2 Traits;
@@ -225,8 +197,6 @@ struct Wave {
     return GC::Curve_jet<Double_2>(Double_2::Point(t, 0), std::vector<V>(d.begin(), d.begin() + k));
   }
 };
-
-} // namespace
 
 // A curve that is no spline is asked for its jets: it may turn too often, stop in the middle, or have too few derivatives.
 BOOST_AUTO_TEST_CASE(curves_by_their_jets) {

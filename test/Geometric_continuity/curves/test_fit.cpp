@@ -4,8 +4,6 @@
 
 // Curves near polylines. Joins are decided exactly on the control points; distances are compared with those of many points.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/exact_splines.h"
 #include "support/plain_traits.h"
 
@@ -13,16 +11,7 @@
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(fit)
-
-namespace {
 
 using GC::Closure;
 typedef GC::Traits_2<CGAL::Epick> Plane;
@@ -121,8 +110,6 @@ int pieces(const Points& p, double tolerance, Closure closure, int order, double
   return check(GC::fit<Plane>(p.begin(), p.end(), tolerance, closure, order, corner_angle), p, tolerance, closure,
                order);
 }
-
-} // namespace
 
 // As few pieces as known constructions have, and perhaps one more at the end: quarters of a circle by cubics are wrong by 2.7e-4 of
 // the radius.

@@ -4,24 +4,12 @@
 
 // Cubic splines through points. With exact numbers all is compared with ==.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/exact_splines.h"
 
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <string>
-#include <type_traits>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(interpolation)
-
-namespace {
 
 using GC::Closure;
 using GC::Parametrisation;
@@ -55,8 +43,6 @@ void check_joins(const Curve<Exact>& curve, bool closed) {
     BOOST_CHECK_GE(continuity(pieces[i], pieces[i + 1], 2).c_order, 2);
   if (closed) BOOST_CHECK_GE(continuity(pieces.back(), pieces.front(), 2).c_order, 2);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(natural_splines) {
   repeat(12, [](Random& random) {

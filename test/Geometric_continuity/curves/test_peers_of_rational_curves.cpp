@@ -5,9 +5,7 @@
 // Jets and knot insertion of rational B-spline curves of doubles, and those of SISL and OpenCASCADE where they were found: all agree
 // with the exact results up to roundings.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE peers_of_rational_curves
-#include <boost/test/unit_test.hpp>
 
 #include "support/peer_agreement.h"
 

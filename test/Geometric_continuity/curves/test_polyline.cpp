@@ -5,20 +5,9 @@
 // Polylines and boxes of curves. That they are near enough, or contain the curve, is checked in rational numbers without any
 // square root, on curves with `double` coordinates as well: a double is a rational number.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
-#include "support/kernels.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/curves/polyline.h>
-
-#include <cmath>
-#include <initializer_list>
-#include <iterator>
-#include <limits>
-#include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(polylines)
 
@@ -28,8 +17,6 @@ template <class Traits> using Curve = GC::Bezier_curve<Traits>;
 template <class Traits> using Column = GC::Coordinate_vector<Q, Curve<Traits>::N>; // always of rational numbers
 template <class Traits> constexpr bool is_exact = !std::is_floating_point_v<typename Traits::FT>;
 template <class Traits> constexpr int test_dimension = Curve<Traits>::N == 0 ? 4 : Curve<Traits>::N;
-
-namespace {
 
 template <class Traits> Column<Traits> rational(const typename Traits::Point& p) {
   return GC::coordinates<Traits, Q>(p);
@@ -132,12 +119,9 @@ public:
   }
 };
 
-} // namespace
-
 // ---------------------------------------------------------------- polylines by tolerance
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(random_curves_are_near_their_polylines, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(random_curves_are_near_their_polylines, Traits, All_traits) {
   Random random;
   for (int degree = 0; degree <= 6; ++degree)
     for (double tolerance : {8.0, 1.0, 1.0 / 16}) {
@@ -146,8 +130,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(random_curves_are_near_their_polylines, Traits, Al
     }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(bound_is_sharp_for_a_parabola, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(bound_is_sharp_for_a_parabola, Traits, All_traits) {
   // y = 4 x (1 - x): over a parameter interval of length h the chord is h^2 below the curve in the middle
   const Curve<Traits> c = bezier<Traits>({{0, 0}, {0.5, 2}, {1, 0}});
   BOOST_CHECK_EQUAL(chords(c, FT(2)).size(), 2u);
@@ -159,8 +142,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(bound_is_sharp_for_a_parabola, Traits, All_traits)
   check_near<Traits>({c}, chords(c, fine), Q(fine));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(straight_lines_have_two_vertices, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(straight_lines_have_two_vertices, Traits, All_traits) {
   const FT tolerance = FT(FT(1) / FT(1 << 20));
   BOOST_CHECK_EQUAL(chords(bezier<Traits>({{1, 2, 3}, {5, 4, 7}}), tolerance).size(), 2u);
   // at any speed, with stops
@@ -173,8 +155,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(straight_lines_have_two_vertices, Traits, All_trai
   BOOST_CHECK_EQUAL(chords(back, tolerance).size(), 3u);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(degenerate_curves, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(degenerate_curves, Traits, All_traits) {
   const FT tolerance = FT(FT(1) / FT(64));
   const Q exact_tolerance = Q(Q(1) / 64);
   const auto check = [&](const Curve<Traits>& c) { check_near<Traits>({c}, chords(c, tolerance), exact_tolerance); };
@@ -192,8 +173,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(degenerate_curves, Traits, All_traits) {
   BOOST_CHECK(loop.size() > 10);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(composite_curves, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(composite_curves, Traits, All_traits) {
   // closed, with a constant segment and a straight one
   const std::vector<typename Traits::Point> b = points<Traits>(
       {{0, 0}, {1, 2}, {3, 2}, {4, 0}, {4, 0}, {4, 0}, {4, 0}, {5, 0}, {6, 0}, {8, 0}, {6, -3}, {1, -4}, {0, 0}});
@@ -207,8 +187,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(composite_curves, Traits, All_traits) {
   BOOST_CHECK_EQUAL(on_line, 2);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(bspline_curves, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(bspline_curves, Traits, All_traits) {
   const std::vector<typename Traits::Point> b =
       points<Traits>({{0, 0, 1}, {1, 5, 2}, {4, 4, 0}, {3, -1, 3}, {8, 2, 1}, {6, 6, 2}, {7, 1, 1}});
   // not clamped, with a double knot
@@ -251,8 +230,7 @@ BOOST_AUTO_TEST_CASE(doubles_keep_the_tolerance_with_all_roundings) {
   check_near<Double_2>({c}, chords(c, huge / 16), Q(huge / 16));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(tolerances_that_are_refused, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(tolerances_that_are_refused, Traits, All_traits) {
   const Curve<Traits> c = bezier<Traits>({{0, 0}, {1, 2}, {3, 2}});
   CHECK_ERROR(chords(c, FT(0)), unreachable_tolerance);
   CHECK_ERROR(chords(c, FT(-1)), unreachable_tolerance);
@@ -274,8 +252,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(tolerances_that_are_refused, Traits, All_traits) {
 
 // ---------------------------------------------------------------- polylines by number, and by a bound
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(equal_parts, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(equal_parts, Traits, All_traits) {
   const Curve<Traits> c = bezier<Traits>({{0, 0, 0}, {1, 2, 4}, {4, 0, 8}}).with_domain(FT(2), FT(4));
   std::vector<typename Traits::Point> out;
   GC::uniform_polyline(c, 4, std::back_inserter(out));
@@ -286,8 +263,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(equal_parts, Traits, All_traits) {
   BOOST_CHECK_EQUAL(out.size(), 1u);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(bounded_second_derivative, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(bounded_second_derivative, Traits, All_traits) {
   // |x''| = 8 in the parameter of [0, 1], 8/9 in that of [0, 3]
   const Curve<Traits> c = bezier<Traits>({{0, 0}, {0.5, 2}, {1, 0}}).with_domain(FT(0), FT(3));
   for (int n : {1, 2, 3, 7, 100}) {
@@ -338,8 +314,7 @@ void check_boxes(const Any_curve& c, const std::vector<Curve<Traits>>& pieces, i
 
 typedef std::tuple<Exact_2, Exact_3, Double_2, Double_3> Traits_with_boxes;
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(boxes_contain_their_pieces, Traits, Traits_with_boxes) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(boxes_contain_their_pieces, Traits, Traits_with_boxes) {
   Random random;
   for (int degree = 0; degree <= 5; ++degree)
     for (int k : {0, 1, 3}) {

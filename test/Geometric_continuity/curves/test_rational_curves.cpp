@@ -5,31 +5,13 @@
 // Rational Bezier and B-spline curves and arcs of conics: on random curves with big rational numbers, where an identity that holds
 // is one, on doubles within the bound of their roundings, and where weights are negative or zero.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/random.h"
 
 #include <CGAL/Aff_transformation_2.h>
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <random>
-#include <string>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(rational_curves)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Q2;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Q3;
 typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Qd;
@@ -41,8 +23,6 @@ typedef std::tuple<Q2, Qd, D3> All;
 typedef std::tuple<Q2, Qd, Lazy3> Exact_traits;
 typedef std::tuple<Q2, D2> Planar;
 typedef std::tuple<Q3, Epick2, D2> Ellipses;
-
-namespace {
 
 std::mt19937_64 engine(first_seed());
 
@@ -69,8 +49,7 @@ template <class Traits> typename Traits::Vector vector() {
   return GC::to_vector<Traits>(GC::coordinates<Traits>(point<Traits>()));
 }
 
-template <class Traits> GC::Rational_bezier_curve<Traits> curve(int m) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> GC::Rational_bezier_curve<Traits> curve(int m) {
   std::vector<typename Traits::Point> points;
   std::vector<FT> weights;
   for (int j = 0; j <= m; ++j) {
@@ -80,8 +59,7 @@ template <class Traits> GC::Rational_bezier_curve<Traits> curve(int m) {
   return {points, weights, FT(-1), FT(FT(3) / FT(2))};
 }
 
-template <class Traits> GC::Rational_bspline_curve<Traits> spline(int p) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> GC::Rational_bspline_curve<Traits> spline(int p) {
   std::vector<FT> knots, weights;
   for (int u : {0, 1, 3, 3, 4, 6, 7}) // unclamped at its end, and a double inner knot
     for (int i = u == 0 ? p : 0; i >= 0; --i) knots.push_back(FT(u));
@@ -116,11 +94,8 @@ template <class Traits, class X, class Y> bool same_point(const X& x, const Y& y
 
 template <class Traits> typename Traits::FT square(const GC::Coordinates<Traits>& x) { return dot(x, x); }
 
-} // namespace
-
 // x w = p, derived by Leibniz' rule, on the numerator and the denominator as Bernstein polynomials.
-BOOST_AUTO_TEST_CASE_TEMPLATE(jets_are_those_of_the_quotient, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(jets_are_those_of_the_quotient, Traits, All) {
   for (int m = 0; m <= 5; ++m) {
     const GC::Rational_bezier_curve<Traits> c = curve<Traits>(m);
     const FT u = FT(FT(-1) + parameter<FT>() * FT(5) / FT(2));
@@ -140,8 +115,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(jets_are_those_of_the_quotient, Traits, All) {
   CHECK_ERROR(curve<Traits>(2).jet(FT(0), -1), negative_count);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(operations_keep_the_points, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(operations_keep_the_points, Traits, All) {
   const GC::Rational_bezier_curve<Traits> c = curve<Traits>(4);
   const FT a = c.domain().first, b = c.domain().second, middle = FT(FT(1) / FT(8));
   const auto parts = c.split(middle);
@@ -164,8 +138,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(operations_keep_the_points, Traits, All) {
   CHECK_ERROR(c.elevate(-1), negative_count);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_factor_of_all_weights_changes_nothing, Traits, Exact_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(a_factor_of_all_weights_changes_nothing, Traits, Exact_traits) {
   const GC::Rational_bezier_curve<Traits> c = curve<Traits>(3);
   std::vector<FT> weights;
   const FT factor = weight<FT>();
@@ -176,8 +149,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_factor_of_all_weights_changes_nothing, Traits, E
 }
 
 // Another rational parameter: smooth of every geometric order, and of order 0 in the parameter.
-BOOST_AUTO_TEST_CASE_TEMPLATE(reparametrised_parts_are_geometrically_smooth, Traits, Exact_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(reparametrised_parts_are_geometrically_smooth, Traits, Exact_traits) {
   for (int m = 2; m <= 4; ++m) {
     const auto parts = curve<Traits>(m).split(FT(0));
     const GC::Rational_bezier_curve<Traits> right = parts.second.reparametrised(FT(FT(7) / FT(3)));
@@ -197,8 +169,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(reparametrised_parts_are_geometrically_smooth, Tra
   CHECK_ERROR(curve<Traits>(2).reparametrised(FT(0)), zero_weight);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(polynomial_curves_are_recognised, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(polynomial_curves_are_recognised, Traits, All) {
   std::vector<typename Traits::Point> p;
   for (int j = 0; j <= 3; ++j) p.push_back(point<Traits>());
   const GC::Bezier_curve<Traits> c(p.begin(), p.end(), FT(1), FT(3));
@@ -215,8 +186,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(polynomial_curves_are_recognised, Traits, All) {
                GC::is_g3_join(c, c)));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(splines_and_their_pieces, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(splines_and_their_pieces, Traits, All) {
   for (int p = 1; p <= 3; ++p) {
     const GC::Rational_bspline_curve<Traits> c = spline<Traits>(p);
     const auto pieces = c.bezier_pieces();
@@ -256,8 +226,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(splines_and_their_pieces, Traits, All) {
   CHECK_ERROR((GC::Rational_bspline_curve<Traits>(none.begin(), none.end())), wrong_number_of_points);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(the_denominator_must_be_positive, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(the_denominator_must_be_positive, Traits, All) {
   const std::vector<typename Traits::Point> p = {point<Traits>(), point<Traits>(), point<Traits>()};
   const auto make = [&](const FT& a, const FT& b, const FT& c) {
     const std::vector<FT> w = {a, b, c};
@@ -330,8 +299,7 @@ BOOST_AUTO_TEST_CASE(what_is_not_finite_is_refused) {
 }
 
 // Half a circle has an infinite control point.
-BOOST_AUTO_TEST_CASE_TEMPLATE(infinite_control_points, Traits, Planar) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(infinite_control_points, Traits, Planar) {
   typedef typename Traits::Point Point;
   const GC::Rational_bezier_curve<Traits, 2> half = GC::circular_arc<Traits>(Point(2, 1), Point(3, 1), FT(1));
   BOOST_CHECK(half.weight(1) == FT(0) && half.control_point(1) == Point(0, 1) &&
@@ -350,8 +318,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(infinite_control_points, Traits, Planar) {
   BOOST_CHECK(flat(FT(FT(1) / FT(2))) == Point(FT(FT(1) / FT(2)), FT(0)) && flat.control_point(1) == Point(0, 0));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(arcs_lie_on_their_circles, Traits, Exact_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(arcs_lie_on_their_circles, Traits, Exact_traits) {
   const auto on_circle = [](const auto& arc, const GC::Coordinates<Traits>& centre, const FT& radius_squared) {
     for (int i = 0; i <= 8; ++i)
       if (square<Traits>(GC::coordinates<Traits>(arc(FT(FT(i) / FT(8)))) - centre) != radius_squared) return false;
@@ -470,8 +437,7 @@ BOOST_AUTO_TEST_CASE(arcs_of_conics) {
   BOOST_CHECK(arc(Q(1) / Q(2)) == Q3::Point(1, 2, 0));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(an_ellipse_is_closed_and_smooth, Traits, Ellipses) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(an_ellipse_is_closed_and_smooth, Traits, Ellipses) {
   GC::Coordinates<Traits> c(dimension<Traits>()), u = c, v = c;
   c[0] = FT(1);
   u[0] = FT(3);
@@ -527,8 +493,7 @@ BOOST_AUTO_TEST_CASE(lines_and_arcs) {
 }
 
 // All vertices on the circle, and the middle of each chord no farther away than the tolerance; boxes that contain what they should.
-BOOST_AUTO_TEST_CASE_TEMPLATE(polylines_and_boxes, Traits, Planar) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(polylines_and_boxes, Traits, Planar) {
   typedef typename Traits::Point Point;
   const auto arc = GC::circular_arc<Traits>(Point(0, 0), Point(1, 0), FT(3)); // 286 degrees
   for (int n : {10, 1000, 100000}) {
@@ -559,8 +524,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(polylines_and_boxes, Traits, Planar) {
 }
 
 // The next segment behind a rational curve is polynomial and has its jet there.
-BOOST_AUTO_TEST_CASE_TEMPLATE(extensions, Traits, Exact_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(extensions, Traits, Exact_traits) {
   for (int m = 1; m <= 4; ++m) {
     const GC::Rational_bezier_curve<Traits> c = curve<Traits>(m);
     const GC::Rational_bspline_curve<Traits> s(c);

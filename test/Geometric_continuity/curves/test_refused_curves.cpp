@@ -4,8 +4,6 @@
 
 // Counts, domains and numbers that curves refuse, and what large degrees and large coordinates do not disturb.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/errors.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -215,11 +213,6 @@ BOOST_AUTO_TEST_CASE(numbers_that_enter) {
 
 // Messages name what was asked for.
 BOOST_AUTO_TEST_CASE(names) {
-  const auto text = [](const auto& x) {
-    std::ostringstream os;
-    os << x;
-    return os.str();
-  };
   BOOST_CHECK_EQUAL(to_string(GC::Closing::open), "open");
   BOOST_CHECK_EQUAL(to_string(GC::Closing::smooth), "smooth");
   BOOST_CHECK_EQUAL(to_string(GC::Closing::cusp), "cusp");

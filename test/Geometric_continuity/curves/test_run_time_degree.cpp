@@ -6,17 +6,11 @@
 // points and jets allocate no memory.
 
 #define BOOST_TEST_MODULE run_time_degree
-#include <boost/test/unit_test.hpp>
 
 #include "support/allocations.h"
 #include "support/random_points.h"
 
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
-
-#include <utility>
-#include <vector>
-
-namespace {
 
 // The curves have the domain [-0.7, 1.9]; parameters are its ends, others, and one outside.
 const double parameters[] = {-0.7, -0.3, 0.1, 0.6, 1.1, 1.7, 1.9, 2.5};
@@ -67,8 +61,6 @@ template <int Degree> void compare_degree() {
   }
   if constexpr (Degree > 0) compare_degree<Degree - 1>();
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(bits_do_not_depend_on_how_the_degree_is_known) {
   BOOST_TEST_CONTEXT("seed 2026") compare_degree<11>();

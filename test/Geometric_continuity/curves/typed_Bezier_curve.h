@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_CURVES_TYPED_BEZIER_CURVE_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_CURVES_TYPED_BEZIER_CURVE_H
+#pragma once
 
 #include "support/typed.h"
 
@@ -35,191 +34,170 @@ template <class Traits> FT random_parameter(Random& random, const Curve<Traits>&
   return FT(c.domain().first + random.number() * ratio(1, 2) * (c.domain().second - c.domain().first));
 }
 
-BOOST_AUTO_TEST_CASE(values_and_jets) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    for (int m = 0; m <= max_degree; ++m) {
-      const Curve<Traits> c = random_curve<Traits>(random, d, m);
-      const FT a = c.domain().first, b = c.domain().second, u = random_parameter(random, c), t = (u - a) / (b - a);
-      BOOST_CHECK_EQUAL(c.degree(), m);
-      BOOST_CHECK_EQUAL(c.dimension(), d);
-      Column<Traits> sum(d);
-      for (int i = 0; i <= m; ++i)
-        sum += FT(FT(binomial(m, i)) * power(t, i) * power(FT(FT(1) - t), m - i)) * c.coordinates(i);
-      BOOST_CHECK(column<Traits>(c(u)) == sum);
-      BOOST_CHECK(same<Traits>(c(a), c.control_point(0)));
-      BOOST_CHECK(same<Traits>(c(b), c.control_point(m)));
-      for (int i = 0; i < d; ++i) BOOST_CHECK(c.coordinate_polynomial(i)(t) == sum[i]);
+TEST_WITH_RANDOM_INPUT(values_and_jets) {
+  for (int m = 0; m <= max_degree; ++m) {
+    const Curve<Traits> c = random_curve<Traits>(random, d, m);
+    const FT a = c.domain().first, b = c.domain().second, u = random_parameter(random, c), t = (u - a) / (b - a);
+    BOOST_CHECK_EQUAL(c.degree(), m);
+    BOOST_CHECK_EQUAL(c.dimension(), d);
+    Column<Traits> sum(d);
+    for (int i = 0; i <= m; ++i)
+      sum += FT(FT(binomial(m, i)) * power(t, i) * power(FT(FT(1) - t), m - i)) * c.coordinates(i);
+    BOOST_CHECK(column<Traits>(c(u)) == sum);
+    BOOST_CHECK(same<Traits>(c(a), c.control_point(0)));
+    BOOST_CHECK(same<Traits>(c(b), c.control_point(m)));
+    for (int i = 0; i < d; ++i) BOOST_CHECK(c.coordinate_polynomial(i)(t) == sum[i]);
 
-      for (int k = 0; k <= m + 2; ++k) { // every order, against the hodographs
-        const Jet<Traits> at_u = c.jet(u, k), at_a = c.jet(a, k), at_b = c.jet(b, k);
-        BOOST_CHECK_EQUAL(at_u.order(), k);
-        BOOST_CHECK(c.start_jet(k) == at_a);
-        BOOST_CHECK(c.end_jet(k) == at_b);
-        Curve<Traits> hodograph = c;
-        for (int j = 0; j <= k; ++j, hodograph = hodograph.derivative()) {
-          BOOST_CHECK(at_u[j] == column<Traits>(hodograph(u)));
-          BOOST_CHECK(at_a[j] == column<Traits>(hodograph(a)));
-          BOOST_CHECK(at_b[j] == column<Traits>(hodograph(b)));
-        }
+    for (int k = 0; k <= m + 2; ++k) { // every order, against the hodographs
+      const Jet<Traits> at_u = c.jet(u, k), at_a = c.jet(a, k), at_b = c.jet(b, k);
+      BOOST_CHECK_EQUAL(at_u.order(), k);
+      BOOST_CHECK(c.start_jet(k) == at_a);
+      BOOST_CHECK(c.end_jet(k) == at_b);
+      Curve<Traits> hodograph = c;
+      for (int j = 0; j <= k; ++j, hodograph = hodograph.derivative()) {
+        BOOST_CHECK(at_u[j] == column<Traits>(hodograph(u)));
+        BOOST_CHECK(at_a[j] == column<Traits>(hodograph(a)));
+        BOOST_CHECK(at_b[j] == column<Traits>(hodograph(b)));
       }
-      BOOST_CHECK_EQUAL(c.derivative().degree(), std::max(m - 1, 0));
-      BOOST_CHECK(c.derivative().domain() == c.domain());
     }
-  });
+    BOOST_CHECK_EQUAL(c.derivative().degree(), std::max(m - 1, 0));
+    BOOST_CHECK(c.derivative().domain() == c.domain());
+  }
 }
 
-BOOST_AUTO_TEST_CASE(split_and_reverse) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    for (int m = 0; m <= max_degree; ++m) {
-      const Curve<Traits> c = random_curve<Traits>(random, d, m);
-      const FT a = c.domain().first, b = c.domain().second, h = b - a;
-      const FT u = a + ratio(random.integer(1, 3), 4) * h;
-      const std::pair<Curve<Traits>, Curve<Traits>> parts = c.split(u);
-      BOOST_CHECK(parts.first.domain() == std::make_pair(a, u));
-      BOOST_CHECK(parts.second.domain() == std::make_pair(u, b));
-      BOOST_CHECK(parts.first.end_jet(m) == parts.second.start_jet(m));
-      BOOST_CHECK(parts.first.start_jet(m) == c.start_jet(m));
-      BOOST_CHECK(parts.second.end_jet(m) == c.end_jet(m));
-      const FT v = random_parameter(random, c);
-      BOOST_CHECK(nearly_equal_points<Traits>(parts.first(v), c(v)));
-      BOOST_CHECK(nearly_equal_points<Traits>(parts.second(v), c(v)));
-      for (const FT& outside : {a, b, FT(a - h), FT(b + h)}) CHECK_ERROR(c.split(outside), parameter_outside_domain);
+TEST_WITH_RANDOM_INPUT(split_and_reverse) {
+  for (int m = 0; m <= max_degree; ++m) {
+    const Curve<Traits> c = random_curve<Traits>(random, d, m);
+    const FT a = c.domain().first, b = c.domain().second, h = b - a;
+    const FT u = a + ratio(random.integer(1, 3), 4) * h;
+    const std::pair<Curve<Traits>, Curve<Traits>> parts = c.split(u);
+    BOOST_CHECK(parts.first.domain() == std::make_pair(a, u));
+    BOOST_CHECK(parts.second.domain() == std::make_pair(u, b));
+    BOOST_CHECK(parts.first.end_jet(m) == parts.second.start_jet(m));
+    BOOST_CHECK(parts.first.start_jet(m) == c.start_jet(m));
+    BOOST_CHECK(parts.second.end_jet(m) == c.end_jet(m));
+    const FT v = random_parameter(random, c);
+    BOOST_CHECK(nearly_equal_points<Traits>(parts.first(v), c(v)));
+    BOOST_CHECK(nearly_equal_points<Traits>(parts.second(v), c(v)));
+    for (const FT& outside : {a, b, FT(a - h), FT(b + h)}) CHECK_ERROR(c.split(outside), parameter_outside_domain);
 
-      const Curve<Traits> r = c.reverse();
-      BOOST_CHECK(r.domain() == c.domain());
-      BOOST_CHECK(same<Traits>(r(FT(a + b - v)), c(v)));
-      BOOST_CHECK(same_points<Traits>(r.reverse(), c));
-      BOOST_CHECK(r.start_jet(m) == reversed(c.end_jet(m)));
+    const Curve<Traits> r = c.reverse();
+    BOOST_CHECK(r.domain() == c.domain());
+    BOOST_CHECK(same<Traits>(r(FT(a + b - v)), c(v)));
+    BOOST_CHECK(same_points<Traits>(r.reverse(), c));
+    BOOST_CHECK(r.start_jet(m) == reversed(c.end_jet(m)));
 
-      const Curve<Traits> moved = c.with_domain(FT(a + h), FT(a + FT(3) * h)); // twice as slow
-      BOOST_CHECK(moved.start_jet(m) == reparametrised(c.start_jet(m), {ratio(1, 2)}));
-      CHECK_ERROR(c.with_domain(b, a), empty_domain);
-    }
-  });
+    const Curve<Traits> moved = c.with_domain(FT(a + h), FT(a + FT(3) * h)); // twice as slow
+    BOOST_CHECK(moved.start_jet(m) == reparametrised(c.start_jet(m), {ratio(1, 2)}));
+    CHECK_ERROR(c.with_domain(b, a), empty_domain);
+  }
 }
 
-BOOST_AUTO_TEST_CASE(elevation) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    for (int m = 0; m <= max_degree; ++m) {
-      const Curve<Traits> c = random_curve<Traits>(random, d, m);
-      const FT u = random_parameter(random, c);
-      for (int times = 0; times <= 3; ++times) {
-        const Curve<Traits> e = c.elevate(times);
-        BOOST_CHECK_EQUAL(e.degree(), m + times);
-        BOOST_CHECK(e.domain() == c.domain());
-        BOOST_CHECK(nearly_equal_points<Traits>(e(u), c(u)));
-        if constexpr (exact) BOOST_CHECK(e.jet(u, m + 1) == c.jet(u, m + 1));
-        for (int k : {0, 2}) BOOST_CHECK(nearly_equal(e.energy(k), c.energy(k)));
-      }
-      BOOST_CHECK(same_points<Traits>(c.elevate(0), c));
+TEST_WITH_RANDOM_INPUT(elevation) {
+  for (int m = 0; m <= max_degree; ++m) {
+    const Curve<Traits> c = random_curve<Traits>(random, d, m);
+    const FT u = random_parameter(random, c);
+    for (int times = 0; times <= 3; ++times) {
+      const Curve<Traits> e = c.elevate(times);
+      BOOST_CHECK_EQUAL(e.degree(), m + times);
+      BOOST_CHECK(e.domain() == c.domain());
+      BOOST_CHECK(nearly_equal_points<Traits>(e(u), c(u)));
+      if constexpr (exact) BOOST_CHECK(e.jet(u, m + 1) == c.jet(u, m + 1));
+      for (int k : {0, 2}) BOOST_CHECK(nearly_equal(e.energy(k), c.energy(k)));
     }
-    const GC::Bezier_curve<Traits, 3> fixed = random_curve<Traits>(random, d, 3);
-    const GC::Bezier_curve<Traits, 5> elevated = fixed.template elevate_fixed<2>();
-    BOOST_CHECK(same_points<Traits>(elevated, fixed.elevate(2)));
-    BOOST_CHECK(same_points<Traits>(fixed.template elevate_fixed<0>(), fixed));
-    BOOST_CHECK(elevated.domain() == fixed.domain());
-  });
+    BOOST_CHECK(same_points<Traits>(c.elevate(0), c));
+  }
+  const GC::Bezier_curve<Traits, 3> fixed = random_curve<Traits>(random, d, 3);
+  const GC::Bezier_curve<Traits, 5> elevated = fixed.template elevate_fixed<2>();
+  BOOST_CHECK(same_points<Traits>(elevated, fixed.elevate(2)));
+  BOOST_CHECK(same_points<Traits>(fixed.template elevate_fixed<0>(), fixed));
+  BOOST_CHECK(elevated.domain() == fixed.domain());
 }
 
 // A degree known at compile time changes nothing but the storage.
-BOOST_AUTO_TEST_CASE(fixed_degree) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    typedef GC::Bezier_curve<Traits, 3> Cubic;
-    const Curve<Traits> c = random_curve<Traits>(random, d, 3);
-    const Cubic f = c;
-    const FT a = c.domain().first, b = c.domain().second, u = (a + b) / FT(2), v = random_parameter(random, c);
-    BOOST_CHECK(f.domain() == c.domain() && f.degree() == 3 && f.dimension() == d);
-    BOOST_CHECK(same_points<Traits>(f, c));
-    BOOST_CHECK(same_points<Traits>(Curve<Traits>(f), c));
-    BOOST_CHECK(same<Traits>(f(v), c(v)));
-    for (int k = 0; k <= 7; ++k) {
-      BOOST_CHECK(f.jet(v, k) == c.jet(v, k));
-      BOOST_CHECK(f.start_jet(k) == c.start_jet(k));
-      BOOST_CHECK(f.end_jet(k) == c.end_jet(k));
-    }
-    BOOST_CHECK(same_points<Traits>(f.derivative(), c.derivative()));
-    BOOST_CHECK(same_points<Traits>(f.derivative().derivative().derivative().derivative(),
-                                    c.derivative().derivative().derivative().derivative()));
-    BOOST_CHECK(same_points<Traits>(f.split(u).first, c.split(u).first));
-    BOOST_CHECK(same_points<Traits>(f.split(u).second, c.split(u).second));
-    BOOST_CHECK(f.split(u).first.domain() == c.split(u).first.domain());
-    BOOST_CHECK(same_points<Traits>(f.reverse(), c.reverse()));
-    BOOST_CHECK(f.energy(2) == c.energy(2));
-    BOOST_CHECK(same<Traits>(f.bounding_box().first, c.bounding_box().first));
-    BOOST_CHECK(same_points<Traits>(f.with_domain(FT(0), FT(1)), c));
-  });
+TEST_WITH_RANDOM_INPUT(fixed_degree) {
+  typedef GC::Bezier_curve<Traits, 3> Cubic;
+  const Curve<Traits> c = random_curve<Traits>(random, d, 3);
+  const Cubic f = c;
+  const FT a = c.domain().first, b = c.domain().second, u = (a + b) / FT(2), v = random_parameter(random, c);
+  BOOST_CHECK(f.domain() == c.domain() && f.degree() == 3 && f.dimension() == d);
+  BOOST_CHECK(same_points<Traits>(f, c));
+  BOOST_CHECK(same_points<Traits>(Curve<Traits>(f), c));
+  BOOST_CHECK(same<Traits>(f(v), c(v)));
+  for (int k = 0; k <= 7; ++k) {
+    BOOST_CHECK(f.jet(v, k) == c.jet(v, k));
+    BOOST_CHECK(f.start_jet(k) == c.start_jet(k));
+    BOOST_CHECK(f.end_jet(k) == c.end_jet(k));
+  }
+  BOOST_CHECK(same_points<Traits>(f.derivative(), c.derivative()));
+  BOOST_CHECK(same_points<Traits>(f.derivative().derivative().derivative().derivative(),
+                                  c.derivative().derivative().derivative().derivative()));
+  BOOST_CHECK(same_points<Traits>(f.split(u).first, c.split(u).first));
+  BOOST_CHECK(same_points<Traits>(f.split(u).second, c.split(u).second));
+  BOOST_CHECK(f.split(u).first.domain() == c.split(u).first.domain());
+  BOOST_CHECK(same_points<Traits>(f.reverse(), c.reverse()));
+  BOOST_CHECK(f.energy(2) == c.energy(2));
+  BOOST_CHECK(same<Traits>(f.bounding_box().first, c.bounding_box().first));
+  BOOST_CHECK(same_points<Traits>(f.with_domain(FT(0), FT(1)), c));
 }
 
-BOOST_AUTO_TEST_CASE(refused_curves) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    typedef GC::Bezier_curve<Traits, 2> Parabola;
-    const std::vector<Point<Traits>> p(4, point<Traits>(d, {1, 2}));
-    CHECK_ERROR(Curve<Traits>(p.begin(), p.begin()), wrong_number_of_points);
-    CHECK_ERROR(Curve<Traits>({}), wrong_number_of_points);
-    for (int n : {0, 2, 4}) CHECK_ERROR(Parabola(p.begin(), p.begin() + n), wrong_number_of_points);
-    CHECK_ERROR((Parabola{p[0], p[1]}), wrong_number_of_points);
-    CHECK_ERROR(Parabola(Curve<Traits>(p.begin(), p.end())), wrong_number_of_points);
-    BOOST_CHECK_NO_THROW(Parabola(p.begin(), p.begin() + 3));
-    CHECK_ERROR(Curve<Traits>(p.begin(), p.end(), FT(1), FT(1)), empty_domain);
-    CHECK_ERROR(Parabola(p.begin(), p.begin() + 3, FT(1), FT(0)), empty_domain);
-    if constexpr (Curve<Traits>::N == 0) {
-      CHECK_ERROR((Curve<Traits>{p[0], point<Traits>(d + 1, {1}), p[1]}), dimension_mismatch);
-      CHECK_ERROR((Parabola{p[0], p[1], point<Traits>(d - 1, {1})}), dimension_mismatch);
+TEST_IN_EVERY_SPACE(refused_curves) {
+  typedef GC::Bezier_curve<Traits, 2> Parabola;
+  const std::vector<Point<Traits>> p(4, point<Traits>(d, {1, 2}));
+  CHECK_ERROR(Curve<Traits>(p.begin(), p.begin()), wrong_number_of_points);
+  CHECK_ERROR(Curve<Traits>({}), wrong_number_of_points);
+  for (int n : {0, 2, 4}) CHECK_ERROR(Parabola(p.begin(), p.begin() + n), wrong_number_of_points);
+  CHECK_ERROR((Parabola{p[0], p[1]}), wrong_number_of_points);
+  CHECK_ERROR(Parabola(Curve<Traits>(p.begin(), p.end())), wrong_number_of_points);
+  BOOST_CHECK_NO_THROW(Parabola(p.begin(), p.begin() + 3));
+  CHECK_ERROR(Curve<Traits>(p.begin(), p.end(), FT(1), FT(1)), empty_domain);
+  CHECK_ERROR(Parabola(p.begin(), p.begin() + 3, FT(1), FT(0)), empty_domain);
+  if constexpr (Curve<Traits>::N == 0) {
+    CHECK_ERROR((Curve<Traits>{p[0], point<Traits>(d + 1, {1}), p[1]}), dimension_mismatch);
+    CHECK_ERROR((Parabola{p[0], p[1], point<Traits>(d - 1, {1})}), dimension_mismatch);
+  }
+  if constexpr (std::is_floating_point_v<typename Traits::FT>)
+    for (const FT& bad : {std::numeric_limits<FT>::infinity(), std::numeric_limits<FT>::quiet_NaN()}) {
+      Column<Traits> c(d);
+      c[d - 1] = bad;
+      CHECK_ERROR((Curve<Traits>{p[0], point<Traits>(c)}), not_finite);
+      CHECK_ERROR((Parabola{p[0], point<Traits>(c), p[0]}), not_finite);
+      BOOST_CHECK_THROW(Parabola(p.begin(), p.begin() + 3, FT(0), bad), GC::Error);
+      Column<Traits> opposite = c;
+      opposite *= FT(-1);
+      CHECK_ERROR((Parabola{point<Traits>(c), p[0], point<Traits>(opposite)}), not_finite);
+      c[d - 1] = std::numeric_limits<FT>::max(); // finite, though their sum is not
+      BOOST_CHECK_NO_THROW((Parabola{point<Traits>(c), point<Traits>(c), point<Traits>(c)}));
     }
-    if constexpr (std::is_floating_point_v<typename Traits::FT>)
-      for (const FT& bad : {std::numeric_limits<FT>::infinity(), std::numeric_limits<FT>::quiet_NaN()}) {
-        Column<Traits> c(d);
-        c[d - 1] = bad;
-        CHECK_ERROR((Curve<Traits>{p[0], point<Traits>(c)}), not_finite);
-        CHECK_ERROR((Parabola{p[0], point<Traits>(c), p[0]}), not_finite);
-        BOOST_CHECK_THROW(Parabola(p.begin(), p.begin() + 3, FT(0), bad), GC::Error);
-        Column<Traits> opposite = c;
-        opposite *= FT(-1);
-        CHECK_ERROR((Parabola{point<Traits>(c), p[0], point<Traits>(opposite)}), not_finite);
-        c[d - 1] = std::numeric_limits<FT>::max(); // finite, though their sum is not
-        BOOST_CHECK_NO_THROW((Parabola{point<Traits>(c), point<Traits>(c), point<Traits>(c)}));
-      }
-  });
 }
 
-BOOST_AUTO_TEST_CASE(degree_0_and_1) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const GC::Bezier_curve<Traits, 0> constant = curve<Traits>(d, {{3, 4}}, 1, 3);
-    BOOST_CHECK(column<Traits>(constant(FT(7))) == column<Traits>(d, {3, 4}));
-    BOOST_CHECK((constant.jet(FT(2), 2) == jet<Traits>(d, {{3, 4}, {0}, {0}})));
-    BOOST_CHECK((constant.end_jet(1) == jet<Traits>(d, {{3, 4}, {0}})));
-    BOOST_CHECK(column<Traits>(constant.derivative()(FT(2))) == Column<Traits>(d));
-    BOOST_CHECK(same_points<Traits>(constant.split(FT(2)).first, constant));
-    BOOST_CHECK(constant.energy(0) == FT(50) && constant.energy(1) == FT(0));
-    BOOST_CHECK_EQUAL(constant.elevate(2).degree(), 2);
-    const Curve<Traits> segment = curve<Traits>(d, {{3, 4}, {5, 0}}, 1, 3);
-    BOOST_CHECK((segment.jet(FT(2), 2) == jet<Traits>(d, {{4, 2}, {1, -2}, {0}})));
-    BOOST_CHECK(segment.energy(1) == FT(10));
-  });
+TEST_IN_EVERY_SPACE(degree_0_and_1) {
+  const GC::Bezier_curve<Traits, 0> constant = curve<Traits>(d, {{3, 4}}, 1, 3);
+  BOOST_CHECK(column<Traits>(constant(FT(7))) == column<Traits>(d, {3, 4}));
+  BOOST_CHECK((constant.jet(FT(2), 2) == jet<Traits>(d, {{3, 4}, {0}, {0}})));
+  BOOST_CHECK((constant.end_jet(1) == jet<Traits>(d, {{3, 4}, {0}})));
+  BOOST_CHECK(column<Traits>(constant.derivative()(FT(2))) == Column<Traits>(d));
+  BOOST_CHECK(same_points<Traits>(constant.split(FT(2)).first, constant));
+  BOOST_CHECK(constant.energy(0) == FT(50) && constant.energy(1) == FT(0));
+  BOOST_CHECK_EQUAL(constant.elevate(2).degree(), 2);
+  const Curve<Traits> segment = curve<Traits>(d, {{3, 4}, {5, 0}}, 1, 3);
+  BOOST_CHECK((segment.jet(FT(2), 2) == jet<Traits>(d, {{4, 2}, {1, -2}, {0}})));
+  BOOST_CHECK(segment.energy(1) == FT(10));
 }
 
 // (t^2, t) on [0, 1], and with domains [0, 2] and [1, 3]
-BOOST_AUTO_TEST_CASE(energies) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Curve<Traits> doubled = curve<Traits>(d, {{0, 0}, {0, 1}, {2, 2}}); // (2t^2, 2t)
-    BOOST_CHECK(nearly_equal(doubled.energy(0), ratio(32, 15)));              // 4/5 + 4/3
-    BOOST_CHECK(nearly_equal(doubled.energy(1), ratio(28, 3)));               // 16/3 + 4
-    BOOST_CHECK(doubled.energy(2) == FT(16));
-    BOOST_CHECK(doubled.energy(3) == FT(0));
-    for (int a : {0, 1}) {
-      const Curve<Traits> slow = doubled.with_domain(FT(a), FT(a + 2));
-      BOOST_CHECK(nearly_equal(slow.energy(0), ratio(64, 15)));
-      BOOST_CHECK(nearly_equal(slow.energy(1), ratio(14, 3)));
-      BOOST_CHECK(slow.energy(2) == FT(2));
-    }
-  });
+TEST_IN_EVERY_SPACE(energies) {
+  const Curve<Traits> doubled = curve<Traits>(d, {{0, 0}, {0, 1}, {2, 2}}); // (2t^2, 2t)
+  BOOST_CHECK(nearly_equal(doubled.energy(0), ratio(32, 15)));              // 4/5 + 4/3
+  BOOST_CHECK(nearly_equal(doubled.energy(1), ratio(28, 3)));               // 16/3 + 4
+  BOOST_CHECK(doubled.energy(2) == FT(16));
+  BOOST_CHECK(doubled.energy(3) == FT(0));
+  for (int a : {0, 1}) {
+    const Curve<Traits> slow = doubled.with_domain(FT(a), FT(a + 2));
+    BOOST_CHECK(nearly_equal(slow.energy(0), ratio(64, 15)));
+    BOOST_CHECK(nearly_equal(slow.energy(1), ratio(14, 3)));
+    BOOST_CHECK(slow.energy(2) == FT(2));
+  }
 }
 
 // ---------------------------------------------------------------- what only the kernels of CGAL have
@@ -290,23 +268,20 @@ BOOST_AUTO_TEST_CASE(transformation_and_bounding_box) {
   });
 }
 
-BOOST_AUTO_TEST_CASE(equality_and_output) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Curve<Traits> c = curve<Traits>(d, {{0, 1}, {2, 3}});
-    BOOST_CHECK((c == curve<Traits>(d, {{0, 1}, {2, 3}})));
-    BOOST_CHECK((c == Curve<Traits>{point<Traits>(d, {0, 1}), point<Traits>(d, {2, 3})}));
-    BOOST_CHECK((c != curve<Traits>(d, {{0, 1}, {2, 4}})));
-    BOOST_CHECK((c != curve<Traits>(d, {{0, 1}, {2, 3}, {2, 3}})));
-    BOOST_CHECK((c != curve<Traits>(d, {{0, 1}, {2, 3}}, 0, 2)));
-    BOOST_CHECK((c != curve<Traits>(d, {{0, 1}, {2, 3}}, -1, 1)));
-    if constexpr (Curve<Traits>::N == 0) BOOST_CHECK((c != curve<Traits>(d + 1, {{0, 1}, {2, 3}})));
-    BOOST_CHECK_EQUAL(static_cast<int>(c.control_points().size()), 2);
-    if constexpr (Is_streamable<typename Traits::FT>::value)
-      if (d == 2)
-        BOOST_CHECK_EQUAL(text(c), text("Bezier curve of degree 1 on [", FT(0), ", ", FT(1), "]: (", FT(0), ", ", FT(1),
-                                        ") (", FT(2), ", ", FT(3), ")"));
-  });
+TEST_IN_EVERY_SPACE(equality_and_output) {
+  const Curve<Traits> c = curve<Traits>(d, {{0, 1}, {2, 3}});
+  BOOST_CHECK((c == curve<Traits>(d, {{0, 1}, {2, 3}})));
+  BOOST_CHECK((c == Curve<Traits>{point<Traits>(d, {0, 1}), point<Traits>(d, {2, 3})}));
+  BOOST_CHECK((c != curve<Traits>(d, {{0, 1}, {2, 4}})));
+  BOOST_CHECK((c != curve<Traits>(d, {{0, 1}, {2, 3}, {2, 3}})));
+  BOOST_CHECK((c != curve<Traits>(d, {{0, 1}, {2, 3}}, 0, 2)));
+  BOOST_CHECK((c != curve<Traits>(d, {{0, 1}, {2, 3}}, -1, 1)));
+  if constexpr (Curve<Traits>::N == 0) BOOST_CHECK((c != curve<Traits>(d + 1, {{0, 1}, {2, 3}})));
+  BOOST_CHECK_EQUAL(static_cast<int>(c.control_points().size()), 2);
+  if constexpr (Is_streamable<typename Traits::FT>::value)
+    if (d == 2)
+      BOOST_CHECK_EQUAL(text(c), text("Bezier curve of degree 1 on [", FT(0), ", ", FT(1), "]: (", FT(0), ", ", FT(1),
+                                      ") (", FT(2), ", ", FT(3), ")"));
 }
 
 // ---------------------------------------------------------------- polygon and jet
@@ -397,5 +372,3 @@ BOOST_AUTO_TEST_CASE(control_points_from_jets) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_CURVES_TYPED_BEZIER_CURVE_H

@@ -2,38 +2,31 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_CURVES_TYPED_IS_PLANAR_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_CURVES_TYPED_IS_PLANAR_H
+#pragma once
 
 #include "support/typed.h"
 
 BOOST_AUTO_TEST_SUITE(planar_curves)
 
-BOOST_AUTO_TEST_CASE(up_to_degree_2) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    for (int degree = 0; degree <= 2; ++degree) BOOST_CHECK(GC::is_planar(random_curve<Traits>(random, d, degree)));
-  });
+TEST_WITH_RANDOM_INPUT(up_to_degree_2) {
+  for (int degree = 0; degree <= 2; ++degree) BOOST_CHECK(GC::is_planar(random_curve<Traits>(random, d, degree)));
 }
 
-BOOST_AUTO_TEST_CASE(points_in_a_plane_and_one_that_leaves_it) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Column<Traits> origin = column<Traits>(d, {1, -2, 5, 1, 3}), v = column<Traits>(d, {1, 1, 2, 0, 1}),
-                         w = column<Traits>(d, {0, 3, -1, 1, 1});
-    std::vector<Point<Traits>> points;
-    for (const Row& c : {Row{0, 0}, {1, 2}, {2, 4}, {3, 1}, {4, 4}, {0, 1}})
-      points.push_back(point<Traits>(origin + FT(c.begin()[0]) * v + FT(c.begin()[1]) * w));
-    BOOST_CHECK(GC::is_planar(Curve<Traits>(points.begin(), points.end())));
-    BOOST_CHECK(GC::is_planar(Curve<Traits>(points.begin(), points.begin() + 3))); // a line
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      std::vector<Point<Traits>> moved = points;
-      Column<Traits> c = column<Traits>(points[i]);
-      c[d - 1] = next_to(c[d - 1]);
-      moved[i] = point<Traits>(c);
-      BOOST_CHECK_EQUAL(GC::is_planar(Curve<Traits>(moved.begin(), moved.end())), d == 2);
-    }
-  });
+TEST_IN_EVERY_SPACE(points_in_a_plane_and_one_that_leaves_it) {
+  const Column<Traits> origin = column<Traits>(d, {1, -2, 5, 1, 3}), v = column<Traits>(d, {1, 1, 2, 0, 1}),
+                       w = column<Traits>(d, {0, 3, -1, 1, 1});
+  std::vector<Point<Traits>> points;
+  for (const Row& c : {Row{0, 0}, {1, 2}, {2, 4}, {3, 1}, {4, 4}, {0, 1}})
+    points.push_back(point<Traits>(origin + FT(c.begin()[0]) * v + FT(c.begin()[1]) * w));
+  BOOST_CHECK(GC::is_planar(Curve<Traits>(points.begin(), points.end())));
+  BOOST_CHECK(GC::is_planar(Curve<Traits>(points.begin(), points.begin() + 3))); // a line
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::vector<Point<Traits>> moved = points;
+    Column<Traits> c = column<Traits>(points[i]);
+    c[d - 1] = next_to(c[d - 1]);
+    moved[i] = point<Traits>(c);
+    BOOST_CHECK_EQUAL(GC::is_planar(Curve<Traits>(moved.begin(), moved.end())), d == 2);
+  }
 }
 
 // Cubics: the torsion vanishes everywhere if and only if it does at one end.
@@ -106,5 +99,3 @@ BOOST_AUTO_TEST_CASE(rational_curves) {
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_CURVES_TYPED_IS_PLANAR_H

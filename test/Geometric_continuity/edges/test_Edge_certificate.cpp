@@ -10,14 +10,7 @@
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(edge_certificates)
-
-namespace {
 
 typedef CGAL::Simple_cartesian<Q> Kernel;
 typedef GC::Edge_certificate<Q> Certificate;
@@ -46,8 +39,6 @@ Certificate certificate(const Net& a, const Net& b, int order) {
   BOOST_CHECK(c[0].g_order == order && c[0].begin == Q(0) && c[0].end == Q(1));
   return c[0];
 }
-
-} // namespace
 
 // The second surface is S(u + alpha v + alpha2 v^2/2, beta v + delta v^2/2) up to second order, and then moved away from that.
 BOOST_AUTO_TEST_CASE(constructed_edges) {

@@ -4,22 +4,12 @@
 
 // The order of continuity of Bezier patches along edges, degenerate edges, and the angle between the normals.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/enclosures.h"
 #include "support/nets.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
-#include <algorithm>
-#include <cmath>
-#include <type_traits>
-#include <vector>
-
 using enclosures::ulps;
-
-namespace {
 
 // The angle between the normals of two surfaces with the edge v = v_0 in one direction, by floating-point arithmetic.
 template <class K> double sampled_angle(const Patch<K>& a, const Patch<K>& b, const typename K::FT& u) {
@@ -45,8 +35,6 @@ template <class K> auto edge_along_x(const Curve& t1, const Curve& t2) {
   const std::vector<Patch<K>> s = patches<K>({net_from_rows(x_axis, t1), net_from_rows(x_axis, t2)});
   return GC::edge_continuity(s[0], v0, s[1], v0);
 }
-
-} // namespace
 
 // ---------------------------------------------------------------- order along an edge
 
@@ -173,8 +161,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(all_orientations, K, All_kernels) {
   BOOST_CHECK_EQUAL(reversed, 3 * 32);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(unequal_degrees_and_domains, K, All_kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(unequal_degrees_and_domains, K, All_kernels) {
   typedef GC::Edge_field<GC::Traits_3<K>> Field;
   Random random;
   const Connection s(random, 2);
@@ -222,8 +209,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(folds_are_not_smooth, K, All_kernels) {
   BOOST_CHECK(conditions.coplanar() && conditions.second_order() && !conditions.g1() && !conditions.g2());
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(one_unit_in_the_last_place, K, All_kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(one_unit_in_the_last_place, K, All_kernels) {
   Random random;
   const Connection s(random, 3);
   const std::vector<Patch<K>> p = patches<K>({s.first(), s.second()});
@@ -338,8 +324,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vanishing_normals, K, All_kernels) {
 
 // ---------------------------------------------------------------- the angle between the normals
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(the_angle_is_enclosed, K, All_kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(the_angle_is_enclosed, K, All_kernels) {
   Random random;
   double widest = 0, narrowest = 4;
   for (int round = 0; round < 30; ++round) {

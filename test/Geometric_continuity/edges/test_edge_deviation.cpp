@@ -5,38 +5,20 @@
 // The certified deviation along edges: the enclosures contain the exact value, are at most four units in the last place
 // wide on well-scaled numbers, and lead to honest verdicts.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/enclosures.h"
-#include "support/errors.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(edge_deviation)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Exact;
 typedef GC::Traits_3<CGAL::Epick> Space;
 using enclosures::angle_is;
 using enclosures::encloses_root;
 using enclosures::ulps;
 using GC::Verdict;
-
-namespace {
 
 typedef GC::Bernstein_polynomial<Exact> Polynomial;
 typedef GC::Edge_rows<Exact> Rows;
@@ -90,8 +72,6 @@ void check_largest_angle(const Rows& a, const Rows& b, const Exact& sine_squared
   }
   BOOST_CHECK(GC::deviation(a, b.reversed()).reversed);
 }
-
-} // namespace
 
 // The slope h of the second surface has its largest value at an irrational parameter.
 BOOST_AUTO_TEST_CASE(largest_angle_along_an_edge) {
@@ -283,11 +263,6 @@ BOOST_AUTO_TEST_CASE(edges_without_a_normal) {
   const Patch a({{Point(0, 0, 0), Point(0, 1, 0)}, {Point(1, 0, 0), Point(1, 1, 0)}}),
       folded({{Point(0, 0, 0), Point(0, 0, 0), Point(0, -1, 0)}, {Point(1, 0, 0), Point(1, 0, 0), Point(1, -1, 0)}}),
       pole({{Point(0, 0, 0), Point(0, -1, 0)}, {Point(1, 0, 0), Point(0, -1, 0)}});
-  const auto text = [](const GC::Edge_deviation& d) {
-    std::ostringstream os;
-    os << d;
-    return os.str();
-  };
   BOOST_CHECK_EQUAL(text(GC::deviation(a, v0, pole, v0)), "gap 0, normal angle 0 degrees");
   for (const auto& [x, y] : {std::pair{a, folded}, std::pair{folded, a}}) {
     BOOST_CHECK_EQUAL(text(GC::deviation(x, v0, y, v0)), "gap 0, a normal vanishes");

@@ -5,29 +5,16 @@
 // Joins and edges that other programs are known to judge wrongly. Each test writes down the rule that is led astray, shows
 // that it is, and checks the exact answer.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(known_wrong_answers)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef std::tuple<CGAL::Simple_cartesian<Q>, CGAL::Epick> Kernels;
 
 template <class K> using Curve2 = GC::Bezier_curve<GC::Traits_2<K>>;
@@ -39,12 +26,9 @@ using GC::Sign_pattern;
 constexpr GC::Patch_edge v0 = GC::Patch_edge::v0;
 const double pi = std::acos(-1.0), tolerance = 1e-6; // what the rules use
 
-namespace {
-
 // The patch C(u) + v T(u) + v^2 W(u), where the coordinates are polynomials with coefficients that every kernel can represent.
 typedef std::array<Polynomial, 3> Column;
-template <class K> Patch<K> patch(const Column& c, const Column& t, const Column& w) {
-  typedef typename K::FT FT;
+template <class K, class FT = typename K::FT> Patch<K> patch(const Column& c, const Column& t, const Column& w) {
   int n = 0;
   for (const Column* x : {&c, &t, &w})
     for (const Polynomial& p : *x) n = std::max(n, p.degree());
@@ -88,8 +72,6 @@ template <class K> double normal_angle(const Patch<K>& a, const Patch<K>& b, con
 
 // Angles of lines: those beyond 90 degrees are folded back, which is right for lines and wrong for tangents and normals.
 double folded(double angle) { return std::min(angle, pi - angle); }
-
-} // namespace
 
 // ---------------------------------------------------------------- angles modulo pi
 
@@ -206,8 +188,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(differences_have_no_sign, K, Kernels) {
 // ---------------------------------------------------------------- cross derivatives that are not parallel
 
 // Wrong: "T1 and T2 are parallel", or the control points across the edge collinear. Both may have a part along the edge.
-template <class K> bool parallel_cross_derivatives(const Patch<K>& a, const Patch<K>& b) {
-  typedef typename K::FT FT;
+template <class K, class FT = typename K::FT> bool parallel_cross_derivatives(const Patch<K>& a, const Patch<K>& b) {
   for (int k = 0; k <= 4; ++k) {
     const FT u = FT(FT(k) / FT(4));
     if (CGAL::cross_product(a.partial(u, FT(0), 0, 1), b.partial(u, FT(0), 0, 1)) != CGAL::NULL_VECTOR) return false;
@@ -255,8 +236,7 @@ BOOST_AUTO_TEST_CASE(ribbons_with_a_part_along_the_edge_are_smooth) {
 // ---------------------------------------------------------------- samples
 
 // Wrong: "the normals agree at n + 1 parameters". The surfaces bend away from each other between them.
-BOOST_AUTO_TEST_CASE_TEMPLATE(bumps_between_samples, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(bumps_between_samples, K, Kernels) {
   for (int samples : {5, 21}) {
     if (samples == 21 && !std::is_same_v<FT, Q>) continue; // its coefficients are no doubles
     const int n = samples - 1;

@@ -5,21 +5,14 @@
 // The orders G^k are those of the points in projective space: they do not change under a projective map, which makes rational
 // patches from polynomial ones that are connected in all ways.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/nets.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-
 BOOST_AUTO_TEST_SUITE(projective_edges)
-
-namespace {
 
 template <class K> using Rational_patch = GC::Rational_bezier_patch<GC::Traits_3<K>>;
 
 // The image under (x, y, z) -> (x, y, z) / (1 + (x + 2 y + 3 z) / 1000), which is defined near the origin.
-template <class K> Rational_patch<K> projected(const Patch<K>& s) {
-  typedef typename K::FT FT;
+template <class K, class FT = typename K::FT> Rational_patch<K> projected(const Patch<K>& s) {
   typedef typename Rational_patch<K>::Homogeneous Homogeneous;
   std::vector<std::vector<typename Homogeneous::Point>> net(s.degree_u() + 1);
   for (int i = 0; i <= s.degree_u(); ++i)
@@ -34,8 +27,6 @@ template <class K> Rational_patch<K> projected(const Patch<K>& s) {
 }
 
 typedef std::tuple<CGAL::Simple_cartesian<Q>, CGAL::Epeck> Exact_kernels;
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(orders_are_projective, K, Exact_kernels) {
   Random random;

@@ -4,8 +4,6 @@
 
 // Continuity along edges of rational surfaces, of all types and mixes.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/limited.h"
 #include "support/rational_surfaces.h"
 
@@ -14,20 +12,9 @@
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 
-#include <sstream>
-#include <string>
-
 BOOST_AUTO_TEST_SUITE(rational_edges)
 
-namespace {
-
 using GC::Edge_defect;
-
-template <class T> std::string text(const T& x) {
-  std::ostringstream os;
-  os << x;
-  return os.str();
-}
 
 // The weights w_ij c^j: another rational parameter in v.
 Patch<Exact> with_other_parameter(const Patch<Exact>& s, const Q& c) {
@@ -88,8 +75,6 @@ template <class Traits> Patch<Traits> octant(int x, int y, int z, int factor) {
                         {P(0, y, 0), P(0, y, z), P(0, 0, z)}},
                        {{w(1), w(1), w(2)}, {w(1), w(1), w(2)}, {w(2), w(2), w(4)}});
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(a_surface_cut_in_two) {
   Random random;

@@ -4,22 +4,9 @@
 
 // Continuity of B-spline surfaces along edges, parts of edges and knot lines.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/spline_surfaces.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
-
-namespace {
 
 // The spans with their orders, e.g. "0 G2 1 G0 3".
 template <class FT> std::string spans(const GC::Spline_edge_continuity<FT>& e) {
@@ -31,13 +18,9 @@ template <class FT> std::string spans(const GC::Spline_edge_continuity<FT>& e) {
 }
 
 template <class FT> std::string parts(const GC::Spline_edge_continuity<FT>& e) {
-  std::ostringstream os;
-  os << e.part_a.first << ".." << e.part_a.second << (e.whole_a ? " whole, " : ", ") << e.part_b.first << ".."
-     << e.part_b.second << (e.whole_b ? " whole" : "");
-  return os.str();
+  return text(e.part_a.first, "..", e.part_a.second, (e.whole_a ? " whole, " : ", "), e.part_b.first, "..",
+              e.part_b.second, (e.whole_b ? " whole" : ""));
 }
-
-} // namespace
 
 // ---------------------------------------------------------------- whole edges
 
@@ -98,7 +81,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(one_verdict_for_each_span, K, Kernels) {
   BOOST_CHECK(crease.deviation->upper == crease.spans[0].continuity.deviation->upper);
   BOOST_CHECK(crease.deviation->upper > Q(0) && crease.deviation->end <= Q(1));
   BOOST_CHECK_EQUAL(text(crease).substr(0, 11), "G0 (crease)");
-  BOOST_CHECK(text(crease).find(", worst of 5 spans on [0, 1]") != std::string::npos);
+  BOOST_CHECK(contains(text(crease), ", worst of 5 spans on [0, 1]"));
 
   const auto curvature = edge_continuity(in<K>(low), v1, in<K>(lifted(high, 2, 2)), v0);
   BOOST_CHECK_EQUAL(spans(curvature), "0 G1 1 G1 2 G1 3 G2 4 G2 5");

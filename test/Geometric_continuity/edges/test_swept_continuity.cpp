@@ -4,29 +4,16 @@
 
 // Where the normals of swept surfaces vanish, and how smoothly swept surfaces join.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/swept_surfaces.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 
-#include <array>
-#include <cmath>
-#include <initializer_list>
-#include <type_traits>
-#include <vector>
-
 // ---------------------------------------------------------------- where the normal vanishes
-
-namespace {
 
 template <class FT> bool is_at(const GC::Sweep_defect<FT>& p, const FT& begin, const FT& end) {
   return p.begin == begin && p.end == end;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(defects_of_revolution, Traits, Deciding_kernels) {
   typedef GC::Bezier_curve<Traits> C;
@@ -179,8 +166,6 @@ BOOST_AUTO_TEST_CASE(defects_of_random_profiles) {
 
 // ---------------------------------------------------------------- continuity
 
-namespace {
-
 // A right profile that continues the surface s, and not necessarily its profile: y(t) = s(u(t), v(t)), as far as the second
 // derivative shows, plus `normal` times the normal.
 Curve continued(const Revolution& s, Random& random, const Q& p, const Q& normal) {
@@ -207,8 +192,6 @@ int meridian_order(const Curve& left, const Curve& right, const Point& a, const 
   };
   return continuity(meridian(left.end_jet(2)), meridian(right.start_jet(2))).g_order;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(revolution_is_as_smooth_as_the_meridian) {
   Random random;

@@ -6,24 +6,10 @@
 
 #define BOOST_TEST_MODULE documented_errors
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 
-#include <cmath>
-#include <initializer_list>
-#include <iterator>
-#include <limits>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> D2;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> D3;
 typedef GC::Traits_d<CGAL::Cartesian_d<double>> Dd;
@@ -35,8 +21,6 @@ typedef GC::Bezier_curve<D2> C2;
 typedef GC::Bezier_curve<D3> C3;
 typedef GC::Bezier_curve<Dd> Cd;
 
-namespace {
-
 const double inf = std::numeric_limits<double>::infinity(), huge = 1e308;
 Dd::Point point(std::initializer_list<double> c) { return Dd::Point(int(c.size()), c.begin(), c.end()); }
 Dd::Vector vector(std::initializer_list<double> c) { return Dd::Vector(int(c.size()), c.begin(), c.end()); }
@@ -44,8 +28,6 @@ const C2 c2{P2(0, 0), P2(1, 1), P2(2, 1), P2(3, 0)};
 const C3 c3{P3(0, 0, 0), P3(1, 1, 0), P3(2, 1, 1), P3(3, 0, 0)};
 const Cd d2{point({0, 0}), point({1, 1}), point({2, 1}), point({3, 0})};
 const Cd d3{point({3, 0, 0}), point({4, 1, 0}), point({5, 1, 1}), point({6, 0, 0})};
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(algebra) {
   typedef GC::Basis_matrix<double> Basis;

@@ -5,13 +5,9 @@
 // Limits of the work of constructions, and of what is said about their results: ordinary input is far below the default, long
 // numbers are refused by a typed error, and floating-point numbers are never.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/limited.h"
+#include "support/test.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
@@ -23,21 +19,10 @@
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
-#include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cstdint>
-#include <random>
 #include <thread>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(construction_limits)
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
-
-namespace {
 
 template <class FT> using Space = GC::Traits_3<CGAL::Simple_cartesian<FT>>;
 template <class FT> using Bezier = GC::Bezier_curve<Space<FT>>;
@@ -67,8 +52,6 @@ template <class FT> Spline<FT> straight(int y) {
   typedef typename Space<FT>::Point Point;
   return Spline<FT>(Bezier<FT>{Point(0, y, 0), Point(1, y, 0), Point(2, y, 0), Point(3, y, 0)});
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(exact_numbers) {
   BOOST_TEST_MESSAGE("seed " << seed);

@@ -5,26 +5,12 @@
 // What extensions refuse: numbers that are not finite, wherever they enter, and degrees without alternatives. What they make is
 // tested on every kernel, in kernels/typed/alternatives.h.
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
+#include "support/test.h"
+
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
-
-#include <limits>
-#include <optional>
 
 BOOST_AUTO_TEST_SUITE(extend)
-
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
 
 const double infinity = std::numeric_limits<double>::infinity();
 const double not_finite_numbers[] = {infinity, -infinity, std::numeric_limits<double>::quiet_NaN()};
@@ -35,8 +21,7 @@ template <class Traits> GC::Bezier_curve<Traits> cubic() {
 }
 
 // Numbers of type double in the place of exact ones: a conversion of them would stop the program.
-template <class Traits> void check_conversions() {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> void check_conversions() {
   typedef GC::Extension_parameters<FT> Parameters;
   const GC::Bezier_curve<Traits> left = cubic<Traits>();
   for (const double x : not_finite_numbers) {
@@ -50,8 +35,6 @@ template <class Traits> void check_conversions() {
   BOOST_CHECK(copy.beta == FT(2) && copy.c0 == FT(3) && !copy.c1 && *copy.c2 == FT(FT(1) / FT(2)));
   BOOST_CHECK(none.beta == FT(1) && !none.c0 && !none.c1 && !none.c2);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(conversions) {
   check_conversions<GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>>>();

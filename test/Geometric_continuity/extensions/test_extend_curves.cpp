@@ -4,13 +4,9 @@
 
 // Segmented curves that are extended and closed.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/composite_curves.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
-#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 
 // A curve keeps its segments when it is extended or closed, and the new joins have the order that was asked for.
 BOOST_AUTO_TEST_CASE(extended_and_closed) {

@@ -4,19 +4,14 @@
 
 // Splines that are extended and closed.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
-#include <vector>
-
 // Clamped or not, and with inner knots of any multiplicity: the last span decides.
-BOOST_AUTO_TEST_CASE_TEMPLATE(splines_are_extended, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(splines_are_extended, K, Kernels) {
   repeat<FT>(6, [](Random<FT>& random) {
     const int p = random.integer(3, 4);
     const Curve3<K> c = random.template curve<Traits3<K>>(random.knots(p, p), 3), clamped = c.clamp();

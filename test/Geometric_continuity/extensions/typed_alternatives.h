@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_EXTENSIONS_TYPED_ALTERNATIVES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_EXTENSIONS_TYPED_ALTERNATIVES_H
+#pragma once
 
 #include "support/typed.h"
 
@@ -114,127 +113,115 @@ BOOST_AUTO_TEST_CASE(scalars) {
 
 // ---------------------------------------------------------------- the point, the line, the plane
 
-BOOST_AUTO_TEST_CASE(tangent_point) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    for (int m = 1; m <= 4; ++m) {
-      const Curve<Traits> left = curve_on<Traits>(random_polygon<Traits>(random, d, m + 1), FT(0), FT(2));
-      if (left.coordinates(m) == left.coordinates(m - 1)) continue;
-      const FT beta = positive(random);
-      const GC::Tangent_alternative<Traits> family = GC::tangent_alternative(left, beta);
-      const Curve<Traits> right = next(left, beta, {family.point()}, random);
-      BOOST_CHECK_EQUAL(family.degree(), m);
-      BOOST_CHECK(family.beta() == beta);
-      if (exact_predicates) BOOST_CHECK(GC::continuity(left, right, 1).c_order == 1);
-      check_betas(left, right, {beta});
-      BOOST_CHECK(family.ratio_of(family.point()) == in_field<Field<Traits>>(beta));
-      BOOST_CHECK(!family.ratio_of(left.control_point(m)));     // beta = 0
-      BOOST_CHECK(!family.ratio_of(left.control_point(m - 1))); // beta = -1
-      BOOST_CHECK(column<Traits>(GC::tangent_alternative(left).point()) ==
-                  FT(2) * left.coordinates(m) - left.coordinates(m - 1));
-    }
-  });
+TEST_WITH_RANDOM_INPUT(tangent_point) {
+  for (int m = 1; m <= 4; ++m) {
+    const Curve<Traits> left = curve_on<Traits>(random_polygon<Traits>(random, d, m + 1), FT(0), FT(2));
+    if (left.coordinates(m) == left.coordinates(m - 1)) continue;
+    const FT beta = positive(random);
+    const GC::Tangent_alternative<Traits> family = GC::tangent_alternative(left, beta);
+    const Curve<Traits> right = next(left, beta, {family.point()}, random);
+    BOOST_CHECK_EQUAL(family.degree(), m);
+    BOOST_CHECK(family.beta() == beta);
+    if (exact_predicates) BOOST_CHECK(GC::continuity(left, right, 1).c_order == 1);
+    check_betas(left, right, {beta});
+    BOOST_CHECK(family.ratio_of(family.point()) == in_field<Field<Traits>>(beta));
+    BOOST_CHECK(!family.ratio_of(left.control_point(m)));     // beta = 0
+    BOOST_CHECK(!family.ratio_of(left.control_point(m - 1))); // beta = -1
+    BOOST_CHECK(column<Traits>(GC::tangent_alternative(left).point()) ==
+                FT(2) * left.coordinates(m) - left.coordinates(m - 1));
+  }
 }
 
-BOOST_AUTO_TEST_CASE(line_of_third_points) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    for (int m = 2; m <= 4; ++m) {
-      const Curve<Traits> left = random_left<Traits>(random, d, m);
-      const Legs<Traits> legs(left);
-      const FT beta = positive(random), ck = GC::ck_parameters<FT>(beta).c0, c0 = FT(ck + nonzero(random));
-      const GC::Curvature_alternatives<Traits> line = GC::curvature_alternatives(left, beta);
-      const Point<Traits> b1 = GC::tangent_alternative(left, beta).point(), b2 = line.point_at(c0);
-      BOOST_CHECK(column<Traits>(line.base_point()) == column<Traits>(line.point_at(FT(0))));
-      BOOST_CHECK(column<Traits>(line.direction()) == legs.p);
-      BOOST_CHECK(line.ck_parameter() == ck);
+TEST_WITH_RANDOM_INPUT(line_of_third_points) {
+  for (int m = 2; m <= 4; ++m) {
+    const Curve<Traits> left = random_left<Traits>(random, d, m);
+    const Legs<Traits> legs(left);
+    const FT beta = positive(random), ck = GC::ck_parameters<FT>(beta).c0, c0 = FT(ck + nonzero(random));
+    const GC::Curvature_alternatives<Traits> line = GC::curvature_alternatives(left, beta);
+    const Point<Traits> b1 = GC::tangent_alternative(left, beta).point(), b2 = line.point_at(c0);
+    BOOST_CHECK(column<Traits>(line.base_point()) == column<Traits>(line.point_at(FT(0))));
+    BOOST_CHECK(column<Traits>(line.direction()) == legs.p);
+    BOOST_CHECK(line.ck_parameter() == ck);
 
-      const Curve<Traits> right = next(left, beta, {b1, b2}, random);
-      check_join(left, right, 2, 1, 2, 2);
-      check_betas(left, right, {beta, line.beta2(c0)});
-      const Curve<Traits> smooth = next(left, beta, {b1, line.point_at(ck)}, random);
-      check_join(left, smooth, 2, 2, 2, 2);
-      BOOST_CHECK(line.beta2(ck) == FT(0));
+    const Curve<Traits> right = next(left, beta, {b1, b2}, random);
+    check_join(left, right, 2, 1, 2, 2);
+    check_betas(left, right, {beta, line.beta2(c0)});
+    const Curve<Traits> smooth = next(left, beta, {b1, line.point_at(ck)}, random);
+    check_join(left, smooth, 2, 2, 2, 2);
+    BOOST_CHECK(line.beta2(ck) == FT(0));
 
-      BOOST_CHECK(line.parameter_of(b2) == in_field<Field<Traits>>(c0));
-      const Point<Traits> beside = point<Traits>(column<Traits>(b2) + legs.r);
-      BOOST_CHECK(!line.parameter_of(beside));
-      check_join(left, next(left, beta, {b1, beside}, random), 2, 1, 1, 1);
-    }
-  });
+    BOOST_CHECK(line.parameter_of(b2) == in_field<Field<Traits>>(c0));
+    const Point<Traits> beside = point<Traits>(column<Traits>(b2) + legs.r);
+    BOOST_CHECK(!line.parameter_of(beside));
+    check_join(left, next(left, beta, {b1, beside}, random), 2, 1, 1, 1);
+  }
 }
 
-BOOST_AUTO_TEST_CASE(plane_of_fourth_points) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    for (int m = 3; m <= 5; ++m) {
-      const Curve<Traits> left = random_left<Traits>(random, d, m);
-      const Legs<Traits> legs(left);
-      const FT beta = positive(random), c0 = value(random), ck = GC::ck_parameters<FT>(beta).c0;
-      const GC::Torsion_parameters<FT> c{value(random), value(random)};
-      const GC::Torsion_alternatives<Traits> plane = GC::torsion_alternatives(left, c0, beta);
-      const GC::Curvature_alternatives<Traits> line = GC::curvature_alternatives(left, beta);
-      const Point<Traits> b1 = GC::tangent_alternative(left, beta).point(), b2 = line.point_at(c0),
-                          b3 = plane.point_at(c);
-      BOOST_CHECK(plane.c0() == c0);
-      BOOST_CHECK(!plane.is_line());
-      BOOST_CHECK(column<Traits>(plane.base_point()) == column<Traits>(plane.point_at({FT(0), FT(0)})));
-      BOOST_CHECK(column<Traits>(plane.directions().first) == legs.p);
-      BOOST_CHECK(column<Traits>(plane.directions().second) == legs.r);
-
-      // the derivatives in unit intervals are connected as predicted
-      const Curve<Traits> right = next(left, beta, {b1, b2, b3}, random);
-      const Jet<Traits> x = unit(left).end_jet(3), y = unit(right).start_jet(3);
-      const GC::Connection_coefficients<FT> k = plane.connection(c);
-      BOOST_CHECK(y[1] == k.beta1 * x[1]);
-      BOOST_CHECK(y[2] == FT(beta * beta) * x[2] + k.beta2 * x[1]);
-      BOOST_CHECK(y[3] == power(beta, 3) * x[3] + k.mu * x[2] + k.delta * x[1]);
-      const bool g3 = k.mu == FT(FT(3) * k.beta1 * k.beta2);
-      check_join(left, right, 3, c0 == ck ? 2 : 1, g3 ? 3 : 2, 3);
-
-      BOOST_CHECK(plane.contains(b3));
-      const std::optional<GC::Torsion_parameters<Field<Traits>>> found = plane.parameters_of(b3);
-      BOOST_REQUIRE(found);
-      BOOST_CHECK(found->c1 == in_field<Field<Traits>>(c.c1) && found->c2 == in_field<Field<Traits>>(c.c2));
-      for (int i = 0; i < d && d > 2; ++i) { // off the plane along an axis
-        Column<Traits> axis(d);
-        axis[i] = FT(1);
-        if (dependent<Traits>({legs.p, legs.r, axis})) continue;
-        const Point<Traits> beside = point<Traits>(column<Traits>(b3) + axis);
-        BOOST_CHECK(!plane.contains(beside));
-        BOOST_CHECK(!plane.parameters_of(beside));
-        if (exact_predicates)
-          BOOST_CHECK_EQUAL(GC::continuity(left, next(left, beta, {b1, b2, beside}, random), 3).f_order, 2);
-      }
-
-      // the G3 members, where their scalars are not rounded
-      if (!exact) continue;
-      const FT beta3 = value(random);
-      const GC::Torsion_parameters<FT> g = plane.g3_parameters(beta3);
-      const Curve<Traits> third = next(left, beta, {b1, b2, plane.point_at(g)}, random);
-      BOOST_CHECK_GE(GC::continuity(left, third, 3).g_order, 3);
-      check_betas(left, third, {beta, line.beta2(c0), beta3});
-      BOOST_CHECK(plane.connection(g).delta == beta3);
-      const Curve<Traits> other = next(left, beta, {b1, b2, plane.point_at({g.c1, FT(g.c2 + FT(1))})}, random);
-      check_join(left, other, 3, c0 == ck ? 2 : 1, 2, 3);
-    }
-  });
-}
-
-BOOST_AUTO_TEST_CASE(third_derivative) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Curve<Traits> left = random_left<Traits>(random, d, 3);
-    const FT beta = positive(random), c0 = GC::ck_parameters<FT>(beta).c0;
+TEST_WITH_RANDOM_INPUT(plane_of_fourth_points) {
+  for (int m = 3; m <= 5; ++m) {
+    const Curve<Traits> left = random_left<Traits>(random, d, m);
+    const Legs<Traits> legs(left);
+    const FT beta = positive(random), c0 = value(random), ck = GC::ck_parameters<FT>(beta).c0;
+    const GC::Torsion_parameters<FT> c{value(random), value(random)};
     const GC::Torsion_alternatives<Traits> plane = GC::torsion_alternatives(left, c0, beta);
-    const GC::Torsion_parameters<FT> c = plane.ck_parameters();
-    BOOST_CHECK(c == plane.g3_parameters());
-    BOOST_CHECK(plane.connection(c).mu == FT(0) && plane.connection(c).delta == FT(0));
-    const Point<Traits> b1 = GC::tangent_alternative(left, beta).point(),
-                        b2 = GC::curvature_alternatives(left, beta).point_at(c0);
-    check_join(left, next(left, beta, {b1, b2, plane.point_at(c)}, random), 3, 3, 3, 3);
-    check_join(left, next(left, beta, {b1, b2, plane.point_at({FT(c.c1 + FT(1)), c.c2})}, random), 3, 2, 3, 3);
-  });
+    const GC::Curvature_alternatives<Traits> line = GC::curvature_alternatives(left, beta);
+    const Point<Traits> b1 = GC::tangent_alternative(left, beta).point(), b2 = line.point_at(c0),
+                        b3 = plane.point_at(c);
+    BOOST_CHECK(plane.c0() == c0);
+    BOOST_CHECK(!plane.is_line());
+    BOOST_CHECK(column<Traits>(plane.base_point()) == column<Traits>(plane.point_at({FT(0), FT(0)})));
+    BOOST_CHECK(column<Traits>(plane.directions().first) == legs.p);
+    BOOST_CHECK(column<Traits>(plane.directions().second) == legs.r);
+
+    // the derivatives in unit intervals are connected as predicted
+    const Curve<Traits> right = next(left, beta, {b1, b2, b3}, random);
+    const Jet<Traits> x = unit(left).end_jet(3), y = unit(right).start_jet(3);
+    const GC::Connection_coefficients<FT> k = plane.connection(c);
+    BOOST_CHECK(y[1] == k.beta1 * x[1]);
+    BOOST_CHECK(y[2] == FT(beta * beta) * x[2] + k.beta2 * x[1]);
+    BOOST_CHECK(y[3] == power(beta, 3) * x[3] + k.mu * x[2] + k.delta * x[1]);
+    const bool g3 = k.mu == FT(FT(3) * k.beta1 * k.beta2);
+    check_join(left, right, 3, c0 == ck ? 2 : 1, g3 ? 3 : 2, 3);
+
+    BOOST_CHECK(plane.contains(b3));
+    const std::optional<GC::Torsion_parameters<Field<Traits>>> found = plane.parameters_of(b3);
+    BOOST_REQUIRE(found);
+    BOOST_CHECK(found->c1 == in_field<Field<Traits>>(c.c1) && found->c2 == in_field<Field<Traits>>(c.c2));
+    for (int i = 0; i < d && d > 2; ++i) { // off the plane along an axis
+      Column<Traits> axis(d);
+      axis[i] = FT(1);
+      if (dependent<Traits>({legs.p, legs.r, axis})) continue;
+      const Point<Traits> beside = point<Traits>(column<Traits>(b3) + axis);
+      BOOST_CHECK(!plane.contains(beside));
+      BOOST_CHECK(!plane.parameters_of(beside));
+      if (exact_predicates)
+        BOOST_CHECK_EQUAL(GC::continuity(left, next(left, beta, {b1, b2, beside}, random), 3).f_order, 2);
+    }
+
+    // the G3 members, where their scalars are not rounded
+    if (!exact) continue;
+    const FT beta3 = value(random);
+    const GC::Torsion_parameters<FT> g = plane.g3_parameters(beta3);
+    const Curve<Traits> third = next(left, beta, {b1, b2, plane.point_at(g)}, random);
+    BOOST_CHECK_GE(GC::continuity(left, third, 3).g_order, 3);
+    check_betas(left, third, {beta, line.beta2(c0), beta3});
+    BOOST_CHECK(plane.connection(g).delta == beta3);
+    const Curve<Traits> other = next(left, beta, {b1, b2, plane.point_at({g.c1, FT(g.c2 + FT(1))})}, random);
+    check_join(left, other, 3, c0 == ck ? 2 : 1, 2, 3);
+  }
+}
+
+TEST_WITH_RANDOM_INPUT(third_derivative) {
+  const Curve<Traits> left = random_left<Traits>(random, d, 3);
+  const FT beta = positive(random), c0 = GC::ck_parameters<FT>(beta).c0;
+  const GC::Torsion_alternatives<Traits> plane = GC::torsion_alternatives(left, c0, beta);
+  const GC::Torsion_parameters<FT> c = plane.ck_parameters();
+  BOOST_CHECK(c == plane.g3_parameters());
+  BOOST_CHECK(plane.connection(c).mu == FT(0) && plane.connection(c).delta == FT(0));
+  const Point<Traits> b1 = GC::tangent_alternative(left, beta).point(),
+                      b2 = GC::curvature_alternatives(left, beta).point_at(c0);
+  check_join(left, next(left, beta, {b1, b2, plane.point_at(c)}, random), 3, 3, 3, 3);
+  check_join(left, next(left, beta, {b1, b2, plane.point_at({FT(c.c1 + FT(1)), c.c2})}, random), 3, 2, 3, 3);
 }
 
 // ---------------------------------------------------------------- the nearest member and that of least energy
@@ -244,27 +231,24 @@ template <class Traits> bool orthogonal(const Column<Traits>& x, const Column<Tr
   return close(FT(dot(x, y)), FT(0), FT(1000), 100);
 }
 
-BOOST_AUTO_TEST_CASE(nearest_member) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Curve<Traits> left = random_left<Traits>(random, d, 4);
-    const Legs<Traits> legs(left);
-    const FT beta = positive(random);
-    const GC::Curvature_alternatives<Traits> line = GC::curvature_alternatives(left, beta);
-    const GC::Torsion_alternatives<Traits> plane = GC::torsion_alternatives(left, value(random), beta);
-    const Point<Traits> wished = point<Traits>(random_column<Traits>(random, d));
-    const Column<Traits> x = column<Traits>(wished);
-    const Column<Traits> to_line = x - column<Traits>(line.point_at(line.nearest_parameter(wished))),
-                         to_plane = x - column<Traits>(plane.point_at(plane.nearest_parameters(wished)));
-    BOOST_CHECK(orthogonal<Traits>(to_line, legs.p));
-    BOOST_CHECK(orthogonal<Traits>(to_plane, legs.p));
-    BOOST_CHECK(orthogonal<Traits>(to_plane, legs.r));
-    if (!exact) return;
-    const FT c0 = value(random);
-    const GC::Torsion_parameters<FT> c{value(random), value(random)};
-    BOOST_CHECK(line.nearest_parameter(line.point_at(c0)) == c0);
-    BOOST_CHECK(plane.nearest_parameters(plane.point_at(c)) == c);
-  });
+TEST_WITH_RANDOM_INPUT(nearest_member) {
+  const Curve<Traits> left = random_left<Traits>(random, d, 4);
+  const Legs<Traits> legs(left);
+  const FT beta = positive(random);
+  const GC::Curvature_alternatives<Traits> line = GC::curvature_alternatives(left, beta);
+  const GC::Torsion_alternatives<Traits> plane = GC::torsion_alternatives(left, value(random), beta);
+  const Point<Traits> wished = point<Traits>(random_column<Traits>(random, d));
+  const Column<Traits> x = column<Traits>(wished);
+  const Column<Traits> to_line = x - column<Traits>(line.point_at(line.nearest_parameter(wished))),
+                       to_plane = x - column<Traits>(plane.point_at(plane.nearest_parameters(wished)));
+  BOOST_CHECK(orthogonal<Traits>(to_line, legs.p));
+  BOOST_CHECK(orthogonal<Traits>(to_plane, legs.p));
+  BOOST_CHECK(orthogonal<Traits>(to_plane, legs.r));
+  if (!exact) return;
+  const FT c0 = value(random);
+  const GC::Torsion_parameters<FT> c{value(random), value(random)};
+  BOOST_CHECK(line.nearest_parameter(line.point_at(c0)) == c0);
+  BOOST_CHECK(plane.nearest_parameters(plane.point_at(c)) == c);
 }
 
 // The energy of the polygon has its least value: it is larger, and equally large, when a point is moved either way.
@@ -279,131 +263,122 @@ template <class Traits> void check_stationary(const Curve<Traits>& c, int index,
   BOOST_CHECK(energy(0) < forwards);
 }
 
-BOOST_AUTO_TEST_CASE(least_energy) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    for (int m = 2; m <= 5; ++m) {
-      const Curve<Traits> left = random_left<Traits>(random, d, m);
-      const Legs<Traits> legs(left);
-      const FT beta = positive(random), c0 = value(random);
-      const Points<Traits> rest = random_polygon<Traits>(random, d, m);
-      const GC::Curvature_alternatives<Traits> line = GC::curvature_alternatives(left, beta);
-      const Point<Traits> b1 = GC::tangent_alternative(left, beta).point();
-      CHECK_ERROR(line.least_energy_parameter(rest.begin() + 1, rest.end()), wrong_number_of_points);
-      if (rational_numbers) {
-        Points<Traits> b{b1, line.point_at(line.least_energy_parameter(rest.begin() + 2, rest.end()))};
-        b.insert(b.end(), rest.begin() + 2, rest.end());
-        check_stationary(next(left, beta, b, random), 2, legs.p);
-      }
-      if (m == 2) continue;
-      const GC::Torsion_alternatives<Traits> plane = GC::torsion_alternatives(left, c0, beta);
-      CHECK_ERROR(plane.least_energy_parameters(rest.begin() + 2, rest.end()), wrong_number_of_points);
-      if (rational_numbers) {
-        const GC::Torsion_parameters<FT> c = plane.least_energy_parameters(rest.begin() + 3, rest.end());
-        Points<Traits> b{b1, line.point_at(c0), plane.point_at(c)};
-        b.insert(b.end(), rest.begin() + 3, rest.end());
-        check_stationary(next(left, beta, b, random), 3, legs.p);
-        check_stationary(next(left, beta, b, random), 3, legs.r);
-      }
+TEST_WITH_RANDOM_INPUT(least_energy) {
+  for (int m = 2; m <= 5; ++m) {
+    const Curve<Traits> left = random_left<Traits>(random, d, m);
+    const Legs<Traits> legs(left);
+    const FT beta = positive(random), c0 = value(random);
+    const Points<Traits> rest = random_polygon<Traits>(random, d, m);
+    const GC::Curvature_alternatives<Traits> line = GC::curvature_alternatives(left, beta);
+    const Point<Traits> b1 = GC::tangent_alternative(left, beta).point();
+    CHECK_ERROR(line.least_energy_parameter(rest.begin() + 1, rest.end()), wrong_number_of_points);
+    if (rational_numbers) {
+      Points<Traits> b{b1, line.point_at(line.least_energy_parameter(rest.begin() + 2, rest.end()))};
+      b.insert(b.end(), rest.begin() + 2, rest.end());
+      check_stationary(next(left, beta, b, random), 2, legs.p);
     }
-  });
+    if (m == 2) continue;
+    const GC::Torsion_alternatives<Traits> plane = GC::torsion_alternatives(left, c0, beta);
+    CHECK_ERROR(plane.least_energy_parameters(rest.begin() + 2, rest.end()), wrong_number_of_points);
+    if (rational_numbers) {
+      const GC::Torsion_parameters<FT> c = plane.least_energy_parameters(rest.begin() + 3, rest.end());
+      Points<Traits> b{b1, line.point_at(c0), plane.point_at(c)};
+      b.insert(b.end(), rest.begin() + 3, rest.end());
+      check_stationary(next(left, beta, b, random), 3, legs.p);
+      check_stationary(next(left, beta, b, random), 3, legs.r);
+    }
+  }
 }
 
 // ---------------------------------------------------------------- degenerate and refused input
 
-BOOST_AUTO_TEST_CASE(refused) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Row rows[] = {{0, 1}, {0, 0}, {1, 0}, {3, 1}};
-    std::vector<Curve<Traits>> lefts; // of degree 0, 1, 2, 3
-    for (int m = 0; m <= 3; ++m) {
-      Points<Traits> points;
-      for (int i = 0; i <= m; ++i) points.push_back(point<Traits>(d, rows[i]));
-      lefts.push_back(curve_on<Traits>(points, FT(0), FT(1)));
-    }
-    CHECK_ERROR(GC::tangent_alternative(lefts[0]), wrong_number_of_points);
-    CHECK_ERROR(GC::curvature_alternatives(lefts[1]), wrong_number_of_points);
-    CHECK_ERROR(GC::torsion_alternatives(lefts[2], FT(4)), wrong_number_of_points);
-    for (int m = 0; m <= 3; ++m)
-      for (Order order : all_orders)
-        if (m < static_cast<int>(order)) {
-          CHECK_ERROR(GC::extend(lefts[m], order), wrong_number_of_points);
-          CHECK_ERROR(GC::extend_toward(lefts[m], order, point<Traits>(d, {5, 5})), wrong_number_of_points);
-        } else
-          BOOST_CHECK_EQUAL(GC::extend(lefts[m], order).degree(), m);
-    // the last points of a polygon of lower degree than they are
-    typedef GC::Curvature_alternatives<Traits> Line;
-    const Point<Traits> a = point<Traits>(d, {0, 1}), b = point<Traits>(d, {0, 0}), c = point<Traits>(d, {1, 0});
-    BOOST_CHECK(Line({a, b, c}, 7).degree() == 7);
-    CHECK_ERROR(Line({a, b, c}, 1), wrong_number_of_points);
+TEST_IN_EVERY_SPACE(refused) {
+  const Row rows[] = {{0, 1}, {0, 0}, {1, 0}, {3, 1}};
+  std::vector<Curve<Traits>> lefts; // of degree 0, 1, 2, 3
+  for (int m = 0; m <= 3; ++m) {
+    Points<Traits> points;
+    for (int i = 0; i <= m; ++i) points.push_back(point<Traits>(d, rows[i]));
+    lefts.push_back(curve_on<Traits>(points, FT(0), FT(1)));
+  }
+  CHECK_ERROR(GC::tangent_alternative(lefts[0]), wrong_number_of_points);
+  CHECK_ERROR(GC::curvature_alternatives(lefts[1]), wrong_number_of_points);
+  CHECK_ERROR(GC::torsion_alternatives(lefts[2], FT(4)), wrong_number_of_points);
+  for (int m = 0; m <= 3; ++m)
+    for (Order order : all_orders)
+      if (m < static_cast<int>(order)) {
+        CHECK_ERROR(GC::extend(lefts[m], order), wrong_number_of_points);
+        CHECK_ERROR(GC::extend_toward(lefts[m], order, point<Traits>(d, {5, 5})), wrong_number_of_points);
+      } else
+        BOOST_CHECK_EQUAL(GC::extend(lefts[m], order).degree(), m);
+  // the last points of a polygon of lower degree than they are
+  typedef GC::Curvature_alternatives<Traits> Line;
+  const Point<Traits> a = point<Traits>(d, {0, 1}), b = point<Traits>(d, {0, 0}), c = point<Traits>(d, {1, 0});
+  BOOST_CHECK(Line({a, b, c}, 7).degree() == 7);
+  CHECK_ERROR(Line({a, b, c}, 1), wrong_number_of_points);
 
-    for (int beta : {0, -1}) {
-      CHECK_ERROR(GC::tangent_alternative(lefts[3], FT(beta)), nonpositive_beta);
-      CHECK_ERROR(GC::curvature_alternatives(lefts[3], FT(beta)), nonpositive_beta);
-      CHECK_ERROR(GC::torsion_alternatives(lefts[3], FT(4), FT(beta)), nonpositive_beta);
-      for (Order order : all_orders) CHECK_ERROR(GC::extend(lefts[3], order, {FT(beta), {}, {}, {}}), nonpositive_beta);
-    }
-    const Curve<Traits> stopped = curve<Traits>(d, {{0, 1}, {0, 0}, {1, 0}, {1, 0}});
-    CHECK_ERROR(GC::tangent_alternative(stopped), zero_tangent);
-    CHECK_ERROR(GC::curvature_alternatives(stopped), zero_tangent);
-    CHECK_ERROR(GC::torsion_alternatives(stopped, FT(4)), zero_tangent);
-    for (Order order : all_orders) {
-      CHECK_ERROR(GC::extend(stopped, order), zero_tangent);
-      CHECK_ERROR(GC::extend_toward(stopped, order, a), zero_tangent);
-      CHECK_ERROR(GC::close(stopped, lefts[3], order), zero_tangent);
-    }
-    if constexpr (Curve<Traits>::N == 0) {
-      const Point<Traits> other = point<Traits>(d + 1, {1});
-      CHECK_ERROR(Line({a, other, c}, 3), dimension_mismatch);
-      CHECK_ERROR(GC::tangent_alternative(lefts[3]).ratio_of(other), dimension_mismatch);
-      CHECK_ERROR(GC::curvature_alternatives(lefts[3]).nearest_parameter(other), dimension_mismatch);
-      CHECK_ERROR(GC::torsion_alternatives(lefts[3], FT(4)).contains(other), dimension_mismatch);
-      CHECK_ERROR(GC::extend_toward(lefts[3], Order::tangent, other), dimension_mismatch);
-      CHECK_ERROR(GC::reflection<Traits>(a, other), dimension_mismatch);
-      const Curve<Traits> elsewhere = curve<Traits>(d + 1, {{0, 1}, {0, 0}, {1, 0}, {3, 1}});
-      CHECK_ERROR(GC::is_tangent_continuous(lefts[3], elsewhere), dimension_mismatch);
-    }
-    if constexpr (std::is_floating_point_v<typename Traits::FT>) {
-      CHECK_ERROR(GC::curvature_alternatives(lefts[3]).point_at(FT(1e308) * FT(10)), not_finite);
-      CHECK_ERROR(GC::torsion_alternatives(lefts[3], FT(4), FT(1e200)).base_point(), not_finite);
-      CHECK_ERROR(GC::extend(lefts[3], Order::curvature, {FT(1e200), {}, {}, {}}), not_finite);
-    }
-  });
+  for (int beta : {0, -1}) {
+    CHECK_ERROR(GC::tangent_alternative(lefts[3], FT(beta)), nonpositive_beta);
+    CHECK_ERROR(GC::curvature_alternatives(lefts[3], FT(beta)), nonpositive_beta);
+    CHECK_ERROR(GC::torsion_alternatives(lefts[3], FT(4), FT(beta)), nonpositive_beta);
+    for (Order order : all_orders) CHECK_ERROR(GC::extend(lefts[3], order, {FT(beta), {}, {}, {}}), nonpositive_beta);
+  }
+  const Curve<Traits> stopped = curve<Traits>(d, {{0, 1}, {0, 0}, {1, 0}, {1, 0}});
+  CHECK_ERROR(GC::tangent_alternative(stopped), zero_tangent);
+  CHECK_ERROR(GC::curvature_alternatives(stopped), zero_tangent);
+  CHECK_ERROR(GC::torsion_alternatives(stopped, FT(4)), zero_tangent);
+  for (Order order : all_orders) {
+    CHECK_ERROR(GC::extend(stopped, order), zero_tangent);
+    CHECK_ERROR(GC::extend_toward(stopped, order, a), zero_tangent);
+    CHECK_ERROR(GC::close(stopped, lefts[3], order), zero_tangent);
+  }
+  if constexpr (Curve<Traits>::N == 0) {
+    const Point<Traits> other = point<Traits>(d + 1, {1});
+    CHECK_ERROR(Line({a, other, c}, 3), dimension_mismatch);
+    CHECK_ERROR(GC::tangent_alternative(lefts[3]).ratio_of(other), dimension_mismatch);
+    CHECK_ERROR(GC::curvature_alternatives(lefts[3]).nearest_parameter(other), dimension_mismatch);
+    CHECK_ERROR(GC::torsion_alternatives(lefts[3], FT(4)).contains(other), dimension_mismatch);
+    CHECK_ERROR(GC::extend_toward(lefts[3], Order::tangent, other), dimension_mismatch);
+    CHECK_ERROR(GC::reflection<Traits>(a, other), dimension_mismatch);
+    const Curve<Traits> elsewhere = curve<Traits>(d + 1, {{0, 1}, {0, 0}, {1, 0}, {3, 1}});
+    CHECK_ERROR(GC::is_tangent_continuous(lefts[3], elsewhere), dimension_mismatch);
+  }
+  if constexpr (std::is_floating_point_v<typename Traits::FT>) {
+    CHECK_ERROR(GC::curvature_alternatives(lefts[3]).point_at(FT(1e308) * FT(10)), not_finite);
+    CHECK_ERROR(GC::torsion_alternatives(lefts[3], FT(4), FT(1e200)).base_point(), not_finite);
+    CHECK_ERROR(GC::extend(lefts[3], Order::curvature, {FT(1e200), {}, {}, {}}), not_finite);
+  }
 }
 
 // r = 2p, no curvature at the end: the plane is a line, and every member is G3.
-BOOST_AUTO_TEST_CASE(no_curvature) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Curve<Traits> left = curve<Traits>(d, {{4, -1, 2}, {3, 3, 0}, {1, 1, 0}, {2, 2, 0}});
-    const FT beta(2);
-    const GC::Curvature_alternatives<Traits> line = GC::curvature_alternatives(left, beta);
-    const GC::Torsion_alternatives<Traits> plane = GC::torsion_alternatives(left, FT(3), beta);
-    const Point<Traits> b1 = GC::tangent_alternative(left, beta).point(), b2 = line.point_at(FT(3)),
-                        b3 = plane.point_at({FT(5), FT(-2)});
-    BOOST_CHECK(line.parameter_of(b2) == in_field<Field<Traits>>(FT(3)));
-    BOOST_CHECK(plane.is_line());
-    BOOST_CHECK(plane.contains(b3));
-    CHECK_ERROR(plane.parameters_of(b3), singular_frame);
-    Random random;
-    check_join(left, next(left, beta, {b1, b2, b3}, random), 3, 1, 3, 3);
-    const Column<Traits> axis = column<Traits>(d, {1});
-    const Point<Traits> beside = point<Traits>(column<Traits>(b3) + axis);
-    BOOST_CHECK(!plane.contains(beside));
-    CHECK_ERROR(plane.parameters_of(beside), singular_frame);
-    check_join(left, next(left, beta, {b1, b2, beside}, random), 3, 1, 2, 2);
+TEST_IN_EVERY_SPACE(no_curvature) {
+  const Curve<Traits> left = curve<Traits>(d, {{4, -1, 2}, {3, 3, 0}, {1, 1, 0}, {2, 2, 0}});
+  const FT beta(2);
+  const GC::Curvature_alternatives<Traits> line = GC::curvature_alternatives(left, beta);
+  const GC::Torsion_alternatives<Traits> plane = GC::torsion_alternatives(left, FT(3), beta);
+  const Point<Traits> b1 = GC::tangent_alternative(left, beta).point(), b2 = line.point_at(FT(3)),
+                      b3 = plane.point_at({FT(5), FT(-2)});
+  BOOST_CHECK(line.parameter_of(b2) == in_field<Field<Traits>>(FT(3)));
+  BOOST_CHECK(plane.is_line());
+  BOOST_CHECK(plane.contains(b3));
+  CHECK_ERROR(plane.parameters_of(b3), singular_frame);
+  Random random;
+  check_join(left, next(left, beta, {b1, b2, b3}, random), 3, 1, 3, 3);
+  const Column<Traits> axis = column<Traits>(d, {1});
+  const Point<Traits> beside = point<Traits>(column<Traits>(b3) + axis);
+  BOOST_CHECK(!plane.contains(beside));
+  CHECK_ERROR(plane.parameters_of(beside), singular_frame);
+  check_join(left, next(left, beta, {b1, b2, beside}, random), 3, 1, 2, 2);
 
-    const GC::Torsion_parameters<FT> nearest = plane.nearest_parameters(beside);
-    BOOST_CHECK(nearest.c2 == plane.g3_parameters().c2);
-    BOOST_CHECK(
-        orthogonal<Traits>(column<Traits>(beside) - column<Traits>(plane.point_at(nearest)), Legs<Traits>(left).p));
-    if (rational_numbers)
-      for (int m : {3, 4, 5}) {
-        const Curve<Traits> toward = GC::extend_toward(left.elevate(m - 3), Order::torsion, beside, beta);
-        BOOST_CHECK_GE(GC::continuity(left, toward).g_order, 3);
-        if (m > 3) BOOST_CHECK(toward.coordinates(m) == column<Traits>(beside));
-      }
-  });
+  const GC::Torsion_parameters<FT> nearest = plane.nearest_parameters(beside);
+  BOOST_CHECK(nearest.c2 == plane.g3_parameters().c2);
+  BOOST_CHECK(
+      orthogonal<Traits>(column<Traits>(beside) - column<Traits>(plane.point_at(nearest)), Legs<Traits>(left).p));
+  if (rational_numbers)
+    for (int m : {3, 4, 5}) {
+      const Curve<Traits> toward = GC::extend_toward(left.elevate(m - 3), Order::torsion, beside, beta);
+      BOOST_CHECK_GE(GC::continuity(left, toward).g_order, 3);
+      if (m > 3) BOOST_CHECK(toward.coordinates(m) == column<Traits>(beside));
+    }
 }
 
 // The plane of a planar curve in space is the plane of the curve.
@@ -609,61 +584,54 @@ BOOST_AUTO_TEST_CASE(midpoints) {
 }
 
 // A curve is split and its first part extended: the second part comes back.
-BOOST_AUTO_TEST_CASE(extend_a_part) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    for (int m = 1; m <= 5; ++m) {
-      const Curve<Traits> whole = curve_on<Traits>(random_polygon<Traits>(random, d, m + 1), FT(0), FT(2));
-      const FT u = rational_numbers ? FT(FT(2) * positive(random) / FT(100000)) : FT(1);
-      const std::pair<Curve<Traits>, Curve<Traits>> parts = whole.split(u);
-      if (parts.first.coordinates(m) == parts.first.coordinates(m - 1)) continue;
-      for (Order order : all_orders) {
-        if (m < static_cast<int>(order)) continue;
-        const Curve<Traits> next = GC::extend(parts.first, order, {FT((FT(2) - u) / u), {}, {}, {}});
-        BOOST_CHECK(same_points<Traits>(next, parts.second));
-        BOOST_CHECK(next.domain() == parts.second.domain());
-      }
+TEST_WITH_RANDOM_INPUT(extend_a_part) {
+  for (int m = 1; m <= 5; ++m) {
+    const Curve<Traits> whole = curve_on<Traits>(random_polygon<Traits>(random, d, m + 1), FT(0), FT(2));
+    const FT u = rational_numbers ? FT(FT(2) * positive(random) / FT(100000)) : FT(1);
+    const std::pair<Curve<Traits>, Curve<Traits>> parts = whole.split(u);
+    if (parts.first.coordinates(m) == parts.first.coordinates(m - 1)) continue;
+    for (Order order : all_orders) {
+      if (m < static_cast<int>(order)) continue;
+      const Curve<Traits> next = GC::extend(parts.first, order, {FT((FT(2) - u) / u), {}, {}, {}});
+      BOOST_CHECK(same_points<Traits>(next, parts.second));
+      BOOST_CHECK(next.domain() == parts.second.domain());
     }
-  });
+  }
 }
 
-BOOST_AUTO_TEST_CASE(extend_by_choice) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    for (int m = 3; m <= 5; ++m) {
-      const Curve<Traits> left = random_left<Traits>(random, d, m);
-      const FT beta = positive(random), ck = GC::ck_parameters<FT>(beta).c0, c0 = FT(ck + nonzero(random)), c1(-1),
-               c2(3);
-      const GC::Torsion_alternatives<Traits> plane = GC::torsion_alternatives(left, c0, beta);
-      const Column<Traits> b2 = column<Traits>(GC::curvature_alternatives(left, beta).point_at(c0)),
-                           b3 = column<Traits>(plane.point_at({c1, c2}));
-      const Curve<Traits> curvature = GC::extend(left, Order::curvature, {beta, c0, c1, c2}),
-                          torsion = GC::extend(left, Order::torsion, {beta, c0, c1, c2}),
-                          third = GC::extend(left, Order::torsion, {beta, c0, {}, {}});
-      BOOST_CHECK(curvature.coordinates(2) == b2);
-      BOOST_CHECK(torsion.coordinates(2) == b2);
-      BOOST_CHECK(torsion.coordinates(3) == b3);
-      check_join(left, curvature, 2, 1, 2, 2);
-      if (exact_predicates) BOOST_CHECK_EQUAL(GC::continuity(left, torsion).f_order, std::min(3, d));
-      if constexpr (exact) { // C1 and C2 that are not given
-        check_join(left, third, 3, 1, 3, 3);
-        check_betas(left, third, {beta, FT(FT(m - 1) * (c0 - ck)), FT(0)});
-        const Curve<Traits> only_c2 = GC::extend(left, Order::torsion, {beta, c0, {}, c2});
-        const auto c = plane.parameters_of(only_c2.control_point(3));
-        BOOST_REQUIRE(c);
-        BOOST_CHECK(c->c2 == in_field<Field<Traits>>(c2));
-        BOOST_CHECK(plane.connection({FT(c->c1), FT(c->c2)}).delta == FT(0));
-      }
-      // the derivatives beyond the order are those of the given curve
-      const Jet<Traits> x = left.end_jet(m), y = curvature.start_jet(m), z = torsion.start_jet(m);
-      for (int j = 3; j <= m; ++j) BOOST_CHECK(y[j] == x[j]);
-      for (int j = 4; j <= m; ++j) BOOST_CHECK(z[j] == x[j]);
+TEST_WITH_RANDOM_INPUT(extend_by_choice) {
+  for (int m = 3; m <= 5; ++m) {
+    const Curve<Traits> left = random_left<Traits>(random, d, m);
+    const FT beta = positive(random), ck = GC::ck_parameters<FT>(beta).c0, c0 = FT(ck + nonzero(random)), c1(-1), c2(3);
+    const GC::Torsion_alternatives<Traits> plane = GC::torsion_alternatives(left, c0, beta);
+    const Column<Traits> b2 = column<Traits>(GC::curvature_alternatives(left, beta).point_at(c0)),
+                         b3 = column<Traits>(plane.point_at({c1, c2}));
+    const Curve<Traits> curvature = GC::extend(left, Order::curvature, {beta, c0, c1, c2}),
+                        torsion = GC::extend(left, Order::torsion, {beta, c0, c1, c2}),
+                        third = GC::extend(left, Order::torsion, {beta, c0, {}, {}});
+    BOOST_CHECK(curvature.coordinates(2) == b2);
+    BOOST_CHECK(torsion.coordinates(2) == b2);
+    BOOST_CHECK(torsion.coordinates(3) == b3);
+    check_join(left, curvature, 2, 1, 2, 2);
+    if (exact_predicates) BOOST_CHECK_EQUAL(GC::continuity(left, torsion).f_order, std::min(3, d));
+    if constexpr (exact) { // C1 and C2 that are not given
+      check_join(left, third, 3, 1, 3, 3);
+      check_betas(left, third, {beta, FT(FT(m - 1) * (c0 - ck)), FT(0)});
+      const Curve<Traits> only_c2 = GC::extend(left, Order::torsion, {beta, c0, {}, c2});
+      const auto c = plane.parameters_of(only_c2.control_point(3));
+      BOOST_REQUIRE(c);
+      BOOST_CHECK(c->c2 == in_field<Field<Traits>>(c2));
+      BOOST_CHECK(plane.connection({FT(c->c1), FT(c->c2)}).delta == FT(0));
     }
-    // the degree stays a constant of the type
-    const GC::Bezier_curve<Traits, 3> cubic = random_left<Traits>(random, d, 3);
-    const GC::Bezier_curve<Traits, 3> next = GC::extend(cubic, Order::curvature);
-    BOOST_CHECK(same_points<Traits>(next, GC::extend(Curve<Traits>(cubic), Order::curvature)));
-  });
+    // the derivatives beyond the order are those of the given curve
+    const Jet<Traits> x = left.end_jet(m), y = curvature.start_jet(m), z = torsion.start_jet(m);
+    for (int j = 3; j <= m; ++j) BOOST_CHECK(y[j] == x[j]);
+    for (int j = 4; j <= m; ++j) BOOST_CHECK(z[j] == x[j]);
+  }
+  // the degree stays a constant of the type
+  const GC::Bezier_curve<Traits, 3> cubic = random_left<Traits>(random, d, 3);
+  const GC::Bezier_curve<Traits, 3> next = GC::extend(cubic, Order::curvature);
+  BOOST_CHECK(same_points<Traits>(next, GC::extend(Curve<Traits>(cubic), Order::curvature)));
 }
 
 BOOST_AUTO_TEST_CASE(extend_to_a_point) {
@@ -709,35 +677,30 @@ BOOST_AUTO_TEST_CASE(extend_to_a_point) {
       2);
 }
 
-BOOST_AUTO_TEST_CASE(close_a_chain) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Curve<Traits> first = curve<Traits>(d, {{0, 0, 1}, {3, 0, -1, 2}, {6, 3, 2}, {6, 6, 1, 1, 3}}, 2, 3),
-                        last = curve<Traits>(d, {{6, 6, 1, 1, 3}, {3, 7, 2}, {-3, 5}}, -1, 0);
-    const GC::Shape_parameters<FT> shape{FT(2), FT(3)};
-    for (const Curve<Traits>& start : {first, last}) // the chain of both curves, and one curve alone
-      for (Order order : all_orders) {
-        const int k = static_cast<int>(order);
-        if (!cancels && order == Order::torsion) continue;
-        const Curve<Traits> closing = GC::close(last, start, order, shape);
-        BOOST_CHECK_EQUAL(closing.degree(), 2 * k + 1);
-        BOOST_CHECK(closing.coordinates(0) == last.coordinates(2));
-        BOOST_CHECK(closing.coordinates(2 * k + 1) == start.coordinates(0));
-        if (!exact) continue;
-        BOOST_CHECK_GE(GC::continuity(last, closing, 3).g_order, k);
-        BOOST_CHECK_GE(GC::continuity(closing, start, 3).g_order, k);
-        BOOST_CHECK(closing.start_jet(1)[1] == FT(2) * last.end_jet(1)[1]);
-        BOOST_CHECK(closing.end_jet(1)[1] == FT(3) * start.start_jet(1)[1]);
-      }
-    CHECK_ERROR(GC::close(last, first, Order::tangent, {FT(0), FT(1)}), nonpositive_beta);
-    if (!rational_numbers) return;
-    BOOST_CHECK(same_points<Traits>(GC::close(last, first, Order::curvature),
-                                    GC::blend(last, first, GC::Minimal_energy<3>(), {})));
-    BOOST_CHECK(same_points<Traits>(GC::close(last, first, Order::torsion),
-                                    GC::blend(last, first, GC::Minimal_energy_g3<4>(), {})));
-  });
+TEST_IN_EVERY_SPACE(close_a_chain) {
+  const Curve<Traits> first = curve<Traits>(d, {{0, 0, 1}, {3, 0, -1, 2}, {6, 3, 2}, {6, 6, 1, 1, 3}}, 2, 3),
+                      last = curve<Traits>(d, {{6, 6, 1, 1, 3}, {3, 7, 2}, {-3, 5}}, -1, 0);
+  const GC::Shape_parameters<FT> shape{FT(2), FT(3)};
+  for (const Curve<Traits>& start : {first, last}) // the chain of both curves, and one curve alone
+    for (Order order : all_orders) {
+      const int k = static_cast<int>(order);
+      if (!cancels && order == Order::torsion) continue;
+      const Curve<Traits> closing = GC::close(last, start, order, shape);
+      BOOST_CHECK_EQUAL(closing.degree(), 2 * k + 1);
+      BOOST_CHECK(closing.coordinates(0) == last.coordinates(2));
+      BOOST_CHECK(closing.coordinates(2 * k + 1) == start.coordinates(0));
+      if (!exact) continue;
+      BOOST_CHECK_GE(GC::continuity(last, closing, 3).g_order, k);
+      BOOST_CHECK_GE(GC::continuity(closing, start, 3).g_order, k);
+      BOOST_CHECK(closing.start_jet(1)[1] == FT(2) * last.end_jet(1)[1]);
+      BOOST_CHECK(closing.end_jet(1)[1] == FT(3) * start.start_jet(1)[1]);
+    }
+  CHECK_ERROR(GC::close(last, first, Order::tangent, {FT(0), FT(1)}), nonpositive_beta);
+  if (!rational_numbers) return;
+  BOOST_CHECK(same_points<Traits>(GC::close(last, first, Order::curvature),
+                                  GC::blend(last, first, GC::Minimal_energy<3>(), {})));
+  BOOST_CHECK(same_points<Traits>(GC::close(last, first, Order::torsion),
+                                  GC::blend(last, first, GC::Minimal_energy_g3<4>(), {})));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_EXTENSIONS_TYPED_ALTERNATIVES_H

@@ -4,29 +4,15 @@
 
 // Joins of curves of several segments, and of the user's own: the decisions read the ends where they are.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <iostream>
-#include <random>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(curve_ends)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Epick> Traits;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact_traits;
 typedef Traits::Point Point;

@@ -8,14 +8,7 @@
 
 #include <CGAL/Geometric_continuity/joins/Join_certificate.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-
 BOOST_AUTO_TEST_SUITE(join_certificates)
-
-namespace {
 
 // The derivatives of X(s(t)), s = b1 t + b2 t^2/2 + b3 t^3/6 + ..., up to order 4.
 template <class Traits> Jet<Traits> reparametrised(const Jet<Traits>& x, const std::array<Q, 5>& b) {
@@ -47,8 +40,6 @@ void check_f(const Jet<Traits>& x, const Jet<Traits>& y, const Certificate& c, i
   }
   BOOST_CHECK(c.f_residual.has_value() == (c.f_order < most));
 }
-
-} // namespace
 
 // A join that has an order, and a derivative that is moved out of the way of the next one.
 BOOST_AUTO_TEST_CASE(refuted_at_each_order) {

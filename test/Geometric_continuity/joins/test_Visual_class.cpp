@@ -4,37 +4,15 @@
 
 // Corners, kinks, G1 and G2: the angle is compared exactly, handles at the node and lines drawn as cubics are seen as they are drawn.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Visual_class
-#include <boost/test/unit_test.hpp>
 
 #include "support/enclosures.h"
-#include "support/errors.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Sqrt_extension.h>
-
 #include <boost/mpl/list.hpp>
 
-#include <cmath>
-#include <cstdint>
-#include <iostream>
-#include <limits>
-#include <map>
-#include <optional>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Corner_threshold Bound;
 using GC::Visual_class;
 

@@ -4,30 +4,15 @@
 
 // The analysis of chains and of segmented curves.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/composite_curves.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
-#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <map>
-#include <stdexcept>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 // ------------------------------------------------------------------------------------------------------------ chains
 
-namespace {
-
 // Curves of which each starts where the one before it ends but for some gaps, with joins of all kinds.
-template <class Traits> std::vector<Bezier<Traits>> random_chain(Random& random, int n) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT>
+std::vector<Bezier<Traits>> random_chain(Random& random, int n) {
   std::vector<Bezier<Traits>> chain(1, random.curve<Traits>(3, 1).segment(0));
   while (static_cast<int>(chain.size()) < n) {
     const Bezier<Traits>& last = chain.back();
@@ -61,8 +46,6 @@ struct Counted_curve : Bezier<Double_2> {
   ~Counted_curve() { count(-1); }
 };
 int Counted_curve::alive = 0, Counted_curve::most = 0;
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_chain_is_its_joins, Traits, All_traits) {
   typedef GC::Chain_join<Bezier<Traits>> Chain_join;
@@ -200,8 +183,7 @@ BOOST_AUTO_TEST_CASE(a_refused_curve_does_not_change_the_chain) {
 
 // ------------------------------------------------------------------------------------- analysis of a segmented curve
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(continuity_in_the_global_parameter, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(continuity_in_the_global_parameter, Traits, All_traits) {
   const int n = test_dimension<Traits>;
   typedef GC::Predicate_FT<Traits> Field;
   // one cubic over the knots 0, 1, 2, 4

@@ -5,26 +5,12 @@
 // The certified deviation of joins: the enclosures contain the exact value, are at most four units in the last place wide
 // on well-scaled numbers, and lead to honest verdicts.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/enclosures.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/joins/deviation.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <iostream>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(deviation)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Exact;
 typedef GC::Traits_2<CGAL::Epick> Plane;
 typedef GC::Traits_3<CGAL::Epick> Space;
@@ -34,8 +20,6 @@ using enclosures::angle_is;
 using enclosures::encloses_root;
 using enclosures::ulps;
 using GC::Verdict;
-
-namespace {
 
 template <class Jet> void check_angle(const GC::Enclosure& e, const Jet& x, const Jet& y) {
   const Exact product = dot(x[1], y[1]), lengths = dot(x[1], x[1]) * dot(y[1], y[1]);
@@ -48,8 +32,6 @@ Space_curve cubic(const std::vector<double>& c) {
   for (int i = 0; i + 2 < static_cast<int>(c.size()); i += 3) points.emplace_back(c[i], c[i + 1], c[i + 2]);
   return Space_curve(points.begin(), points.end());
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(random_joins) {
   const unsigned seed = 2026;
@@ -136,15 +118,11 @@ BOOST_AUTO_TEST_CASE(undefined_quantities) {
   d = GC::deviation(line, cusp);
   BOOST_CHECK(!d.tangent_angle && !d.curvature_jump && !d.torsion_jump && d.gap == (GC::Enclosure{0, 0}));
 
-  const auto text = [](const Space_curve& left, const Space_curve& right) {
-    std::ostringstream os;
-    os << GC::deviation(left, right);
-    return os.str();
-  };
-  BOOST_CHECK_EQUAL(text(cusp.reverse(), next), "gap 0");
-  BOOST_CHECK_EQUAL(text(line, bent), "gap 0, tangent angle 0 degrees, curvature jump 100%");
-  BOOST_CHECK_EQUAL(text(bent.reverse(), next), "gap 0, tangent angle [179.999, 180] degrees, curvature jump 100%");
-  BOOST_CHECK_EQUAL(text(bent.reverse(), bent),
+  const auto told = [](const Space_curve& left, const Space_curve& right) { return text(GC::deviation(left, right)); };
+  BOOST_CHECK_EQUAL(told(cusp.reverse(), next), "gap 0");
+  BOOST_CHECK_EQUAL(told(line, bent), "gap 0, tangent angle 0 degrees, curvature jump 100%");
+  BOOST_CHECK_EQUAL(told(bent.reverse(), next), "gap 0, tangent angle [179.999, 180] degrees, curvature jump 100%");
+  BOOST_CHECK_EQUAL(told(bent.reverse(), bent),
                     "gap 0, tangent angle [179.999, 180] degrees, curvature jump 0%, torsion jump 0");
 
   const Plane_curve plane{Plane::Point(0, 0), Plane::Point(1, 0)};

@@ -4,26 +4,15 @@
 
 // Many joins at once: the same answers as one by one, on one core and on several.
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
+#include "support/test.h"
+
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cstddef>
 #include <deque>
-#include <random>
-#include <set>
-#include <stdexcept>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(failing_joins)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef std::vector<std::size_t> Indices;
 template <class FT> using Traits = GC::Traits_2<CGAL::Simple_cartesian<FT>>;
 template <class FT> using Curve = GC::Bezier_curve<Traits<FT>, 2>;

@@ -5,26 +5,12 @@
 // The factors by which degrees enter, where their products are longer than any integer of the machine: curves of the user's own of which
 // only the points next to the end exist.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <array>
-#include <cstddef>
-#include <iostream>
-#include <limits>
-#include <random>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(huge_degrees)
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 
 // The four control points at the end of a curve of any degree, from the join inwards.
 template <class Kernel> struct End_of_curve {

@@ -4,25 +4,12 @@
 
 // The remarks of Hagen after 2.1: what continuity of derivatives says about that of the invariants, and conversely.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/jets.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-#include <CGAL/Geometric_continuity/local/curvatures.h>
-
-#include <algorithm>
-#include <random>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 typedef std::tuple<Exact_3, Double_3, Epick_3> Spaces;
 typedef std::tuple<Exact_2, Exact_3> Exact_dimensions;
-
-namespace {
 
 // Two cubics over the knots 0, 1, 1 + ratio. The second continues the first by b1 = b0 + beta p,
 // b2 = b0 + beta^2 (b_{-2} - b0) + c0 p, b3 = b0 + beta^3 (b_{-2} - b_{-3}) + c1 p + c2 r.
@@ -44,8 +31,7 @@ template <class Traits> struct Two_cubics {
 };
 
 // The C^3 member for a ratio of the intervals.
-template <class Traits> Two_cubics<Traits> c3_member(const typename Traits::FT& beta) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> Two_cubics<Traits> c3_member(const typename Traits::FT& beta) {
   const FT b2 = beta * beta, b3 = b2 * beta;
   return {beta, FT(FT(2) * b2 + FT(2) * beta), FT(b3 + FT(3) * b2 + FT(3) * beta), FT(FT(2) * b3 + FT(3) * b2)};
 }
@@ -56,10 +42,7 @@ template <class Traits> GC::Join_continuity<GC::Predicate_FT<Traits>> join_of(co
 
 template <class FT> std::vector<FT> dyadic_ratios() { return {ratio<FT>(1, 2), FT(1), FT(2), FT(4)}; }
 
-} // namespace
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(parametric_continuity_implies_that_of_the_invariants, Traits, Spaces) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(parametric_continuity_implies_that_of_the_invariants, Traits, Spaces) {
   for (const FT& beta : dyadic_ratios<FT>()) {
     Two_cubics<Traits> cubics = c3_member<Traits>(beta);
     BOOST_CHECK_EQUAL(join_of<Traits>(cubics(beta)).c_order, 3);
@@ -87,8 +70,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(parametric_continuity_implies_that_of_the_invarian
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(natural_spline_condition_of_cubics, Traits, Spaces) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(natural_spline_condition_of_cubics, Traits, Spaces) {
   // A C1 join of cubics is C2 if and only if the legs before and after it, prolonged in the ratio of the intervals, meet
   // in one point: the natural splines (Boehm). They are one member of the line of curvature continuous alternatives.
   for (const FT& beta : dyadic_ratios<FT>())
@@ -124,8 +106,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(arc_length_and_torsion_continuity, Traits, Spaces)
   BOOST_CHECK_EQUAL(GC::continuity(at(1, 0, 0), at(2, 0, 0)).c_order, 1);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(curvature_vector_of_barsky_and_beatty, Traits, Spaces) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(curvature_vector_of_barsky_and_beatty, Traits, Spaces) {
   typedef GC::Predicate_FT<Traits> Field;
   // second-degree geometric continuity is the continuity of K = kappa e_2, and of the tangent
   for (const FT& beta : dyadic_ratios<FT>()) {

@@ -4,31 +4,15 @@
 
 // continuity() where numbers are tiny or huge, in high dimensions, and without memory from the heap.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE join_numbers
-#include <boost/test/unit_test.hpp>
 
+#include "support/test.h"
 #include "support/allocations.h"
-#include "support/errors.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <random>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Rounded;
 typedef GC::Traits_3<CGAL::Epick> Filtered;
 

@@ -4,22 +4,14 @@
 
 // Continuity at the knots of splines, and of chains of them.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/splines.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <vector>
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(continuity_at_knots, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(continuity_at_knots, K, Kernels) {
   // in the kernel without exact predicates there is no certain answer
   if constexpr (exact_predicates_v<K>)
     repeat<FT>(25, [](Random<FT>& random) {

@@ -4,29 +4,17 @@
 
 // Joins of segments of paths: the short way for Bezier curves of short numbers answers as the general one, and encloses the jets.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/joins/path_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <optional>
-#include <sstream>
-#include <string>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(path_continuity)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Plane;
 typedef Plane::Point Point;
 typedef GC::Bezier_curve<Plane> Curve;
 typedef GC::Path_segment<Plane> Segment;
 typedef GC::Path_join<Plane> Join;
-
-namespace {
 
 template <class FT> std::string text(const GC::Join_continuity<FT>& join) {
   std::ostringstream os;
@@ -63,8 +51,6 @@ bool has_enclosures(const Curve& left, const Curve& right) {
   BOOST_CHECK_EQUAL(calls, enclosed ? 2 : 0);
   return enclosed;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(joins_of_curves) {
   const Curve curve =

@@ -5,34 +5,19 @@
 // Joins of rational curves: what is decided on control points and weights agrees with what is decided on jets in an exact field, for
 // parts of one curve in other rational parameters, and with one control point or weight altered.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <iostream>
-#include <random>
-#include <tuple>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(rational_joins)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Q2;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Q3;
 typedef std::tuple<Q2, Q3, GC::Traits_2<CGAL::Simple_cartesian<double>>, GC::Traits_3<CGAL::Epick>,
                    GC::Traits_3<CGAL::Simple_cartesian<float>>>
     All;
-
-namespace {
 
 constexpr unsigned seed = 2026;
 std::mt19937 engine(seed);
@@ -77,10 +62,7 @@ template <class Traits, class Left, class Right> void compare(const Left& left, 
   n.torsion += join.torsion_equal.value_or(false);
 }
 
-} // namespace
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(points_and_weights_decide_as_jets_do, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(points_and_weights_decide_as_jets_do, Traits, All) {
   typedef GC::Rational_bezier_curve<Traits> Curve;
   std::cout << "seed " << seed << '\n';
   Counts n;
@@ -187,8 +169,7 @@ BOOST_AUTO_TEST_CASE(weights_below_the_normal_numbers) {
 }
 
 // A derivative with the factor 1/3, which no floating-point number is.
-BOOST_AUTO_TEST_CASE_TEMPLATE(c1_join_with_a_rounded_factor, Traits, All) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(c1_join_with_a_rounded_factor, Traits, All) {
   typedef GC::Rational_bezier_curve<Traits> Curve;
   const auto on_axis = [](int x) {
     GC::Coordinates<Traits> c(GC::dimension_v<Traits>);

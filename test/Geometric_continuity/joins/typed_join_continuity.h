@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_JOINS_TYPED_JOIN_CONTINUITY_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_JOINS_TYPED_JOIN_CONTINUITY_H
+#pragma once
 
 #include "support/typed.h"
 
@@ -49,34 +48,31 @@ inline FT tiny() {
 
 // ---------------------------------------------------------------- joins of known order
 
-BOOST_AUTO_TEST_CASE(known_parameters) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    for (int k = 1; k <= max_order; ++k) {
-      const Jet<Traits> x = random_jet<Traits>(random, d, k);
-      std::vector<FT> betas = random_betas(random, k);
-      const Join<Traits> join = GC::continuity(x, reparametrised(x, betas));
-      check_orders(join, c_order(betas), k, std::min(k, d));
-      check_betas(join, betas);
-      BOOST_CHECK(join.regular && *join.tangent_equal);
-      BOOST_CHECK_EQUAL(bool(join.curvature_vector_equal), k >= 2);
-      if (k >= 2) BOOST_CHECK(*join.curvature_equal && *join.curvature_vector_equal);
-      BOOST_CHECK_EQUAL(bool(join.torsion_equal), k >= 3 && d == 3);
-      if (join.torsion_equal) BOOST_CHECK(*join.torsion_equal);
+TEST_WITH_RANDOM_INPUT(known_parameters) {
+  for (int k = 1; k <= max_order; ++k) {
+    const Jet<Traits> x = random_jet<Traits>(random, d, k);
+    std::vector<FT> betas = random_betas(random, k);
+    const Join<Traits> join = GC::continuity(x, reparametrised(x, betas));
+    check_orders(join, c_order(betas), k, std::min(k, d));
+    check_betas(join, betas);
+    BOOST_CHECK(join.regular && *join.tangent_equal);
+    BOOST_CHECK_EQUAL(bool(join.curvature_vector_equal), k >= 2);
+    if (k >= 2) BOOST_CHECK(*join.curvature_equal && *join.curvature_vector_equal);
+    BOOST_CHECK_EQUAL(bool(join.torsion_equal), k >= 3 && d == 3);
+    if (join.torsion_equal) BOOST_CHECK(*join.torsion_equal);
 
-      betas.assign(k, FT(0));
-      betas[0] = FT(1);
-      const Join<Traits> same = GC::continuity(x, x);
-      check_orders(same, k, k, std::min(k, d));
-      check_betas(same, betas);
-      betas[k - 1] += FT(1); // C^(k-1) and G^k
-      const Join<Traits> almost = GC::continuity(x, reparametrised(x, betas));
-      check_orders(almost, k - 1, k, std::min(k, d));
-      check_betas(almost, betas);
-      for (int limit = 0; limit <= k; ++limit)
-        check_orders(GC::continuity(x, x, limit), limit, limit, std::min(limit, d));
-    }
-  });
+    betas.assign(k, FT(0));
+    betas[0] = FT(1);
+    const Join<Traits> same = GC::continuity(x, x);
+    check_orders(same, k, k, std::min(k, d));
+    check_betas(same, betas);
+    betas[k - 1] += FT(1); // C^(k-1) and G^k
+    const Join<Traits> almost = GC::continuity(x, reparametrised(x, betas));
+    check_orders(almost, k - 1, k, std::min(k, d));
+    check_betas(almost, betas);
+    for (int limit = 0; limit <= k; ++limit)
+      check_orders(GC::continuity(x, x, limit), limit, limit, std::min(limit, d));
+  }
 }
 
 // One coordinate of one derivative is disturbed, in a join of parameters betas.
@@ -107,16 +103,12 @@ template <class Traits> void check_disturbed(const Jet<Traits>& x, const std::ve
   }
 }
 
-BOOST_AUTO_TEST_CASE(disturbed_joins) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const Jet<Traits> x =
-        random_jet<Traits>(random, d, max_order); // no coordinate of x' is 0: no e_i is parallel to it
-    std::vector<FT> betas(max_order, FT(0));
-    betas[0] = FT(1);
-    check_disturbed(x, betas);
-    check_disturbed(x, random_betas(random, max_order));
-  });
+TEST_WITH_RANDOM_INPUT(disturbed_joins) {
+  const Jet<Traits> x = random_jet<Traits>(random, d, max_order); // no coordinate of x' is 0: no e_i is parallel to it
+  std::vector<FT> betas(max_order, FT(0));
+  betas[0] = FT(1);
+  check_disturbed(x, betas);
+  check_disturbed(x, random_betas(random, max_order));
 }
 
 // The orders are those of the curves, however they are parametrised and wherever they are.
@@ -196,63 +188,57 @@ BOOST_AUTO_TEST_CASE(consistency) {
 
 // ---------------------------------------------------------------- degenerate joins
 
-BOOST_AUTO_TEST_CASE(irregular_joins) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Jet<Traits> good = jet<Traits>(d, {{1, 2}, {1, 1}, {0, 2}, {3, 0}}),
-                      stop = jet<Traits>(d, {{1, 2}, {0}, {0, 2}, {3, 0}});
-    for (const auto& xy : {std::make_pair(good, stop), std::make_pair(stop, good), std::make_pair(stop, stop)}) {
-      const Join<Traits> join = GC::continuity(xy.first, xy.second);
-      check_orders(join, xy.first == xy.second ? 3 : 0, 0, 0); // two stops may be C3
-      BOOST_CHECK(!join.regular);
-      BOOST_CHECK(!join.tangent_equal && !join.curvature_equal && !join.curvature_vector_equal && !join.torsion_equal);
-    }
-    // a cusp: the tangent is reversed
-    const Join<Traits> cusp = GC::continuity(good, reversed(good));
-    check_orders(cusp, 0, 0, 0);
-    BOOST_CHECK(cusp.regular && !*cusp.tangent_equal && *cusp.curvature_vector_equal);
-    // a corner
-    const Join<Traits> corner = GC::continuity(good, jet<Traits>(d, {{1, 2}, {1, -1}, {0, 2}, {3, 0}}));
-    check_orders(corner, 0, 0, 0);
-    BOOST_CHECK(corner.regular && !*corner.tangent_equal);
-    // a gap, where the derivatives agree
-    Jet<Traits> elsewhere = good;
-    elsewhere[0][d - 1] += tiny();
-    const Join<Traits> gap = GC::continuity(good, elsewhere);
-    check_orders(gap, -1, -1, -1);
-    BOOST_CHECK(gap.regular && *gap.tangent_equal && *gap.curvature_vector_equal);
-    // points only, and jets of different orders
-    const Join<Traits> points = GC::continuity(truncated(good, 0), truncated(good, 0));
-    check_orders(points, 0, 0, 0);
-    BOOST_CHECK(!points.regular && !points.tangent_equal);
-    check_orders(GC::continuity(truncated(good, 1), good), 1, 1, 1);
-    check_orders(GC::continuity(good, truncated(good, 2), 5), 2, 2, 2);
-    // a lower order than asked for still reports the curvatures
-    const Join<Traits> first = GC::continuity(good, good, 1);
-    check_orders(first, 1, 1, 1);
-    BOOST_CHECK(*first.curvature_vector_equal);
+TEST_IN_EVERY_SPACE(irregular_joins) {
+  const Jet<Traits> good = jet<Traits>(d, {{1, 2}, {1, 1}, {0, 2}, {3, 0}}),
+                    stop = jet<Traits>(d, {{1, 2}, {0}, {0, 2}, {3, 0}});
+  for (const auto& xy : {std::make_pair(good, stop), std::make_pair(stop, good), std::make_pair(stop, stop)}) {
+    const Join<Traits> join = GC::continuity(xy.first, xy.second);
+    check_orders(join, xy.first == xy.second ? 3 : 0, 0, 0); // two stops may be C3
+    BOOST_CHECK(!join.regular);
+    BOOST_CHECK(!join.tangent_equal && !join.curvature_equal && !join.curvature_vector_equal && !join.torsion_equal);
+  }
+  // a cusp: the tangent is reversed
+  const Join<Traits> cusp = GC::continuity(good, reversed(good));
+  check_orders(cusp, 0, 0, 0);
+  BOOST_CHECK(cusp.regular && !*cusp.tangent_equal && *cusp.curvature_vector_equal);
+  // a corner
+  const Join<Traits> corner = GC::continuity(good, jet<Traits>(d, {{1, 2}, {1, -1}, {0, 2}, {3, 0}}));
+  check_orders(corner, 0, 0, 0);
+  BOOST_CHECK(corner.regular && !*corner.tangent_equal);
+  // a gap, where the derivatives agree
+  Jet<Traits> elsewhere = good;
+  elsewhere[0][d - 1] += tiny();
+  const Join<Traits> gap = GC::continuity(good, elsewhere);
+  check_orders(gap, -1, -1, -1);
+  BOOST_CHECK(gap.regular && *gap.tangent_equal && *gap.curvature_vector_equal);
+  // points only, and jets of different orders
+  const Join<Traits> points = GC::continuity(truncated(good, 0), truncated(good, 0));
+  check_orders(points, 0, 0, 0);
+  BOOST_CHECK(!points.regular && !points.tangent_equal);
+  check_orders(GC::continuity(truncated(good, 1), good), 1, 1, 1);
+  check_orders(GC::continuity(good, truncated(good, 2), 5), 2, 2, 2);
+  // a lower order than asked for still reports the curvatures
+  const Join<Traits> first = GC::continuity(good, good, 1);
+  check_orders(first, 1, 1, 1);
+  BOOST_CHECK(*first.curvature_vector_equal);
 
-    CHECK_ERROR(GC::continuity(Jet<Traits>(), Jet<Traits>()), jet_order_too_low);
-    if constexpr (Curve<Traits>::N == 0)
-      CHECK_ERROR(GC::continuity(good, jet<Traits>(d + 1, {{1, 2}, {1, 1}})), dimension_mismatch);
-  });
+  CHECK_ERROR(GC::continuity(Jet<Traits>(), Jet<Traits>()), jet_order_too_low);
+  if constexpr (Curve<Traits>::N == 0)
+    CHECK_ERROR(GC::continuity(good, jet<Traits>(d + 1, {{1, 2}, {1, 1}})), dimension_mismatch);
 }
 
 // Curvature 0 on both sides, and on one side
-BOOST_AUTO_TEST_CASE(straight_joins) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Jet<Traits> line = jet<Traits>(d, {{0}, {1}, {0}, {0}}), fast = jet<Traits>(d, {{0}, {2}, {3}, {5}}),
-                      bent = jet<Traits>(d, {{0}, {1}, {0, 2}, {0}});
-    const Join<Traits> both = GC::continuity(line, fast);
-    check_orders(both, 0, 3, std::min(3, d));
-    check_betas(both, std::vector<FT>{FT(2), FT(3), FT(5)});
-    BOOST_CHECK(*both.curvature_equal && *both.curvature_vector_equal && !both.torsion_equal);
-    for (const Join<Traits>& one : {GC::continuity(line, bent), GC::continuity(bent, line)}) {
-      check_orders(one, 1, 1, 1);
-      BOOST_CHECK(!*one.curvature_equal && !*one.curvature_vector_equal && !one.torsion_equal);
-    }
-  });
+TEST_IN_EVERY_SPACE(straight_joins) {
+  const Jet<Traits> line = jet<Traits>(d, {{0}, {1}, {0}, {0}}), fast = jet<Traits>(d, {{0}, {2}, {3}, {5}}),
+                    bent = jet<Traits>(d, {{0}, {1}, {0, 2}, {0}});
+  const Join<Traits> both = GC::continuity(line, fast);
+  check_orders(both, 0, 3, std::min(3, d));
+  check_betas(both, std::vector<FT>{FT(2), FT(3), FT(5)});
+  BOOST_CHECK(*both.curvature_equal && *both.curvature_vector_equal && !both.torsion_equal);
+  for (const Join<Traits>& one : {GC::continuity(line, bent), GC::continuity(bent, line)}) {
+    check_orders(one, 1, 1, 1);
+    BOOST_CHECK(!*one.curvature_equal && !*one.curvature_vector_equal && !one.torsion_equal);
+  }
 }
 
 // The curvature, but not its direction: (t, t^2, 0) | (t, 0, t^2), and (t, t^2) | (t, -t^2) in the plane
@@ -319,41 +305,35 @@ BOOST_AUTO_TEST_CASE(output) {
 // ---------------------------------------------------------------- joins of curves
 
 // The two parts of a curve, the second one on another domain; fixed and dynamic degrees mixed
-BOOST_AUTO_TEST_CASE(curves) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const std::vector<Point<Traits>> p = random_points<Traits>(random, d, 4, &Random::whole);
-    const std::pair<Curve<Traits>, Curve<Traits>> parts = Curve<Traits>(p.begin(), p.end()).split(ratio(1, 2));
-    const GC::Bezier_curve<Traits, 3> left = parts.first;
-    if (is_zero(left.end_jet(1)[1])) return;
-    check_orders(GC::continuity(left, parts.second), 3, 3, std::min(3, d)); // order 3 unless told
-    for (int k = 0; k <= max_order; ++k) check_orders(GC::continuity(left, parts.second, k), k, k, std::min(k, d));
-    // [1/2, 1] becomes [0, 1]: beta_1 = 1/2
-    const Join<Traits> slow = GC::continuity(left, parts.second.with_domain(FT(0), FT(1)));
-    check_orders(slow, 0, 3, std::min(3, d));
-    check_betas(slow, std::vector<FT>{ratio(1, 2), FT(0), FT(0)});
-    check_orders(GC::continuity(parts.second.reverse(), left.reverse()), 3, 3, std::min(3, d));
-    if constexpr (Curve<Traits>::N == 0)
-      CHECK_ERROR(GC::continuity(left, curve<Traits>(d + 1, {{1}, {2}})), dimension_mismatch);
-  });
+TEST_WITH_RANDOM_INPUT(curves) {
+  const std::vector<Point<Traits>> p = random_points<Traits>(random, d, 4, &Random::whole);
+  const std::pair<Curve<Traits>, Curve<Traits>> parts = Curve<Traits>(p.begin(), p.end()).split(ratio(1, 2));
+  const GC::Bezier_curve<Traits, 3> left = parts.first;
+  if (is_zero(left.end_jet(1)[1])) return;
+  check_orders(GC::continuity(left, parts.second), 3, 3, std::min(3, d)); // order 3 unless told
+  for (int k = 0; k <= max_order; ++k) check_orders(GC::continuity(left, parts.second, k), k, k, std::min(k, d));
+  // [1/2, 1] becomes [0, 1]: beta_1 = 1/2
+  const Join<Traits> slow = GC::continuity(left, parts.second.with_domain(FT(0), FT(1)));
+  check_orders(slow, 0, 3, std::min(3, d));
+  check_betas(slow, std::vector<FT>{ratio(1, 2), FT(0), FT(0)});
+  check_orders(GC::continuity(parts.second.reverse(), left.reverse()), 3, 3, std::min(3, d));
+  if constexpr (Curve<Traits>::N == 0)
+    CHECK_ERROR(GC::continuity(left, curve<Traits>(d + 1, {{1}, {2}})), dimension_mismatch);
 }
 
 // A curve of the user's own on either side. In rounded kernels Taylor polynomials up to degree 2 are exact.
-BOOST_AUTO_TEST_CASE(user_curves) {
-  with_random_input([](auto traits, int d, Random& random) {
-    typedef decltype(traits) Traits;
-    const int k = exact ? 3 : 2;
-    const Jet<Traits> x = random_jet<Traits>(random, d, k);
-    const Taylor_curve<Traits> left(x, FT(0), FT(1)), right(left.jet(FT(1), k), FT(5), FT(6));
-    if (is_zero(left.jet(FT(1), 1)[1])) return;
-    check_orders(GC::continuity(left, right), 3, 3, std::min(3, d));
-    const std::vector<Point<Traits>> p = GC::start_control_points(left.jet(FT(1), k), k, FT(2));
-    const Curve<Traits> c(p.begin(), p.end(), FT(0), FT(2));
-    check_orders(GC::continuity(left, c), 3, 3, std::min(3, d));
-    check_orders(GC::continuity(c.reverse(), c), 0, 0, 0);
-    const std::vector<Point<Traits>> q = GC::end_control_points(x, k, FT(1));
-    check_orders(GC::continuity(Curve<Traits>(q.begin(), q.end()), left, 2), 2, 2, 2);
-  });
+TEST_WITH_RANDOM_INPUT(user_curves) {
+  const int k = exact ? 3 : 2;
+  const Jet<Traits> x = random_jet<Traits>(random, d, k);
+  const Taylor_curve<Traits> left(x, FT(0), FT(1)), right(left.jet(FT(1), k), FT(5), FT(6));
+  if (is_zero(left.jet(FT(1), 1)[1])) return;
+  check_orders(GC::continuity(left, right), 3, 3, std::min(3, d));
+  const std::vector<Point<Traits>> p = GC::start_control_points(left.jet(FT(1), k), k, FT(2));
+  const Curve<Traits> c(p.begin(), p.end(), FT(0), FT(2));
+  check_orders(GC::continuity(left, c), 3, 3, std::min(3, d));
+  check_orders(GC::continuity(c.reverse(), c), 0, 0, 0);
+  const std::vector<Point<Traits>> q = GC::end_control_points(x, k, FT(1));
+  check_orders(GC::continuity(Curve<Traits>(q.begin(), q.end()), left, 2), 2, 2, 2);
 }
 
 // A parabola phi with dyadic control points and a quintic that starts with B = A + c p, C = 2B - A + 5/8 c^2 q + e p, where
@@ -399,5 +379,3 @@ BOOST_AUTO_TEST_CASE(last_bit, *boost::unit_test::enable_if<exact_predicates>())
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_JOINS_TYPED_JOIN_CONTINUITY_H

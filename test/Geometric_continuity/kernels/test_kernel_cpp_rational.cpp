@@ -2,12 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Simple_cartesian_cpp_rational
 
-#include <CGAL/Cartesian_d.h>
+#include "support/test.h"
+
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost_mp.h>
 
 typedef CGAL::Simple_cartesian<boost::multiprecision::cpp_rational> Kernel;

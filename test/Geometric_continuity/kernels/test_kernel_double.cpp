@@ -2,14 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Simple_cartesian_double
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Geometric_continuity.h>
-#include <CGAL/Simple_cartesian.h>
+#include "support/test.h"
 
-#include <cstddef>
+#include <CGAL/Geometric_continuity.h>
 
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Geometric_continuity::Traits_2<Kernel> Traits2;

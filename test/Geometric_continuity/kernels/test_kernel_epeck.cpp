@@ -2,7 +2,6 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Exact_predicates_exact_constructions_kernel
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>

@@ -2,14 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Exact_predicates_inexact_constructions_kernel
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
+#include "support/test.h"
 
-#include <type_traits>
+#include <CGAL/Geometric_continuity.h>
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef CGAL::Geometric_continuity::Traits_2<Kernel> Traits2;

@@ -2,13 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Simple_cartesian_Exact_rational
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_rational.h>
+#include "support/test.h"
+
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 
 typedef CGAL::Simple_cartesian<CGAL::Exact_rational> Kernel;
 typedef CGAL::Geometric_continuity::Traits_2<Kernel> Traits2;

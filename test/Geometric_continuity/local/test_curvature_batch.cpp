@@ -4,14 +4,9 @@
 
 // Curvatures and torsions of many jets.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_points.h"
 
 #include <CGAL/Geometric_continuity/local/curvatures.h>
-
-#include <cmath>
-#include <vector>
 
 BOOST_AUTO_TEST_CASE(curvatures) {
   const int n = 5000; // several blocks, where there are several cores

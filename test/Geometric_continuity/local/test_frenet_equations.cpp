@@ -4,19 +4,7 @@
 
 // The Frenet equations.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/jets.h"
-
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/local/curvatures.h>
-
-#include <algorithm>
-#include <cmath>
-#include <sstream>
-#include <vector>
-
-namespace {
 
 // (t, t^2, t^3, ..., t^n) at t
 template <class Traits> Jet<Traits> moment_curve(int n, double t, int k) {
@@ -44,8 +32,6 @@ template <class Traits> double frame_derivative_error(int n, double h) {
   }
   return error;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(derivatives_of_the_frame) {
   // Central differences have errors in h^2 times third derivatives, and 2^-53 / h by rounding: a tenth of h divides the error

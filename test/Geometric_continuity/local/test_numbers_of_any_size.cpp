@@ -5,10 +5,7 @@
 // Curvatures, frames and congruence of jets with very large and very small coordinates, in many dimensions, and what is
 // refused: nothing returns an undefined number.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
-#include "support/kernels.h"
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
@@ -16,18 +13,9 @@
 #include <CGAL/Geometric_continuity/local/congruence.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 
-#include <array>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <random>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(numbers_of_any_size)
 
 template <class Traits> using Jet = GC::Curve_jet<Traits>;
-
-namespace {
 
 const double infinity = std::numeric_limits<double>::infinity(), undefined = std::numeric_limits<double>::quiet_NaN();
 
@@ -71,8 +59,6 @@ template <class Traits> Jet<Traits> turned(Jet<Traits> x) {
 
 const int binary_sizes[] = {-500, -300, -254, -100, 100, 254, 300, 500};
 const double decimal_sizes[] = {1e-150, 1e-100, 1e-80, 1e78, 1e80, 1e100, 1e150};
-
-} // namespace
 
 // Powers of two only shift the exponent: the results are those of the jet of normal size, bit by bit.
 BOOST_AUTO_TEST_CASE(powers_of_two_change_exponents_only) {
@@ -166,8 +152,6 @@ BOOST_AUTO_TEST_CASE(what_overflows_is_refused_and_what_underflows_is_zero) {
   BOOST_CHECK_EQUAL(GC::unit_normal(s)->z(), 1);
 }
 
-namespace {
-
 template <class Traits> void check_congruence_of_any_size(unsigned seed) {
   std::mt19937 random(seed);
   const Jet<Traits> whole = whole_jet<Traits>(random, 3, 4);
@@ -191,8 +175,6 @@ template <class Traits> void check_congruence_of_any_size(unsigned seed) {
     if (a != 0) BOOST_CHECK(!GC::congruence(y, whole));
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(congruence_of_any_size) {
   check_congruence_of_any_size<Epick_3>(3);

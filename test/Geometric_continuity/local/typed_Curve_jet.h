@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_LOCAL_TYPED_CURVE_JET_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_LOCAL_TYPED_CURVE_JET_H
+#pragma once
 
 #include "support/typed.h"
 
@@ -31,78 +30,72 @@ inline Curvatures scaled(Curvatures kappa, const FT& factor, int last = 1) {
   return kappa;
 }
 
-BOOST_AUTO_TEST_CASE(access) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Point<Traits> p = point<Traits>(d, {3, -4});
-    for (int k : {0, 1, 2, 5, 6, 9}) { // up to order 5 without memory from the heap
-      std::vector<Vector<Traits>> derivatives;
-      for (int j = 1; j <= k; ++j) derivatives.push_back(vector<Traits>(d, {j, j * j}));
-      const Jet<Traits> x(p, derivatives);
-      BOOST_CHECK_EQUAL(x.order(), k);
-      BOOST_CHECK_EQUAL(x.dimension(), d);
-      BOOST_CHECK(column<Traits>(x.point()) == column<Traits>(p));
-      for (int j = 1; j <= k; ++j) {
-        BOOST_CHECK(x[j] == column<Traits>(d, {j, j * j}));
-        BOOST_CHECK(column<Traits>(x.derivative(j)) == x[j]);
-      }
-      Jet<Traits> y = x;
-      BOOST_CHECK(y == x);
-      y[k][d - 1] += FT(1);
-      BOOST_CHECK(y != x);
-      BOOST_CHECK(x[k] != y[k]);
-      derivatives.push_back(vector<Traits>(d, {0}));
-      BOOST_CHECK(Jet<Traits>(p, derivatives) != x);
+TEST_IN_EVERY_SPACE(access) {
+  const Point<Traits> p = point<Traits>(d, {3, -4});
+  for (int k : {0, 1, 2, 5, 6, 9}) { // up to order 5 without memory from the heap
+    std::vector<Vector<Traits>> derivatives;
+    for (int j = 1; j <= k; ++j) derivatives.push_back(vector<Traits>(d, {j, j * j}));
+    const Jet<Traits> x(p, derivatives);
+    BOOST_CHECK_EQUAL(x.order(), k);
+    BOOST_CHECK_EQUAL(x.dimension(), d);
+    BOOST_CHECK(column<Traits>(x.point()) == column<Traits>(p));
+    for (int j = 1; j <= k; ++j) {
+      BOOST_CHECK(x[j] == column<Traits>(d, {j, j * j}));
+      BOOST_CHECK(column<Traits>(x.derivative(j)) == x[j]);
     }
-    const Jet<Traits> line(p, {vector<Traits>(d, {1, 2})});
-    BOOST_CHECK((line == jet<Traits>(d, {{3, -4}, {1, 2}})));
-    if constexpr (Is_streamable<typename Traits::FT>::value)
-      BOOST_CHECK_EQUAL(text(truncated(line, 0)).substr(0, text(FT(3), ' ', FT(-4)).size()), text(FT(3), ' ', FT(-4)));
+    Jet<Traits> y = x;
+    BOOST_CHECK(y == x);
+    y[k][d - 1] += FT(1);
+    BOOST_CHECK(y != x);
+    BOOST_CHECK(x[k] != y[k]);
+    derivatives.push_back(vector<Traits>(d, {0}));
+    BOOST_CHECK(Jet<Traits>(p, derivatives) != x);
+  }
+  const Jet<Traits> line(p, {vector<Traits>(d, {1, 2})});
+  BOOST_CHECK((line == jet<Traits>(d, {{3, -4}, {1, 2}})));
+  if constexpr (Is_streamable<typename Traits::FT>::value)
+    BOOST_CHECK_EQUAL(text(truncated(line, 0)).substr(0, text(FT(3), ' ', FT(-4)).size()), text(FT(3), ' ', FT(-4)));
 
-    BOOST_CHECK_EQUAL(Jet<Traits>().order(), -1);
-    BOOST_CHECK(Jet<Traits>() == Jet<Traits>());
-    BOOST_CHECK(Jet<Traits>() != line);
-    if constexpr (Curve<Traits>::N == 0)
-      CHECK_ERROR(Jet<Traits>(p, {vector<Traits>(d, {1}), vector<Traits>(d + 1, {1})}), dimension_mismatch);
-    if constexpr (std::is_floating_point_v<typename Traits::FT>)
-      for (const FT& bad : {std::numeric_limits<FT>::infinity(), std::numeric_limits<FT>::quiet_NaN()}) {
-        Column<Traits> c(d);
-        c[d - 1] = bad;
-        CHECK_ERROR(Jet<Traits>(point<Traits>(c), {}), not_finite);
-        CHECK_ERROR(Jet<Traits>(p, {vector<Traits>(c)}), not_finite);
-      }
-  });
+  BOOST_CHECK_EQUAL(Jet<Traits>().order(), -1);
+  BOOST_CHECK(Jet<Traits>() == Jet<Traits>());
+  BOOST_CHECK(Jet<Traits>() != line);
+  if constexpr (Curve<Traits>::N == 0)
+    CHECK_ERROR(Jet<Traits>(p, {vector<Traits>(d, {1}), vector<Traits>(d + 1, {1})}), dimension_mismatch);
+  if constexpr (std::is_floating_point_v<typename Traits::FT>)
+    for (const FT& bad : {std::numeric_limits<FT>::infinity(), std::numeric_limits<FT>::quiet_NaN()}) {
+      Column<Traits> c(d);
+      c[d - 1] = bad;
+      CHECK_ERROR(Jet<Traits>(point<Traits>(c), {}), not_finite);
+      CHECK_ERROR(Jet<Traits>(p, {vector<Traits>(c)}), not_finite);
+    }
 }
 
 // ---------------------------------------------------------------- known curves
 
 // (r cos t, r sin t) at 0 and at pi/2, run through both ways, in the plane of the first two coordinates
-BOOST_AUTO_TEST_CASE(circle) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Jet<Traits> right = jet<Traits>(d, {{4, 0}, {0, 4}, {-4, 0}, {0, -4}, {4, 0}, {0, 4}}),
-                      top = jet<Traits>(d, {{0, 4}, {-4, 0}, {0, -4}, {4, 0}, {0, 4}, {-4, 0}});
-    for (const Jet<Traits>& x : {right, top, reversed(right), reversed(top)}) {
-      BOOST_CHECK(GC::curvature_squared(x) == ratio(1, 16));
-      BOOST_CHECK(curvature_column(x) == FT(ratio(-1, 16)) * x[0]);
-      const Curvatures kappa = GC::frenet_curvatures(x);
-      const int sign = x == right || x == top ? 1 : -1;
-      BOOST_REQUIRE_EQUAL(static_cast<int>(kappa.size()), d - 1);
-      for (int i = 1; i < d; ++i)
-        if (i == 1)
-          BOOST_CHECK(kappa[0] == (Signed_square{d == 2 ? sign : 1, ratio(1, 16)}));
-        else if (i == 2)
-          BOOST_CHECK(kappa[1] == (Signed_square{0, FT(0)}));
-        else
-          BOOST_CHECK(!kappa[i - 1]);
-      if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 2)
-        if (d == 2) BOOST_CHECK(GC::signed_curvature(x) == (Signed_square{sign, ratio(1, 16)}));
-      if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 3)
-        if (d == 3) BOOST_CHECK(GC::torsion(x) == FT(0));
-      BOOST_CHECK_EQUAL(bool(GC::frenet_frame(x)), d <= 3);
-      if (d == 3) BOOST_CHECK(GC::frenet_frame(x)->coordinates(3) == column<Traits>(3, {0, 0, sign * 16}));
-    }
-  });
+TEST_IN_EVERY_SPACE(circle) {
+  const Jet<Traits> right = jet<Traits>(d, {{4, 0}, {0, 4}, {-4, 0}, {0, -4}, {4, 0}, {0, 4}}),
+                    top = jet<Traits>(d, {{0, 4}, {-4, 0}, {0, -4}, {4, 0}, {0, 4}, {-4, 0}});
+  for (const Jet<Traits>& x : {right, top, reversed(right), reversed(top)}) {
+    BOOST_CHECK(GC::curvature_squared(x) == ratio(1, 16));
+    BOOST_CHECK(curvature_column(x) == FT(ratio(-1, 16)) * x[0]);
+    const Curvatures kappa = GC::frenet_curvatures(x);
+    const int sign = x == right || x == top ? 1 : -1;
+    BOOST_REQUIRE_EQUAL(static_cast<int>(kappa.size()), d - 1);
+    for (int i = 1; i < d; ++i)
+      if (i == 1)
+        BOOST_CHECK(kappa[0] == (Signed_square{d == 2 ? sign : 1, ratio(1, 16)}));
+      else if (i == 2)
+        BOOST_CHECK(kappa[1] == (Signed_square{0, FT(0)}));
+      else
+        BOOST_CHECK(!kappa[i - 1]);
+    if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 2)
+      if (d == 2) BOOST_CHECK(GC::signed_curvature(x) == (Signed_square{sign, ratio(1, 16)}));
+    if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 3)
+      if (d == 3) BOOST_CHECK(GC::torsion(x) == FT(0));
+    BOOST_CHECK_EQUAL(bool(GC::frenet_frame(x)), d <= 3);
+    if (d == 3) BOOST_CHECK(GC::frenet_frame(x)->coordinates(3) == column<Traits>(3, {0, 0, sign * 16}));
+  }
 }
 
 // (2 cos t, 2 sin t, 2t): curvature and torsion 1/4; and its mirror image
@@ -120,23 +113,20 @@ BOOST_AUTO_TEST_CASE(helix) {
 }
 
 // (t, t^2, ..., t^n) at 0: kappa_i = i + 1
-BOOST_AUTO_TEST_CASE(moment_curve) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    Jet<Traits> x(d, d);
-    FT factorial(1);
-    for (int j = 1; j <= d; ++j) x[j][j - 1] = factorial *= FT(j);
-    for (int sign : {1, -1}) {
-      const Curvatures kappa = GC::frenet_curvatures(x);
-      for (int i = 1; i < d; ++i)
-        BOOST_CHECK(kappa[i - 1] == (Signed_square{i == d - 1 ? sign : 1, FT((i + 1) * (i + 1))}));
-      x[d][d - 1] = -x[d][d - 1]; // its mirror image
-    }
-    const auto frame = GC::frenet_frame(x);
-    BOOST_REQUIRE(frame);
-    for (int i = 1; i < d; ++i) BOOST_CHECK(frame->coordinates(i) == x[i]);
-    BOOST_CHECK(FT(0) < frame->coordinates(d)[d - 1]);
-  });
+TEST_IN_EVERY_SPACE(moment_curve) {
+  Jet<Traits> x(d, d);
+  FT factorial(1);
+  for (int j = 1; j <= d; ++j) x[j][j - 1] = factorial *= FT(j);
+  for (int sign : {1, -1}) {
+    const Curvatures kappa = GC::frenet_curvatures(x);
+    for (int i = 1; i < d; ++i)
+      BOOST_CHECK(kappa[i - 1] == (Signed_square{i == d - 1 ? sign : 1, FT((i + 1) * (i + 1))}));
+    x[d][d - 1] = -x[d][d - 1]; // its mirror image
+  }
+  const auto frame = GC::frenet_frame(x);
+  BOOST_REQUIRE(frame);
+  for (int i = 1; i < d; ++i) BOOST_CHECK(frame->coordinates(i) == x[i]);
+  BOOST_CHECK(FT(0) < frame->coordinates(d)[d - 1]);
 }
 
 BOOST_AUTO_TEST_CASE(lines_and_cusps) {
@@ -172,29 +162,26 @@ BOOST_AUTO_TEST_CASE(lines_and_cusps) {
   BOOST_CHECK(GC::frenet_frame(jet<Traits2>(2, {{0}, {0, 3}}))->coordinates(2) == column<Traits2>(2, {-3, 0}));
 }
 
-BOOST_AUTO_TEST_CASE(refused_jets) {
-  in_every_space([](auto traits, int d) {
-    typedef decltype(traits) Traits;
-    const Jet<Traits> tangent = jet<Traits>(d, {{0}, {1}});
-    CHECK_ERROR(GC::curvature_vector(tangent), jet_order_too_low);
-    CHECK_ERROR(GC::curvature_squared(tangent), jet_order_too_low);
-    CHECK_ERROR(GC::gram_determinants(tangent, 2), jet_order_too_low);
-    BOOST_CHECK_EQUAL(GC::gram_determinants(tangent, 1).size(), 2u);
-    const Jet<Traits> full = jet<Traits>(d, {{0}, {1}, {0, 1}, {0, 0, 1}, {1, 2}, {3, 4}});
-    CHECK_ERROR(GC::frenet_curvatures(truncated(full, d - 1)), jet_order_too_low);
-    BOOST_CHECK_NO_THROW(GC::frenet_curvatures(truncated(full, d)));
-    CHECK_ERROR(GC::frenet_frame(truncated(full, d - 2)), jet_order_too_low);
-    BOOST_CHECK_NO_THROW(GC::frenet_frame(truncated(full, d - 1)));
-    if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 2) {
-      CHECK_ERROR(GC::signed_curvature(tangent), jet_order_too_low);
-      if (d != 2) CHECK_ERROR(GC::signed_curvature(full), dimension_mismatch);
-    }
-    if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 3) {
-      CHECK_ERROR(GC::torsion(truncated(full, 2)), jet_order_too_low);
-      if (d != 3) CHECK_ERROR(GC::torsion(full), dimension_mismatch);
-    }
-    CHECK_ERROR(GC::curvature_squared(Jet<Traits>()), jet_order_too_low);
-  });
+TEST_IN_EVERY_SPACE(refused_jets) {
+  const Jet<Traits> tangent = jet<Traits>(d, {{0}, {1}});
+  CHECK_ERROR(GC::curvature_vector(tangent), jet_order_too_low);
+  CHECK_ERROR(GC::curvature_squared(tangent), jet_order_too_low);
+  CHECK_ERROR(GC::gram_determinants(tangent, 2), jet_order_too_low);
+  BOOST_CHECK_EQUAL(GC::gram_determinants(tangent, 1).size(), 2u);
+  const Jet<Traits> full = jet<Traits>(d, {{0}, {1}, {0, 1}, {0, 0, 1}, {1, 2}, {3, 4}});
+  CHECK_ERROR(GC::frenet_curvatures(truncated(full, d - 1)), jet_order_too_low);
+  BOOST_CHECK_NO_THROW(GC::frenet_curvatures(truncated(full, d)));
+  CHECK_ERROR(GC::frenet_frame(truncated(full, d - 2)), jet_order_too_low);
+  BOOST_CHECK_NO_THROW(GC::frenet_frame(truncated(full, d - 1)));
+  if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 2) {
+    CHECK_ERROR(GC::signed_curvature(tangent), jet_order_too_low);
+    if (d != 2) CHECK_ERROR(GC::signed_curvature(full), dimension_mismatch);
+  }
+  if constexpr (Curve<Traits>::N == 0 || Curve<Traits>::N == 3) {
+    CHECK_ERROR(GC::torsion(truncated(full, 2)), jet_order_too_low);
+    if (d != 3) CHECK_ERROR(GC::torsion(full), dimension_mismatch);
+  }
+  CHECK_ERROR(GC::curvature_squared(Jet<Traits>()), jet_order_too_low);
 }
 
 BOOST_AUTO_TEST_CASE(signed_squares) {
@@ -344,5 +331,3 @@ BOOST_AUTO_TEST_CASE(rounded_curvatures, *boost::unit_test::enable_if<!exact>())
 }
 
 BOOST_AUTO_TEST_SUITE_END()
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_LOCAL_TYPED_CURVE_JET_H

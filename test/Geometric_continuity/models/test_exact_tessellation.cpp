@@ -4,33 +4,15 @@
 
 // Tessellation with exact numbers: points are summed as integers and diagonals compared by intervals, and neither is seen.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost_mp.h>
-
-#include <array>
-#include <cstddef>
-#include <cstdlib>
-#include <set>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(exact_tessellation)
 
-namespace GC = CGAL::Geometric_continuity;
-
 typedef CGAL::Simple_cartesian<CGAL::Exact_rational> Rational_kernel;
 typedef std::tuple<Rational_kernel, CGAL::Simple_cartesian<boost::multiprecision::cpp_rational>, CGAL::Epeck> Kernels;
-
-namespace {
 
 // Fractions whose denominators have common divisors, or none, or are large.
 template <class FT> class Random_fractions : public Random_integers<> {
@@ -69,10 +51,7 @@ template <class Patch> void check_points(const Patch& patch, int n) {
   BOOST_CHECK_EQUAL(mesh.triangles.size(), 2u * n * n);
 }
 
-} // namespace
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_patches, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(points_of_patches, K, Kernels) {
   Random_fractions<FT> random;
   for (int n = 1; n <= 7; ++n) BOOST_TEST_CONTEXT("seed " << first_seed() << ", " << n << " cells") {
       const int p = random.integer(1, 4), q = random.integer(1, 4);
@@ -83,8 +62,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_patches, K, Kernels) {
     }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_rational_patches, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(points_of_rational_patches, K, Kernels) {
   Random_fractions<FT> random;
   for (int n = 1; n <= 7; ++n) BOOST_TEST_CONTEXT("seed " << first_seed() << ", " << n << " cells") {
       const int p = random.integer(1, 3), q = random.integer(1, 3);
@@ -97,8 +75,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(points_of_rational_patches, K, Kernels) {
 }
 
 // The denominator is positive although a weight is not.
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_weight_that_is_negative, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(a_weight_that_is_negative, K, Kernels) {
   Random_fractions<FT> random;
   const GC::Rational_bezier_patch<GC::Traits_3<K>> patch(
       random_net<K>(random, 2, 1),
@@ -108,8 +85,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_weight_that_is_negative, K, Kernels) {
 
 // The triangles of a cell have its shorter diagonal in common; if both are equal, that from the corner where the parameters
 // are least. Floating-point numbers do not tell which it is.
-BOOST_AUTO_TEST_CASE_TEMPLATE(shorter_diagonals, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(shorter_diagonals, K, Kernels) {
   typedef typename K::Point_3 Point;
   FT tiny(1);
   for (int i = 0; i < 100; ++i) tiny = FT(tiny / FT(2));

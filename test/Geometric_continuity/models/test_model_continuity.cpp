@@ -4,23 +4,11 @@
 
 // Models of Bezier patches.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/archetype.h"
 #include "support/nets.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-
-#include <cstddef>
 #include <list>
-#include <set>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace {
 
 // A biquadratic patch over the square [x, x+1] x [y, y+1], with the control points (x + i/2, y + j/2, h(2x+i, 2y+j)).
 template <class Height> Net height_net(int x, int y, Height h) {
@@ -37,20 +25,6 @@ const typename decltype(Model::edges)::value_type* find_edge(const Model& model,
     if ((e.patch_a == patch && e.edge_a == edge) || (e.patch_b == patch && e.edge_b == edge)) return &e;
   return nullptr;
 }
-
-template <class FT> std::string text(const GC::Model_edge<FT>& e) {
-  std::ostringstream os;
-  os << e;
-  return os.str();
-}
-
-std::string text(const GC::Model_summary& s) {
-  std::ostringstream os;
-  os << s;
-  return os.str();
-}
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(model_of_a_grid, K, All_kernels) {
   // 3 x 3 patches of a plane, but for a bump in the middle: a crease around it, where one control point of each edge moves

@@ -4,18 +4,11 @@
 
 // Edges that nearly meet.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/nets.h"
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
-
-#include <cstddef>
-#include <limits>
-#include <sstream>
-#include <vector>
 
 // Patches and B-spline surfaces, on doubles and on exact numbers.
 BOOST_AUTO_TEST_CASE(near_edges_of_a_model) {

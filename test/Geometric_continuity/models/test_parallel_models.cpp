@@ -5,31 +5,13 @@
 // The numbers in which a model is given, and the cores that decide it, make no difference: decimals, and the same model in whole
 // numbers that are doubles, are decided alike, edge by edge.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/limited.h"
 #include "support/random.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cstddef>
-#include <sstream>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(parallel_models)
 
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_3<CGAL::Epick> Filtered;
 
@@ -92,8 +74,7 @@ template <class Traits> std::vector<std::vector<typename Traits::Point>> net(con
   return points;
 }
 
-template <class Traits> GC::Knot_vector<typename Traits::FT> unit_knots() {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> GC::Knot_vector<typename Traits::FT> unit_knots() {
   return GC::Knot_vector<FT>(3, FT(0), FT(1));
 }
 
@@ -190,9 +171,7 @@ std::vector<std::string> lines(const GC::Model_continuity<Q>& model) {
   };
   for (const auto& edge : model.edges) add(edge, edge.continuity);
   for (const auto& line : model.knot_lines) add(line, line.line.continuity);
-  std::ostringstream os;
-  os << model.summary;
-  result.push_back(os.str());
+  result.push_back(text(model.summary));
   return result;
 }
 
@@ -201,8 +180,6 @@ void check_equal(const std::vector<std::string>& x, const std::vector<std::strin
   for (std::size_t i = 0; i < x.size(); ++i)
     BOOST_CHECK_MESSAGE(x[i] == y[i], "seed " << seed << "\n" << x[i] << "\n" << y[i]);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(decimals_and_doubles, Class, Classes) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
@@ -336,7 +313,7 @@ BOOST_AUTO_TEST_CASE(errors_on_several_cores) {
     return std::string();
   };
   const std::string expected = message(CGAL::Sequential_tag());
-  BOOST_CHECK(expected.find("work_limit") != std::string::npos);
+  BOOST_CHECK(contains(expected, "work_limit"));
   for (int i = 0; i < 20; ++i) BOOST_CHECK_EQUAL(message(CGAL::Parallel_if_available_tag()), expected);
 }
 

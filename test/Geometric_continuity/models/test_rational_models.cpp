@@ -4,8 +4,6 @@
 
 // Models of rational surfaces: spheres, tori, fillets; and the patches from which they are made.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/curves/arcs.h>
@@ -14,18 +12,7 @@
 #include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 
-#include <sstream>
-#include <string>
-
 BOOST_AUTO_TEST_SUITE(rational_models)
-
-namespace {
-
-template <class T> std::string text(const T& x) {
-  std::ostringstream os;
-  os << x;
-  return os.str();
-}
 
 template <class Surface> std::string summary(const std::vector<Surface>& surfaces) {
   return text(GC::model_continuity(surfaces).summary);
@@ -46,8 +33,6 @@ template <class Traits> struct Space {
   static V y(int a = 1) { return V(0, a, 0); }
   static V z(int a = 1) { return V(0, 0, a); }
 };
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(closed_surfaces, Traits, All_traits) {
   typedef Space<Traits> S;

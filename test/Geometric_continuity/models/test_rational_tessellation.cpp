@@ -4,23 +4,13 @@
 
 // Triangles of rational surfaces: without cracks, on the surface, and nowhere farther from it than the tolerance.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <sstream>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(rational_tessellation)
-
-namespace {
 
 // Returns whether the middle of each triangle and of each of its sides is within the distance of the point of the patch with the middle of
 // the parameters.
@@ -44,8 +34,6 @@ void check_distance(const Patch<Exact>& s, double distance) {
       BOOST_CHECK(!(bound < difference.squared_length()));
     }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(triangles_are_within_the_tolerance) {
   Random random;
@@ -120,11 +108,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(closed_surfaces_are_manifolds, Traits, All_traits)
 }
 
 BOOST_AUTO_TEST_CASE(counts_of_edges) {
-  const auto text = [](const GC::Mesh_edges& e) {
-    std::ostringstream os;
-    os << e;
-    return os.str();
-  };
   typedef std::vector<std::array<std::size_t, 3>> Triangles;
   BOOST_CHECK_EQUAL(text(GC::mesh_edges(Triangles{{0, 1, 2}, {0, 2, 1}})), "3 edges, watertight");
   BOOST_CHECK_EQUAL(text(GC::mesh_edges(Triangles{{0, 1, 2}, {2, 1, 3}})), "5 edges, 4 on the boundary");
@@ -148,8 +131,6 @@ BOOST_AUTO_TEST_CASE(refused_tessellations) {
   CHECK_ERROR(GC::tessellate(huge, GC::Chord_tolerance{1}), unreachable_tolerance);
 }
 
-namespace {
-
 // Six times the volume inside.
 Q volume(const GC::Tessellation<Exact>& mesh) {
   Q sum(0);
@@ -158,8 +139,6 @@ Q volume(const GC::Tessellation<Exact>& mesh) {
                              mesh.points[t[2]] - CGAL::ORIGIN);
   return sum;
 }
-
-} // namespace
 
 // Closed surfaces are outside outwards, whatever the direction of their parameters; each part of a model by itself.
 BOOST_AUTO_TEST_CASE(solids_are_turned_outwards) {

@@ -4,22 +4,12 @@
 
 // Models with rounded edges: boxes, also with bent faces.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/models/round_edges.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <string>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(rounded_models)
-
-namespace {
 
 // The eight corners of a box, the number x + 2y + 4z.
 template <class Traits> std::vector<typename Traits::Point> corners_of_box(int x, int y, int z) {
@@ -73,8 +63,6 @@ template <class Surface> void check_box(const std::vector<Surface>& box) {
   BOOST_CHECK_EQUAL(summary.g1 + summary.g0, 0u);
   BOOST_CHECK_EQUAL(summary.boundary, 24u); // of eight holes
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(box, Traits, All_traits) { check_box(faces<Traits>(corners_of_box<Traits>(8, 16, 32))); }
 BOOST_AUTO_TEST_CASE(box_of_other_types) {

@@ -4,14 +4,9 @@
 
 // Models of B-spline surfaces.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/spline_surfaces.h"
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-
-#include <string>
-#include <vector>
 
 // As many bicubic patches of one smooth surface as a test may take: the number of edges of each kind is known.
 BOOST_AUTO_TEST_CASE(model_of_a_large_grid) {

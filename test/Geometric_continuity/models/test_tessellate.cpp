@@ -4,41 +4,19 @@
 
 // Tessellation of patches, surfaces and models, face graphs and files of triangles.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/mesh.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
 #include <CGAL/boost/graph/helpers.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
-#include <optional>
-#include <random>
-#include <set>
-#include <sstream>
-#include <string>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(tessellate)
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef CGAL::Simple_cartesian<Q> Exact_kernel;
 typedef std::tuple<CGAL::Simple_cartesian<double>, Exact_kernel> Kernels;
 
@@ -48,8 +26,6 @@ template <class K> using Net = std::vector<std::vector<typename K::Point_3>>;
 typedef Patch<Exact_kernel> Exact_patch;
 typedef std::vector<Exact_patch> Exact_model;
 typedef Exact_kernel::Point_3 Exact_point;
-
-namespace {
 
 template <class K> constexpr bool is_exact = !std::is_floating_point_v<typename K::FT>;
 
@@ -216,8 +192,6 @@ template <class K> void check_closed(const std::vector<Patch<K>>& model, const M
 GC::Uniform_grid grid(int n) { return GC::Uniform_grid{n}; }
 GC::Chord_tolerance within(double distance) { return GC::Chord_tolerance{distance}; }
 
-} // namespace
-
 // ---------------------------------------------------------------- one patch
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(uniform_grids, K, Kernels) {
@@ -276,8 +250,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_cells) {
 }
 
 // Dense samples of every triangle: the point of the surface and the point of the triangle with the same parameters.
-BOOST_AUTO_TEST_CASE_TEMPLATE(tolerance_is_kept, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(tolerance_is_kept, K, Kernels) {
   std::mt19937 random(42);
   const std::array<std::pair<int, int>, 7> degrees = {{{1, 1}, {1, 3}, {2, 2}, {3, 2}, {3, 3}, {5, 1}, {6, 4}}};
   for (const auto& degree : degrees) {
@@ -817,7 +790,7 @@ BOOST_AUTO_TEST_CASE(files) {
   std::ostringstream os;
   GC::write_mesh(os, GC::tessellate(Exact_patch{{o, Exact_point(0, 1, 0)}, {third, Exact_point(1, 1, 0)}}, grid(1)),
                  GC::Mesh_format::off);
-  BOOST_CHECK(os.str().find("0.33333333333333331 0 0") != std::string::npos);
+  BOOST_CHECK(contains(os.str(), "0.33333333333333331 0 0"));
   CHECK_ERROR(GC::write_mesh(os, GC::tessellate(Exact_patch{{o, far_away}, {third, Exact_point(1, 1, 0)}}, grid(1)),
                              GC::Mesh_format::off),
               not_finite);

@@ -4,36 +4,22 @@
 
 // Limits of the work: what is too much is refused by a typed error that names the place, and what is enclosed stays enclosed.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/fractions.h"
 #include "support/limited.h"
+#include "support/test.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cstddef>
-#include <random>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(work_limits)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef CGAL::Simple_cartesian<Q> Kernel;
 typedef GC::Traits_3<Kernel> Space;
 typedef GC::Traits_2<Kernel> Plane;
 typedef GC::Bezier_patch<Space> Patch;
 typedef Space::Point Point;
-
-namespace {
 
 constexpr GC::Patch_edge v0 = GC::Patch_edge::v0;
 const GC::Work_limit one_step(1);
@@ -52,8 +38,6 @@ Patch square(int x, int y, std::mt19937& random) {
   };
   return Patch({{corner(0, 0), corner(0, 1)}, {corner(1, 0), corner(1, 1)}});
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(one_step_is_too_few) {
   const std::vector<Patch> model = crease();

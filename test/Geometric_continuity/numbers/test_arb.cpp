@@ -5,35 +5,21 @@
 // Enclosures and integrals of the package against an independent library, Arb, which computes in balls of 200 bits from the definitions.
 
 #define BOOST_TEST_MODULE arb
-#include <boost/test/unit_test.hpp>
 
 #include "support/arb.h"
 #include "support/enclosures.h"
 #include "support/random.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
-#include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <iostream>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef GC::Traits_2<Kernel> Plane;
 typedef GC::Traits_3<Kernel> Space;
 using arb::Ball;
 using enclosures::ulps;
-
-namespace {
 
 typedef std::array<double, 3> Point;
 
@@ -97,8 +83,6 @@ GC::Bezier_curve<Plane> plane_curve(const std::vector<Point>& p) {
   return GC::Bezier_curve<Plane>(points.begin(), points.end());
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(joins) {
   Random random;
   int wrong = 0, wide = 0, small_angles = 0;
@@ -141,8 +125,6 @@ BOOST_AUTO_TEST_CASE(kinks) {
   BOOST_CHECK_EQUAL(wrong, 0);
   BOOST_CHECK_EQUAL(wide, 0);
 }
-
-namespace {
 
 // A row of parabolas, with integers as coefficients.
 struct Row {
@@ -197,8 +179,6 @@ Ball largest_angle(const arb::Coordinates<arb::Polynomial>& m, const arb::Coordi
   }
   return largest;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(edges) {
   Random random;

@@ -4,33 +4,11 @@
 
 // Parts of fractions, and sums of short ones.
 
-#include "support/errors.h"
 #include "support/random.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstdint>
-#include <sstream>
-#include <string>
-#include <type_traits>
-
 BOOST_AUTO_TEST_SUITE(rational_numbers)
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-
-namespace {
-
-template <class T> std::string text(const T& x) {
-  std::ostringstream os;
-  os << x;
-  return os.str();
-}
 
 struct Random : Random_integers<std::mt19937_64> {
   // With a numerator and a denominator of up to 40 bits, often a power of ten.
@@ -40,8 +18,6 @@ struct Random : Random_integers<std::mt19937_64> {
     return Q(integer(-most, most)) / Q(powers[integer(0, 4)]);
   }
 };
-
-} // namespace
 
 // The same numbers in lowest terms, short or not.
 BOOST_AUTO_TEST_CASE(sums) {

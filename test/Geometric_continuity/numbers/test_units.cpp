@@ -4,28 +4,12 @@
 
 // Degrees and percent: the enclosures hold, proved by exact numbers, in every rounding mode, and are narrow.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/enclosures.h"
-#include "support/errors.h"
 #include "support/rounding_modes.h"
-
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
-
-#include <cmath>
-#include <iostream>
-#include <limits>
-#include <random>
-#include <utility>
 
 BOOST_AUTO_TEST_SUITE(units)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 using enclosures::ulps;
-
-namespace {
 
 // arctan(1/n) lies between two partial sums of its alternating series.
 std::pair<Q, Q> arctan_of_inverse(int n) {
@@ -43,8 +27,6 @@ std::pair<Q, Q> pi() {
   const std::pair<Q, Q> a = arctan_of_inverse(5), b = arctan_of_inverse(239);
   return {Q(16) * a.first - Q(4) * b.second, Q(16) * a.second - Q(4) * b.first};
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(random_angles_and_ratios) {
   std::cout << "seed 17\n";

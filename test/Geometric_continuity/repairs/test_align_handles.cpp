@@ -4,30 +4,13 @@
 
 // Kinks are repaired on the grid: no pair of parallel vectors is nearer, for random and for special legs.
 
-#include "support/errors.h"
+#include "support/test.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <optional>
-#include <random>
-#include <sstream>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(align_handles)
-
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
 
 typedef GC::Grid_vector Vector;
 typedef std::pair<std::int64_t, std::int64_t> Cost; // the squares of the larger and of the smaller move
@@ -96,8 +79,6 @@ void check(const Vector& a, const Vector& b, int r) {
   BOOST_CHECK(cost(b, a, mirrored->left, mirrored->right) == found);
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(random_kinks_against_all_pairs) {
   const unsigned seed = 20817;
   BOOST_TEST_MESSAGE("seed " << seed);
@@ -119,9 +100,7 @@ BOOST_AUTO_TEST_CASE(random_kinks_against_all_pairs) {
 }
 
 BOOST_AUTO_TEST_CASE(vectors_on_the_grid) {
-  std::ostringstream os;
-  os << GC::Grid_vector{-3, 7};
-  BOOST_CHECK_EQUAL(os.str(), "(-3, 7)");
+  BOOST_CHECK_EQUAL(text(GC::Grid_vector{-3, 7}), "(-3, 7)");
   BOOST_CHECK((primitive(GC::Grid_vector{0, 0}) == GC::Grid_vector{0, 0}));
 }
 

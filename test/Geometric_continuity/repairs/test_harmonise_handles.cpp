@@ -4,28 +4,14 @@
 
 // The lengths of handles are changed so that curvatures agree: exactly where the grid has such lengths, otherwise nearly.
 
-#include "support/errors.h"
+#include "support/test.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(harmonise_handles)
-
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
 
 typedef GC::Grid_vector Vector;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Traits;
@@ -54,8 +40,6 @@ Result harmonised(const GC::Handle_side& left, const GC::Handle_side& right, std
   const Curve x = curve(left, handles->left, -1), y = curve(right, handles->right, 1);
   return {*handles, GC::is_g1_join(x, y), GC::is_g2_join(x, y), GC::deviation(x, y).curvature_jump->upper};
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(exactly_where_the_ratio_is_a_square) {
   // curvatures as 30 / m^2 and 120 / n^2: n = 2 m

@@ -5,43 +5,20 @@
 // One corner is rounded: the distance of the cuts, the parts, which are exactly parts of the given curves, the joins, and what is
 // refused.
 
-#include "support/errors.h"
+#include "support/test.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(round_corner)
 
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
-
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact_2;
-typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_3;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
 typedef GC::Traits_2<CGAL::Epeck> Lazy;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
 template <class Traits> using Curve = GC::Bezier_curve<Traits>;
 typedef std::vector<std::vector<double>> Rows;
 
-template <class Traits> Curve<Traits> curve(const Rows& rows) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> Curve<Traits> curve(const Rows& rows) {
   std::vector<typename Traits::Point> points;
   for (const std::vector<double>& row : rows) {
     const std::vector<FT> c(row.begin(), row.end());
@@ -129,8 +106,6 @@ void check_in_every_space(const Rows& left, const Rows& right, double distance) 
 }
 
 const Rows arc = {{-3, -2}, {-2, 1}, {-0.5, 1}, {0, 0}}, hook = {{0, 0}, {1, 2}, {3, 2}, {3, -1}, {2, -2}};
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(lines) {
   for (const int degrees : {0, 10, 90, 170}) { // the angle by which the direction turns

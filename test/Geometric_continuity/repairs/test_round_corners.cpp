@@ -5,34 +5,15 @@
 // All corners of a chain are rounded: which joins are corners, how near they are cut where curves are short, what stays as it
 // is, and what is refused.
 
-#include "support/errors.h"
+#include "support/test.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/arcs.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <type_traits>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(round_corners)
 
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Traits;
 typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
@@ -85,8 +66,6 @@ Rounded rounded(const Chain& chain, double distance, bool closed, int order = 2)
   check_parts(chain, r);
   return r;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(closed_and_open) {
   const Rounded closed = rounded(square, 1, true), open = rounded(square, 1, false);

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_CASE_H
-#define GEOMETRIC_CONTINUITY_TEST_CASE_H
+#pragma once
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
@@ -107,5 +106,3 @@ inline std::vector<Case> read_cases(const std::string& name) {
     if (c.out.empty()) throw std::runtime_error(name + ": case " + c.id + " expects nothing");
   return cases;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_CASE_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_KERNELS_H
-#define GEOMETRIC_CONTINUITY_TEST_KERNELS_H
+#pragma once
 
 #include "Case.h"
 
@@ -98,5 +97,3 @@ std::vector<std::vector<typename Traits::FT>> coordinate_rows(const GC::Curve_je
   for (int j = 1; j <= jet.order(); ++j) rows.push_back(coordinates<Traits>(jet.derivative(j)));
   return rows;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_KERNELS_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_REPORT_H
-#define GEOMETRIC_CONTINUITY_TEST_REPORT_H
+#pragma once
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
@@ -79,5 +78,3 @@ private:
     }
   }
 };
-
-#endif // GEOMETRIC_CONTINUITY_TEST_REPORT_H

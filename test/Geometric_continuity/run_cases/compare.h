@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_COMPARE_H
-#define GEOMETRIC_CONTINUITY_TEST_COMPARE_H
+#pragma once
 
 #include "Case.h"
 #include "Report.h"
@@ -108,5 +107,3 @@ inline Verdict compare_rounded(const Case& c, const Report& report, const Report
   }
   return verdict;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_COMPARE_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_BEZIER_H
-#define GEOMETRIC_CONTINUITY_TEST_OPS_BEZIER_H
+#pragma once
 
 #include "Kernels.h"
 #include "Report.h"
@@ -76,5 +75,3 @@ template <class FT> bool run_bernstein(const Case& c, Report& report) {
     return false;
   return true;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_OPS_BEZIER_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_BLEND_H
-#define GEOMETRIC_CONTINUITY_TEST_OPS_BLEND_H
+#pragma once
 
 #include "Kernels.h"
 #include "Report.h"
@@ -108,5 +107,3 @@ template <class Traits> bool run_blends(const Case& c, Report& report) {
     return false;
   return true;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_OPS_BLEND_H

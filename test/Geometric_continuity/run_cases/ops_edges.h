@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_EDGES_H
-#define GEOMETRIC_CONTINUITY_TEST_OPS_EDGES_H
+#pragma once
 
 #include "Kernels.h"
 #include "Report.h"
@@ -70,5 +69,3 @@ template <class Traits> bool run_edges(const Case& c, Report& report) {
   } else
     return false;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_OPS_EDGES_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_ERRATA_H
-#define GEOMETRIC_CONTINUITY_TEST_OPS_ERRATA_H
+#pragma once
 
 #include "Kernels.h"
 #include "Report.h"
@@ -69,5 +68,3 @@ template <class Traits> bool run_errata(const Case& c, Report& report) {
     return false;
   return true;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_OPS_ERRATA_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_LOCAL_H
-#define GEOMETRIC_CONTINUITY_TEST_OPS_LOCAL_H
+#pragma once
 
 #include "Kernels.h"
 #include "Report.h"
@@ -87,5 +86,3 @@ template <class Traits> bool run_joins(const Case& c, Report& report) {
   report_join(report, left, right, GC::continuity(left, right, c.integer("kmax")));
   return true;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_OPS_LOCAL_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_MATRICES_H
-#define GEOMETRIC_CONTINUITY_TEST_OPS_MATRICES_H
+#pragma once
 
 #include "Kernels.h"
 #include "Report.h"
@@ -91,5 +90,3 @@ template <class FT> bool run_basis_matrix(const Case& c, Report& report) {
   }
   return with_basis(c.text("basis"), [&](const auto& basis) { put(basis.template matrix<FT>()); });
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_OPS_MATRICES_H

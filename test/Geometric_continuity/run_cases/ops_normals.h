@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_NORMALS_H
-#define GEOMETRIC_CONTINUITY_TEST_OPS_NORMALS_H
+#pragma once
 
 #include "Kernels.h"
 #include "Report.h"
@@ -41,5 +40,3 @@ template <class Traits> bool run_normals(const Case& c, Report& report) {
   }
   return false;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_OPS_NORMALS_H

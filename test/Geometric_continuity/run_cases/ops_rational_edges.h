@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_RATIONAL_EDGES_H
-#define GEOMETRIC_CONTINUITY_TEST_OPS_RATIONAL_EDGES_H
+#pragma once
 
 #include "Kernels.h"
 #include "Report.h"
@@ -100,5 +99,3 @@ template <class Traits> bool run_rational_edges(const Case& c, Report& report) {
   } else
     return false;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_OPS_RATIONAL_EDGES_H

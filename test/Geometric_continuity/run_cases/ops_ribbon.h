@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_RIBBON_H
-#define GEOMETRIC_CONTINUITY_TEST_OPS_RIBBON_H
+#pragma once
 
 #include "Kernels.h"
 #include "Report.h"
@@ -78,5 +77,3 @@ template <class Traits> bool run_ribbon(const Case& c, Report& report) {
   } else
     return false;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_OPS_RIBBON_H

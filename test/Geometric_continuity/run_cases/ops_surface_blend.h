@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_OPS_SURFACE_BLEND_H
-#define GEOMETRIC_CONTINUITY_TEST_OPS_SURFACE_BLEND_H
+#pragma once
 
 #include "Kernels.h"
 #include "Report.h"
@@ -74,5 +73,3 @@ template <class Traits> bool run_surface_blend(const Case& c, Report& report) {
   }
   return true;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_OPS_SURFACE_BLEND_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_RUN_CASE_H
-#define GEOMETRIC_CONTINUITY_TEST_RUN_CASE_H
+#pragma once
 
 #include "ops_bezier.h"
 #include "ops_blend.h"
@@ -64,5 +63,3 @@ template <class Kernels> Report run_case(const Case& c) {
   }
   return report;
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_RUN_CASE_H

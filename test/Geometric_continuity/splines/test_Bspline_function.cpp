@@ -4,23 +4,11 @@
 
 // Spline functions: values, blossoms and derivatives, other knots, elevation, product.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/splines.h"
-
-#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <limits>
-#include <utility>
-#include <vector>
 
 // ---------------------------------------------------------------- values, blossoms, derivatives
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(basis_and_values_are_those_of_the_recursion, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(basis_and_values_are_those_of_the_recursion, K, Kernels) {
   repeat<FT>(40, [](Random<FT>& random) {
     const int p = random.integer(0, 4);
     const Function<FT> f = random.function(random.knots(p, p + 1));
@@ -45,8 +33,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(basis_and_values_are_those_of_the_recursion, K, Ke
 }
 
 // (u - y)^p = sum_i (u_{i+1} - y) ... (u_{i+p} - y) N_i(u)
-BOOST_AUTO_TEST_CASE_TEMPLATE(marsden_identity, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(marsden_identity, K, Kernels) {
   repeat<FT>(30, [](Random<FT>& random) {
     const int p = random.integer(0, 5);
     const GC::Knot_vector<FT> knots = random.knots(p, p + 1);
@@ -65,8 +52,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(marsden_identity, K, Kernels) {
   });
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(greville_abscissae_reproduce_the_parameter, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(greville_abscissae_reproduce_the_parameter, K, Kernels) {
   repeat<FT>(20, [](Random<FT>& random) {
     const int p = random.integer(1, 5);
     const GC::Knot_vector<FT> knots = random.knots(p, p + 1);
@@ -77,8 +63,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(greville_abscissae_reproduce_the_parameter, K, Ker
   });
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(blossoms, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(blossoms, K, Kernels) {
   if constexpr (exact_v<FT>)
     repeat<FT>(30, [](Random<FT>& random) {
       const int p = random.integer(1, 4);
@@ -139,8 +124,7 @@ template <class FT> FT derivative_scale(const Function<FT>& f, int j) {
   return scale;
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(derivatives, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(derivatives, K, Kernels) {
   repeat<FT>(30, [](Random<FT>& random) {
     const int p = random.integer(0, 4);
     const Function<FT> f = random.function(random.knots(p, p + 1));
@@ -172,8 +156,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(derivatives, K, Kernels) {
 
 // ---------------------------------------------------------------- other knots
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(insertion, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(insertion, K, Kernels) {
   repeat<FT>(40, [](Random<FT>& random) {
     const int p = random.integer(0, 4);
     const Function<FT> f = random.function(random.knots(p, p + 1));
@@ -205,8 +188,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(insertion, K, Kernels) {
   });
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(refinement, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(refinement, K, Kernels) {
   repeat<FT>(40, [](Random<FT>& random) {
     const int p = random.integer(0, 4);
     const Function<FT> f = random.function(random.knots(p, p + 1));
@@ -237,8 +219,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(refinement, K, Kernels) {
   CHECK_ERROR(f.refine(GC::Knot_vector<FT>(1, {FT(-1), FT(1), FT(2), FT(3)})), knot_multiplicity);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(removal, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(removal, K, Kernels) {
   repeat<FT>(40, [](Random<FT>& random) {
     const int p = random.integer(0, 4);
     const Function<FT> f = random.function(random.knots(p, p + 1));
@@ -284,8 +265,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(removal, K, Kernels) {
               Function<FT>(GC::Knot_vector<FT>(2, FT(0), FT(4)), std::vector<FT>{FT(0), FT(2), FT(4)}));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(bezier_pieces_and_back, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(bezier_pieces_and_back, K, Kernels) {
   repeat<FT>(40, [](Random<FT>& random) {
     const int p = random.integer(0, 4);
     const Function<FT> f = random.function(random.knots(p, p + 1));
@@ -311,8 +291,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(bezier_pieces_and_back, K, Kernels) {
   });
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(coefficients_must_fit_the_knots, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(coefficients_must_fit_the_knots, K, Kernels) {
   const GC::Knot_vector<FT> knots(2, FT(0), FT(4), {{FT(2), 1}});
   for (int n : {0, 3, 5}) {
     const std::vector<FT> c(n, FT(1));
@@ -335,8 +314,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(coefficients_must_fit_the_knots, K, Kernels) {
 
 // ---------------------------------------------------------------- elevation and product
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(elevation, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(elevation, K, Kernels) {
   repeat<FT>(30, [](Random<FT>& random) {
     const int p = random.integer(0, 4), times = random.integer(0, 3), d = p + times;
     const Function<FT> f = random.function(random.knots(p, p + 1)), g = f.elevate(times);
@@ -361,8 +339,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(elevation, K, Kernels) {
   CHECK_ERROR(f.elevate(-1), negative_count);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(counts_that_are_refused, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(counts_that_are_refused, K, Kernels) {
   const Function<FT> f(GC::Knot_vector<FT>(2, FT(0), FT(2), {{FT(1), 1}}), {FT(0), FT(2), FT(-2), FT(1)}), copy = f;
   CHECK_ERROR(f.insert(FT(1), -1), negative_count);
   CHECK_ERROR(f.remove(FT(1), -1), negative_count);
@@ -427,8 +404,7 @@ template <class FT> void check_product(const Function<FT>& f, const Function<FT>
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(products, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(products, K, Kernels) {
   repeat<FT>(40, [](Random<FT>& random) {
     const int p = random.integer(0, 4), q = random.integer(0, 3);
     const Function<FT> f = random.function(random.knots(p, p + 1));
@@ -486,8 +462,7 @@ BOOST_AUTO_TEST_CASE(product_of_cubics_in_floating_point) {
   });
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(sums, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(sums, K, Kernels) {
   repeat<FT>(20, [](Random<FT>& random) {
     const int p = random.integer(0, 3), q = random.integer(0, 3);
     const Function<FT> f = random.function(random.knots(p, p + 1));
@@ -509,8 +484,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(sums, K, Kernels) {
   CHECK_ERROR(f + Function<FT>(GC::Knot_vector<FT>(1, FT(0), FT(3)), {FT(1), FT(1)}), parameter_outside_domain);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(reversal, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(reversal, K, Kernels) {
   repeat<FT>(20, [](Random<FT>& random) {
     const int p = random.integer(0, 4);
     const Function<FT> f = random.function(random.knots(p, p + 1)), r = f.reverse();

@@ -4,23 +4,12 @@
 
 // Knot vectors.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
-
 #include <cfenv>
-#include <cmath>
-#include <initializer_list>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <utility>
-#include <vector>
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(knot_vectors, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(knot_vectors, K, Kernels) {
   typedef GC::Knot_vector<FT> Knots;
   const Knots u(2, {FT(-1), FT(0), FT(0), FT(1), FT(1), FT(4), FT(6), FT(7)});
   BOOST_CHECK_EQUAL(u.degree(), 2);
@@ -89,13 +78,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(knot_vectors, K, Kernels) {
   BOOST_CHECK(u.reverse().reverse() == u);
   BOOST_CHECK(u != clamped);
   BOOST_CHECK(Knots(1, FT(0), FT(1)) != Knots(0, {FT(0), FT(1)}));
-  std::ostringstream os;
-  os << clamped;
-  BOOST_CHECK_EQUAL(os.str(), "0 0 0 1 1 4 4 4");
+  BOOST_CHECK_EQUAL(text(clamped), "0 0 0 1 1 4 4 4");
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(refused_knot_vectors, K, Kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(refused_knot_vectors, K, Kernels) {
   const auto error = [](int p, std::initializer_list<int> knots) {
     return error_of([&] { GC::Knot_vector<FT>(p, std::vector<FT>(knots.begin(), knots.end())); });
   };

@@ -5,29 +5,14 @@
 // The Bernstein coefficients of the spans: from differences of rational numbers, against refinement by blossoms; of high
 // degree; and within a limit of the work.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/limited.h"
 #include "support/random.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
-
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(bspline_pieces)
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
-
-namespace {
 
 struct Random : Random_integers<> {
   template <class FT> FT fraction(int size) { return FT(FT(integer(-size, size)) / FT(integer(1, 7))); }
@@ -70,8 +55,6 @@ template <class FT> GC::Knot_vector<FT> uniform(int degree) {
   for (int i = 1; i <= degree + 1; ++i) inner.push_back({FT(i), 1});
   return GC::Knot_vector<FT>(degree, FT(0), FT(degree + 2), inner);
 }
-
-} // namespace
 
 typedef boost::mpl::list<Q, boost::multiprecision::cpp_rational> Rational_numbers;
 

@@ -6,22 +6,10 @@
 // rational numbers. The only test that is compiled with optimisation: rows of numbers are kept in vector registers there.
 
 #define BOOST_TEST_MODULE optimised_splines
-#include <boost/test/unit_test.hpp>
 
 #include "support/random.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <cmath>
-#include <cstddef>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
 
 struct Random : Random_integers<> {
   // on [0, 20], with up to 5 inner knots of any multiplicity
@@ -84,8 +72,6 @@ template <class Rounded, class Exact> void compare(const Splines& s) {
   BOOST_REQUIRE_EQUAL(rounded.size(), exact.size());
   for (std::size_t i = 0; i < exact.size(); ++i) BOOST_REQUIRE_LE(std::abs(rounded[i] - exact[i]), bound);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(products_and_elevations) {
   typedef CGAL::Simple_cartesian<CGAL::Exact_rational> Exact;

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_GAPPA_TERM_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_GAPPA_TERM_H
+#pragma once
 
 #include <cmath>
 #include <cstdlib>
@@ -110,5 +109,3 @@ struct Theorem_arguments {
     if (argc == 3) factor = std::atof(argv[2]);
   }
 };
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_GAPPA_TERM_H

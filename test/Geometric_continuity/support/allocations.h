@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ALLOCATIONS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ALLOCATIONS_H
+#pragma once
 
 #include <cstddef>
 #include <cstdlib>
@@ -21,5 +20,3 @@ static std::size_t allocations = 0;
 }
 [[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ALLOCATIONS_H

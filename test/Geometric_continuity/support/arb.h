@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ARB_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ARB_H
+#pragma once
 
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
@@ -196,5 +195,3 @@ private:
 };
 
 } // namespace arb
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ARB_H

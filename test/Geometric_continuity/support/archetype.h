@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ARCHETYPE_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ARCHETYPE_H
+#pragma once
 
 #include <CGAL/Exact_rational.h>
 
@@ -101,5 +100,3 @@ private:
 };
 
 } // namespace archetype
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ARCHETYPE_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_BOUNDED_INTEGERS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_BOUNDED_INTEGERS_H
+#pragma once
 
 // Integers of fixed length of which only a bound is known. A form that is evaluated on them tells, at compile time, whether all its
 // parts stay within their limbs.
@@ -46,5 +45,3 @@ constexpr Bounded_integer<m + n> operator*(const Bounded_integer<m>& x, const Bo
 template <int m> constexpr Bounded_integer<m> scaled(const Bounded_integer<m>& x, const Factor_bound& w) {
   return {x.bound * w.bound, x.fits && w.fits};
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_BOUNDED_INTEGERS_H

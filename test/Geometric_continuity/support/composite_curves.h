@@ -2,25 +2,13 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_COMPOSITE_CURVES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_COMPOSITE_CURVES_H
+#pragma once
 
-#include "errors.h"
-#include "kernels.h"
 #include "random.h"
 
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <initializer_list>
-#include <sstream>
-#include <string>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 // Segmented curves of whole and random numbers. Rounded kernels run the same tests as exact ones, on dyadic numbers
 // where every intermediate result is a double.
@@ -31,8 +19,6 @@ template <class Traits> using Composite = GC::Composite_bezier_curve<Traits>;
 template <class Traits> using Bezier = GC::Bezier_curve<Traits>;
 template <class Traits> using Column = GC::Coordinates<Traits>;
 typedef GC::Continuity_kind Kind;
-
-namespace {
 
 template <class Traits> constexpr int test_dimension = Bezier<Traits>::N == 0 ? 4 : Bezier<Traits>::N;
 template <class Traits> constexpr bool is_exact = !std::is_floating_point_v<typename Traits::FT>;
@@ -114,13 +100,3 @@ template <class Traits> bool same_function(const Composite<Traits>& c, const Com
     }
   return true;
 }
-
-template <class T> std::string text(const T& x) {
-  std::ostringstream os;
-  os << x;
-  return os.str();
-}
-
-} // namespace
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_COMPOSITE_CURVES_H

@@ -2,21 +2,17 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ENCLOSURES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ENCLOSURES_H
+#pragma once
 
-#include <CGAL/Exact_rational.h>
+#include "test.h"
+
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
-
-#include <algorithm>
-#include <cmath>
 
 // What certifies an enclosure, without the functions that made it.
 
 namespace enclosures {
 
 typedef CGAL::Exact_rational Exact;
-namespace GC = CGAL::Geometric_continuity;
 
 // How many floating-point numbers the upper end is beyond the lower one.
 inline int ulps(const GC::Enclosure& e) {
@@ -58,5 +54,3 @@ inline bool angle_is(bool not_larger, double x, const Exact& product, const Exac
 }
 
 } // namespace enclosures
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ENCLOSURES_H

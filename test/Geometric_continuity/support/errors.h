@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ERRORS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ERRORS_H
+#pragma once
 
 #include <CGAL/Geometric_continuity/Error.h>
 
@@ -28,5 +27,3 @@ template <class F> std::string error_of(F f) {
   }
   return "no error";
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ERRORS_H

@@ -2,29 +2,15 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_EXACT_SPLINES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_EXACT_SPLINES_H
+#pragma once
 
-#include "errors.h"
 #include "random.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <tuple>
-#include <vector>
 
 // Random splines in space with exact numbers.
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef CGAL::Simple_cartesian<Q> Exact;
 typedef std::tuple<CGAL::Simple_cartesian<double>, CGAL::Epick> Rounded_kernels;
 
@@ -33,8 +19,6 @@ template <class K> using Surface = GC::Bspline_surface<GC::Traits_3<K>>;
 typedef GC::Coordinate_vector<Q, 3> Vector;
 typedef GC::Knot_vector<Q> Knots;
 using GC::Patch_edge;
-
-namespace {
 
 // ---------------------------------------------------------------- random input
 
@@ -112,7 +96,3 @@ inline std::vector<Q> parameters(const Knots& knots, Random& random) {
   u.push_back(knots.domain().second);
   return u;
 }
-
-} // namespace
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_EXACT_SPLINES_H

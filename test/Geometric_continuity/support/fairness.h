@@ -2,21 +2,15 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_SUPPORT_FAIRNESS_H
-#define GEOMETRIC_CONTINUITY_TEST_SUPPORT_FAIRNESS_H
+#pragma once
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <random>
+#include "test.h"
 
 // The fairness E = L^3 int (d kappa/ds)^2 + kappa^2 tau^2 ds by the textbook formulas of curvature and torsion and a dense
 // quadrature, and pairs of curves to blend: what tests of fair blends share.
-
-namespace GC = CGAL::Geometric_continuity;
 
 template <int N> using Vector = std::array<double, N>;
 template <int N> double dot(const Vector<N>& x, const Vector<N>& y) {
@@ -106,5 +100,3 @@ private:
     return at_end ? curve.end_jet(3) : curve.start_jet(3);
   }
 };
-
-#endif // GEOMETRIC_CONTINUITY_TEST_SUPPORT_FAIRNESS_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_FRACTIONS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_FRACTIONS_H
+#pragma once
 
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/ipower.h>
@@ -26,5 +25,3 @@ template <class FT> bool is_canonical(const FT& x) {
   typename Fraction::Decompose()(x, n, d);
   return d > 0 && typename Fraction::Common_factor()(n, d) == 1;
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_FRACTIONS_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_INSTANTIATED_ONCE_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_INSTANTIATED_ONCE_H
+#pragma once
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -97,5 +96,3 @@ inline void all() {
 }
 
 } // namespace instantiated_once
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_INSTANTIATED_ONCE_H

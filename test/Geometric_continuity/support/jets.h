@@ -2,11 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_JETS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_JETS_H
+#pragma once
 
-#include "errors.h"
-#include "kernels.h"
 #include "random.h"
 
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
@@ -14,20 +11,12 @@
 #include <CGAL/Geometric_continuity/local/congruence.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <initializer_list>
-#include <vector>
-
 // Jets of whole and random numbers, and random isometries.
 
 template <class Traits> using Jet = GC::Curve_jet<Traits>;
 template <class Traits> using Column = GC::Coordinates<Traits>;
 template <class Traits> using Composite = GC::Composite_bezier_curve<Traits>;
 typedef GC::Continuity_kind Kind;
-
-namespace {
 
 template <class FT> FT ratio(int p, int q) { return FT(FT(p) / FT(q)); }
 
@@ -118,7 +107,3 @@ template <class Test> void in_every_exact_space(Test test) {
   test(Exact_d(), 4);
   test(Exact_d(), 5);
 }
-
-} // namespace
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_JETS_H

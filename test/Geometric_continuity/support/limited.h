@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_SUPPORT_LIMITED_H
-#define GEOMETRIC_CONTINUITY_TEST_SUPPORT_LIMITED_H
+#pragma once
 
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
@@ -12,5 +11,3 @@ template <class Work> auto limited(CGAL::Geometric_continuity::Work_limit limit,
   const CGAL::Geometric_continuity::Work_scope each(limit);
   return work();
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_SUPPORT_LIMITED_H

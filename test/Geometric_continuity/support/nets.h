@@ -2,37 +2,17 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_NETS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_NETS_H
+#pragma once
 
-#include "errors.h"
 #include "random.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 // Control nets of patches that meet along an edge, in every kernel.
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef std::tuple<CGAL::Simple_cartesian<Q>, CGAL::Epeck, CGAL::Epick, CGAL::Simple_cartesian<double>> All_kernels;
 
 template <class K> using Patch = GC::Bezier_patch<GC::Traits_3<K>>;
@@ -40,8 +20,6 @@ using GC::Edge_defect;
 using GC::Patch_edge;
 using GC::Sign_pattern;
 constexpr Patch_edge u0 = Patch_edge::u0, u1 = Patch_edge::u1, v0 = Patch_edge::v0, v1 = Patch_edge::v1;
-
-namespace {
 
 template <class FT> constexpr bool is_exact = !std::is_floating_point_v<FT>;
 
@@ -92,8 +70,7 @@ inline Q denominator_of(const Q& x) {
 
 // Nets in the coordinates of a kernel. Rounded kernels take all nets times a common denominator: whole numbers, which must
 // be represented exactly.
-template <class K> std::vector<Patch<K>> patches(const std::vector<Net>& nets) {
-  typedef typename K::FT FT;
+template <class K, class FT = typename K::FT> std::vector<Patch<K>> patches(const std::vector<Net>& nets) {
   Q scale(1);
   if constexpr (!is_exact<FT>)
     for (const Net& net : nets)
@@ -173,7 +150,3 @@ template <class K> std::vector<std::pair<Patch<K>, Patch_edge>> placements(const
       }
   return result;
 }
-
-} // namespace
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_NETS_H

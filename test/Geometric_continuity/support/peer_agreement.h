@@ -2,32 +2,15 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PEER_AGREEMENT_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PEER_AGREEMENT_H
+#pragma once
 
 #include "peers.h"
-
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <random>
-#include <string>
-#include <vector>
+#include "test.h"
 
 // Rational splines with random doubles, the same with exact numbers, and how far a rounded result may be from the exact one.
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
-
-namespace {
 
 constexpr unsigned seed = 2026;
 std::mt19937 engine(seed);
@@ -121,7 +104,3 @@ public:
     ++compared_;
   }
 };
-
-} // namespace
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PEER_AGREEMENT_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PLAIN_TRAITS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PLAIN_TRAITS_H
+#pragma once
 
 #include <CGAL/Dimension.h>
 
@@ -33,5 +32,3 @@ template <class Number> struct Plain_traits {
   Construct<Point> construct_point_object() const { return {}; }
   Construct<Vector> construct_vector_object() const { return {}; }
 };
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_PLAIN_TRAITS_H

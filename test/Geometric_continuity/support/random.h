@@ -2,15 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_H
+#pragma once
 
-#include <boost/test/unit_test.hpp>
-
-#include <cstdlib>
-#include <iostream>
-#include <random>
-#include <type_traits>
+#include "test.h"
 
 // Random integers, the same in each run. A test derives its own class from them, with what it makes of them.
 
@@ -48,5 +42,3 @@ public:
     return FT(FT(numerator) / FT(denominator));
   }
 };
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_H

@@ -2,30 +2,15 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_POINTS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_POINTS_H
+#pragma once
 
-#include "errors.h"
-
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <random>
-#include <type_traits>
-#include <vector>
+#include "test.h"
 
 // Random points, of doubles and of exact numbers.
 
-namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Exact;
 template <class FT> using Traits = GC::Traits_3<CGAL::Simple_cartesian<FT>>;
 template <class FT> using Point = typename Traits<FT>::Point;
-
-namespace {
 
 std::mt19937 engine(2026);
 
@@ -50,7 +35,3 @@ template <class FT> bool same(const FT& x, const FT& y, double size) {
   else
     return x == y;
 }
-
-} // namespace
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_POINTS_H

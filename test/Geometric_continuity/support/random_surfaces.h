@@ -2,17 +2,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_SURFACES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_SURFACES_H
+#pragma once
 
 #include "rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
-
-#include <tuple>
-#include <utility>
-#include <vector>
 
 // Surfaces of all types with random numbers of 64 bits, and with one control point moved.
 
@@ -129,5 +124,3 @@ template <class A, class B> int whole_edge_order(const A& a, Patch_edge ea, cons
   const auto edge = edge_continuity(a, ea, b, eb);
   return edge.whole_a && edge.whole_b ? edge.g_order : -2;
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RANDOM_SURFACES_H

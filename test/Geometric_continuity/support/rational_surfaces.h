@@ -2,30 +2,14 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RATIONAL_SURFACES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RATIONAL_SURFACES_H
+#pragma once
 
-#include "errors.h"
 #include "random.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <tuple>
-#include <utility>
-#include <vector>
 
 // Rational patches with random numbers, in several kernels.
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_3<CGAL::Epeck> Lazy;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double;
@@ -72,5 +56,3 @@ template <class Traits> Patch<Traits> with_factor(const Patch<Traits>& s, const 
     }
   return Patch<Traits>(net, weights, s.domain_u(), s.domain_v());
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_RATIONAL_SURFACES_H

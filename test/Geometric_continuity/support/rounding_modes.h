@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ROUNDING_MODES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ROUNDING_MODES_H
+#pragma once
 
 #include <cfenv>
 #include <vector>
@@ -39,5 +38,3 @@ template <class Function> auto in_rounding_mode(int mode, const Function& f) {
   const Rounding_mode rounding(mode);
   return f();
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_ROUNDING_MODES_H

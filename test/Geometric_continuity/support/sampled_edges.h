@@ -2,23 +2,18 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef SUPPORT_SAMPLED_EDGES_H
-#define SUPPORT_SAMPLED_EDGES_H
+#pragma once
 
 // Gap, angle and curvature jump of two sides at one parameter, by numbers that carry their first and second derivatives by two
 // variables: the formulas of the surfaces as they are documented, and the recursive definition of B-splines.
 
 #include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 
-#include <array>
-#include <cmath>
-#include <cstdlib>
+#include "test.h"
+
 #include <variant>
-#include <vector>
 
 namespace sampled_edges {
-
-namespace GC = CGAL::Geometric_continuity;
 
 // A value and its derivatives by x, y, xx, xy, yy.
 template <class FT> struct Dual {
@@ -233,5 +228,3 @@ inline long double curvature_jump(const GC::Edge_side& a, const GC::Edge_side& b
 }
 
 } // namespace sampled_edges
-
-#endif // SUPPORT_SAMPLED_EDGES_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SERIES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SERIES_H
+#pragma once
 
 #include <CGAL/Exact_rational.h>
 
@@ -19,5 +18,3 @@ inline Series product(const Series& a, const Series& b) {
     for (int j = 0; i + j <= 3; ++j) c[i + j] += a[i] * b[j];
   return c;
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SERIES_H

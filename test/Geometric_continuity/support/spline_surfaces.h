@@ -2,34 +2,15 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINE_SURFACES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINE_SURFACES_H
+#pragma once
 
-#include "errors.h"
+#include "test.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <random>
-#include <sstream>
-#include <string>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 // B-spline surfaces that are parts of one polynomial surface, or of two with a known join.
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef CGAL::Simple_cartesian<Q> Exact;
 typedef std::tuple<Exact, CGAL::Epick, CGAL::Simple_cartesian<double>> Kernels;
 
@@ -40,8 +21,6 @@ typedef GC::Knot_vector<Q> Knots;
 using GC::Edge_defect;
 using GC::Patch_edge;
 constexpr Patch_edge u0 = Patch_edge::u0, u1 = Patch_edge::u1, v0 = Patch_edge::v0, v1 = Patch_edge::v1;
-
-namespace {
 
 // ---------------------------------------------------------------- surfaces
 
@@ -121,8 +100,7 @@ inline S part(const S& s, const Q& a, const Q& b) {
 }
 
 // The same in another kernel; it must be represented exactly.
-template <class K> Surface<K> in(const S& s) {
-  typedef typename K::FT FT;
+template <class K, class FT = typename K::FT> Surface<K> in(const S& s) {
   const auto number = [](const Q& x) {
     if constexpr (std::is_same_v<FT, Q>)
       return x;
@@ -152,18 +130,8 @@ inline Knots knots(const Q& a, const Q& b, const std::vector<Q>& inner = {}) {
 
 // ---------------------------------------------------------------- results
 
-template <class T> std::string text(const T& x) {
-  std::ostringstream os;
-  os << x;
-  return os.str();
-}
-
 inline std::mt19937_64 seeded() {
   constexpr unsigned seed = 20260721;
   BOOST_TEST_MESSAGE("seed " << seed);
   return std::mt19937_64(seed);
 }
-
-} // namespace
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINE_SURFACES_H

@@ -2,28 +2,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINES_H
+#pragma once
 
-#include "errors.h"
 #include "random.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <cmath>
-#include <cstdlib>
-#include <tuple>
-#include <type_traits>
-#include <vector>
 
 // What tests of splines have in common. In exact kernels all identities hold with ==. In rounded kernels the bounds are
 // multiples of the unit roundoff u = 2^-53, times the largest coefficient:
@@ -33,8 +17,6 @@
 // - Arguments of a blossom outside its span multiply the sum of the absolute weights by at most 2 s - 1 each, where s is the
 //   number of spans between the arguments.
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef std::tuple<CGAL::Simple_cartesian<Q>, CGAL::Simple_cartesian<double>, CGAL::Epeck, CGAL::Epick> Kernels;
 
 template <class FT> constexpr bool exact_v = !std::is_floating_point_v<FT>;
@@ -181,5 +163,3 @@ template <class FT> GC::Knot_vector<FT> finer(GC::Knot_vector<FT> knots, Random<
     knots = knots.insert(u, random.integer(0, knots.degree() + 1 - knots.multiplicity(u)));
   return knots;
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SPLINES_H

@@ -2,42 +2,22 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SWEPT_SURFACES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SWEPT_SURFACES_H
+#pragma once
 
-#include "errors.h"
 #include "random.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <array>
-#include <initializer_list>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 // Random curves, and profiles of swept surfaces.
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double;
 typedef GC::Traits_3<CGAL::Epick> Epick;
 typedef GC::Traits_3<CGAL::Epeck> Epeck;
-typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Exact_d;
 typedef std::tuple<Double, Epick, Epeck> Other_kernels;
 typedef std::tuple<Exact, Double, Epeck> Deciding_kernels;
 typedef std::tuple<Exact, Epick, Epeck, Double> All_kernels;
@@ -50,8 +30,6 @@ typedef Exact::Point Point;
 typedef Exact::Vector Vector;
 using GC::Edge_defect;
 using GC::Sign_pattern;
-
-namespace {
 
 class Random : public Random_integers<> {
 public:
@@ -121,7 +99,3 @@ struct Quarter_circle {
     return jet;
   }
 };
-
-} // namespace
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_SWEPT_SURFACES_H

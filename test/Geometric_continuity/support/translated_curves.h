@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TRANSLATED_CURVES_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TRANSLATED_CURVES_H
+#pragma once
 
 #include "random_surfaces.h"
 #include "rational_surfaces.h"
@@ -40,5 +39,3 @@ private:
     return GC::Bezier_curve<Traits>(points, points + 3);
   }
 };
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TRANSLATED_CURVES_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TYPED_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TYPED_H
+#pragma once
 
 // What the typed tests share. The including file has defined, for one kernel:
 //
@@ -17,30 +16,9 @@
 // Exact kernels compare with ==. A rounded kernel runs the same tests on small whole or dyadic numbers where every
 // intermediate result is a double, also with ==; where that is impossible, `close` states the bound.
 
-#include "errors.h"
 #include "random.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/number_utils.h>
-
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <functional>
-#include <initializer_list>
-#include <optional>
-#include <ostream>
-#include <sstream>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 
 typedef Traits2::FT FT;
 template <class Traits> using Jet = GC::Curve_jet<Traits>;
@@ -81,13 +59,6 @@ template <class T, class = void> struct Is_streamable : std::false_type {};
 template <class T>
 struct Is_streamable<T, std::void_t<decltype(std::declval<std::ostream&>() << std::declval<const T&>())>>
     : std::true_type {};
-
-// What is written for the parts one after the other.
-template <class... T> std::string text(const T&... part) {
-  std::ostringstream os;
-  (os << ... << part);
-  return os.str();
-}
 
 // A number in the field in which predicates are decided.
 template <class Field, class T> Field in_field(const T& x) {
@@ -149,6 +120,22 @@ template <class Test> void with_random_input(Test test, int times = rounds) {
     BOOST_TEST_CONTEXT("dimension " << d) repeat([&](Random& random) { test(traits, d, random); }, times);
   });
 }
+
+// Tests of a traits class `Traits` in dimension `d`: in every space, and there with `random` input, `rounds` times or as often as
+// given.
+#define TEST_IN_EVERY_SPACE(name)                                                                                      \
+  template <class Traits> void name##_in(int d);                                                                       \
+  BOOST_AUTO_TEST_CASE(name) {                                                                                         \
+    in_every_space([](auto traits, int d) { name##_in<decltype(traits)>(d); });                                        \
+  }                                                                                                                    \
+  template <class Traits> void name##_in([[maybe_unused]] int d)
+#define TEST_WITH_INPUTS(name, times)                                                                                  \
+  template <class Traits> void name##_in(int d, Random& random);                                                       \
+  BOOST_AUTO_TEST_CASE(name) {                                                                                         \
+    with_random_input([](auto traits, int d, Random& random) { name##_in<decltype(traits)>(d, random); }, times);      \
+  }                                                                                                                    \
+  template <class Traits> void name##_in([[maybe_unused]] int d, [[maybe_unused]] Random& random)
+#define TEST_WITH_RANDOM_INPUT(name) TEST_WITH_INPUTS(name, rounds)
 
 // ---------------------------------------------------------------- points, jets and curves
 
@@ -460,5 +447,3 @@ template <class Traits, class Strategy> void check_blend_errors(int d, int order
   bad.shape.beta = FT(-1);
   CHECK_ERROR(bad(strategy), nonpositive_beta);
 }
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TYPED_H

@@ -5,27 +5,15 @@
 // The G1 ribbon. With exact numbers all is compared with ==. The
 // numbers of a ribbon that are not control points are exact with every kernel, and compared with == there, too.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/exact_splines.h"
 
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <sstream>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 typedef GC::Bernstein_polynomial<Q> Polynomial;
 typedef GC::G1_ribbon<GC::Traits_3<Exact>> Ribbon;
 using GC::Edge_defect;
 using GC::Sign_pattern;
-
-namespace {
 
 // What is given: C and both neighbours.
 struct Input {
@@ -168,8 +156,6 @@ void check_ribbon(const Input& in, const Ribbon& r, Random& random) {
   BOOST_CHECK_EQUAL(r.folds(), !all_g1);
 }
 
-} // namespace
-
 // ---------------------------------------------------------------- exact ribbons
 
 BOOST_AUTO_TEST_CASE(generic_ribbons) {
@@ -253,8 +239,6 @@ BOOST_AUTO_TEST_CASE(demands_out_of_the_plane_are_not_met) {
 
 // ---------------------------------------------------------------- folds
 
-namespace {
-
 // The ribbon with a given cubic alpha, on [0, 1] with inner knots at the quarters.
 Ribbon with_alpha(Random& random, const Polynomial& alpha) {
   const Knots knots(3, Q(0), Q(1), {{ratio(1, 4), 1}, {ratio(1, 2), 2}, {ratio(3, 4), 1}});
@@ -268,8 +252,6 @@ Ribbon with_alpha(Random& random, const Polynomial& alpha) {
   check_ribbon(in, r, random);
   return r;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(folds_are_detected_exactly) {
   repeat(1, [](Random& random) {
@@ -394,16 +376,12 @@ BOOST_AUTO_TEST_CASE(bulges) {
 
 // ---------------------------------------------------------------- bad input
 
-namespace {
-
 template <class K> Curve<K> whole_curve(const std::vector<std::vector<int>>& x, int a = 0, int b = 1) {
   typedef typename K::FT FT;
   std::vector<typename K::Point_3> points;
   for (const std::vector<int>& p : x) points.emplace_back(FT(p[0]), FT(p[1]), FT(p[2]));
   return Curve<K>(points.begin(), points.end(), GC::Knot_vector<FT>(3, FT(a), FT(b)));
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(refused_curves) {
   typedef Exact K;

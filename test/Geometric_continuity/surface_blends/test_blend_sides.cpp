@@ -5,23 +5,13 @@
 // Blends with given sides. Sides that fit are those of other blends of the same surfaces; that the results are G2 is decided by
 // edge_continuity().
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 
-#include <optional>
-#include <string>
-#include <type_traits>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(blend_sides)
-
-namespace {
 
 typedef GC::Edge_function<Q> Function;
 typedef GC::Surface_blend_shape<Q> Shape;
@@ -137,8 +127,6 @@ template <class Given, class A, class B> void check_sides(Numbers& random, const
   refused(true, -1, last - 3, "incompatible_corner: blend sides: u = 1" + second + "S_uvvv: ");
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   Numbers random;
   for_each_surface_type([&](auto b) {
@@ -215,8 +203,7 @@ BOOST_AUTO_TEST_CASE(patches_that_join) {
 }
 
 // A neighbour of its own speed: the blend is G1 with it.
-BOOST_AUTO_TEST_CASE_TEMPLATE(neighbours, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(neighbours, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef Bezier<Traits> S;
   typedef GC::Side_of_blend<S, S> Side;

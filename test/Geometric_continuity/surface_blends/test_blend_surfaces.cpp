@@ -5,33 +5,15 @@
 // Blends of surfaces of all types and mixes. That they are G2 along whole edges is decided by edge_continuity(), which knows nothing
 // of how they are made.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 #include "support/translated_curves.h"
 
-#include <CGAL/Cartesian_d.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
-#include <CGAL/Geometric_continuity/blends/blend.h>
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <sstream>
-#include <string>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(blend_surfaces)
-
-namespace {
 
 typedef GC::Edge_function<Q> Function;
 typedef GC::Edge_reparametrisation<Q> Reparametrisation;
@@ -112,8 +94,6 @@ template <class A, class B> void check_random_blends(Numbers& random) {
   check_random_blend(random, over_knots(random.surface<A>()), random.surface<B>(),
                      {random.spline_reparametrisation(), random.spline_reparametrisation()});
 }
-
-} // namespace
 
 // With the shape of a strategy, in the direction in which the ends of the edges are nearer.
 template <class A, class B, class Strategy> void check_automatic_blend(Numbers& random, const Strategy& strategy) {
@@ -247,8 +227,7 @@ BOOST_AUTO_TEST_CASE(automatic_blends) {
 }
 
 // Where all curves u = const are the same but for a translation, the shape is that of the curves.
-BOOST_AUTO_TEST_CASE_TEMPLATE(shape_of_translated_curves, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(shape_of_translated_curves, Traits, All_traits) {
   const Translated_curves<Traits> given;
   const auto strategy = GC::Minimal_energy<3>();
   const auto shape = given.shape(strategy);
@@ -319,8 +298,7 @@ BOOST_AUTO_TEST_CASE(degrees_and_knots) {
 }
 
 // They are counted before anything is computed. A Work_scope raises the limit.
-BOOST_AUTO_TEST_CASE_TEMPLATE(too_many_knots, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(too_many_knots, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef GC::Knot_vector<FT> Knots;
   const auto surface = [](int inner, int y) {
@@ -481,8 +459,7 @@ BOOST_AUTO_TEST_CASE(numbers_that_become_long) {
   BOOST_CHECK_EQUAL(error(slow, a), "zero_tangent: automatic_surface_shape: the first surface");
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(errors, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef GC::Edge_function<FT> Function;
   const Bezier<Traits> a({{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0)}});

@@ -5,28 +5,14 @@
 // Blend surfaces whose control points are floating-point numbers, which edge_continuity() proves to be G2 along both whole edges: it
 // decides the numbers as they are.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
-#include <CGAL/Cartesian_d.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/surface_blends/representable_blend_surfaces.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <iterator>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(representable_blend_surfaces)
-
-namespace {
 
 typedef std::tuple<Double, Filtered> Rounded_traits;
 
@@ -125,8 +111,6 @@ void check_random_blend(Numbers& random, const Surface& given_a, const Surface& 
   BOOST_CHECK_EQUAL(!r.start_join.is_moved() && !r.end_join.is_moved(), stays);
 }
 
-} // namespace
-
 // Of every degree; coordinates of 21 digits stay, those of 53 digits move.
 BOOST_AUTO_TEST_CASE_TEMPLATE(patches, Traits, Rounded_traits) {
   Numbers random;
@@ -187,8 +171,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(strategies, Traits, Rounded_traits) {
   check(GC::Fair());
 }
 
-namespace {
-
 struct Choice {
   GC::Minimal_energy<3> strategy;
   GC::Shape_parameters<Q> shape;
@@ -203,8 +185,6 @@ struct Remembering_strategy {
     return {{}, {Q(1), Q(1)}};
   }
 };
-
-} // namespace
 
 // The strategy chooses for the jets of the surfaces: of splines for those of their pieces next to the edge.
 BOOST_AUTO_TEST_CASE(jets_of_splines) {

@@ -4,23 +4,13 @@
 
 // Rounded edges of surfaces of all types and mixes. That they are G2 along the new edges is decided by edge_continuity().
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/surface_blends/round_edge.h>
 
-#include <limits>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(rounded_edges)
-
-namespace {
 
 typedef std::vector<std::vector<Exact::Point>> Net;
 
@@ -109,8 +99,6 @@ template <class A, class B> void check_random_edges(Numbers& random) {
                 fraction(random.integer(1, 4), 10), fraction(random.integer(1, 4), 10));
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   Numbers random;
   for_each_surface_type([&](auto b) { check_random_edges<A, typename decltype(b)::type>(random); });
@@ -128,8 +116,7 @@ BOOST_AUTO_TEST_CASE(weights_along_the_edge) {
 }
 
 // Two squares at a right angle: all numbers near the planes are exact with every kernel.
-BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(kernels, Traits, All_traits) {
   typedef typename Traits::Point P;
   const Bezier<Traits> floor({{P(0, 0, 0), P(0, 8, 0)}, {P(8, 0, 0), P(8, 8, 0)}}),
       wall({{P(0, 0, 0), P(8, 0, 0)}, {P(0, 0, 8), P(8, 0, 8)}});
@@ -163,8 +150,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
     CHECK_ERROR(set_back_parameter(floor, v0, bad), parameter_outside_domain);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(errors, Traits, All_traits) {
   typedef typename Traits::Point P;
   const auto wall = [](const P& p, const P& q) {
     return Bezier<Traits>({{p, P(p.x(), p.y(), 8)}, {q, P(q.x(), q.y(), 8)}});

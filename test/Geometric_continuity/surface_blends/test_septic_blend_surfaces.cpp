@@ -5,26 +5,15 @@
 // Blends of surfaces of degree 7: G3 along whole edges. is_g3_edge() decides it. It is compared with the Taylor expansion of a surface,
 // composed with that of the reparametrisation at more parameters than polynomials that agree there can have as zeros.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 #include "support/series.h"
 #include "support/translated_curves.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 
-#include <array>
-#include <cmath>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(septic_blend_surfaces)
-
-namespace {
 
 typedef GC::Edge_function<Q> Function;
 typedef GC::Surface_blend_shape<Q> Shape;
@@ -133,16 +122,13 @@ template <class A, class B> void check_random_blend(Numbers& random) {
   }
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   Numbers random;
   for_each_surface_type([&](auto b) { check_random_blend<A, typename decltype(b)::type>(random); });
 }
 
 // A shape of order 2 has third derivatives that are 0; the part between two parts of one surface is the blend of them.
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_part_of_one_surface, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(a_part_of_one_surface, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef GC::Surface_blend_shape<FT> Given;
   std::vector<std::vector<P>> net;
@@ -214,8 +200,7 @@ BOOST_AUTO_TEST_CASE(automatic_blends) {
 }
 
 // Where all curves u = const are the same but for a translation, the shape is that of the curves.
-BOOST_AUTO_TEST_CASE_TEMPLATE(shape_of_translated_curves, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(shape_of_translated_curves, Traits, All_traits) {
   const Translated_curves<Traits> given;
   const auto check = [&](const auto& strategy, double accuracy) {
     const auto gamma = given.blend_of_curves(strategy);

@@ -4,24 +4,11 @@
 
 // Bezier patches.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/nets.h"
 
 #include <CGAL/Aff_transformation_3.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
-
-#include <algorithm>
-#include <iterator>
-#include <limits>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace {
 
 template <class K> Patch<K> sample_patch() { // degree 3 x 2 on [1, 3] x [-1, 1]
   typedef typename K::FT FT;
@@ -32,10 +19,7 @@ template <class K> Patch<K> sample_patch() { // degree 3 x 2 on [1, 3] x [-1, 1]
   return Patch<K>(net, {FT(1), FT(3)}, {FT(-1), FT(1)});
 }
 
-} // namespace
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(patch_evaluation, K, All_kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(patch_evaluation, K, All_kernels) {
   const Patch<K> s = sample_patch<K>();
   BOOST_CHECK_EQUAL(s.degree_u(), 3);
   BOOST_CHECK_EQUAL(s.degree_v(), 2);
@@ -74,8 +58,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(patch_evaluation, K, All_kernels) {
     }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(patch_operations, K, All_kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(patch_operations, K, All_kernels) {
   const Patch<K> s = sample_patch<K>();
   const FT u = FT(FT(3) / FT(2)), v = FT(FT(1) / FT(4));
   BOOST_CHECK(s == s);
@@ -111,16 +94,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(patch_operations, K, All_kernels) {
   BOOST_CHECK(s.bbox() == CGAL::Bbox_3(0, 0, 0, 16, 16, 12));
   BOOST_CHECK_EQUAL(std::distance(s.begin(), s.end()), 12);
   BOOST_CHECK(*(s.begin() + 1) == s.control_point(0, 1));
-  std::ostringstream os;
-  os << s;
-  const std::string text = os.str();
+  const std::string text = text(s);
   BOOST_CHECK_EQUAL(text.substr(0, text.find('\n')), "Bezier patch of degree 3 x 2 on [1, 3] x [-1, 1]:");
   BOOST_CHECK_EQUAL(text.substr(text.rfind('\n')), "\n(12, 0, 6) (13, 5, 12) (16, 10, 4)");
   BOOST_CHECK_EQUAL(std::count(text.begin(), text.end(), '\n'), 4);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(patch_edges, K, All_kernels) {
-  typedef typename K::FT FT;
+TEST_FOR_EACH(patch_edges, K, All_kernels) {
   const Patch<K> s = sample_patch<K>();
   for (Patch_edge e : GC::patch_edges) {
     const GC::Bezier_curve<GC::Traits_3<K>> c = GC::boundary_curve(s, e);

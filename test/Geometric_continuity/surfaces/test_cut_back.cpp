@@ -4,22 +4,12 @@
 
 // Surfaces of all types without a strip along an edge.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/surfaces/cut_back.h>
 
-#include <algorithm>
-#include <limits>
-#include <type_traits>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(surfaces_trimmed_back)
-
-namespace {
 
 template <class Surface> std::pair<Q, Q> across(const Surface& s, Patch_edge edge) {
   return runs_along_u(edge) ? s.domain_v() : s.domain_u();
@@ -105,8 +95,6 @@ template <class Surface> void check_along_curve(Random_surfaces& random, int deg
   }
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(all_types) {
   Random_surfaces random;
   check_trimmed<Bezier<Exact>>(random);
@@ -139,8 +127,7 @@ BOOST_AUTO_TEST_CASE(at_knots) {
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(kernels, Traits, All_traits) {
   typedef typename Traits::Point P;
   const Bezier<Traits> s({{P(0, 0, 0), P(0, 4, 0), P(0, 8, 8)}, {P(8, 0, 0), P(8, 4, 0), P(8, 8, 16)}}, {FT(0), FT(2)},
                          {FT(1), FT(3)});

@@ -4,20 +4,12 @@
 
 // B-spline surfaces without a strip along an edge, up to curves that cross knot lines: bounds hold, and what is not promised to change stays.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/surfaces/cut_back.h>
 
-#include <algorithm>
-#include <type_traits>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(surfaces_trimmed_back_within)
-
-namespace {
 
 typedef GC::Bernstein_polynomial<Q> Function;
 
@@ -69,8 +61,6 @@ template <class Surface> void check(Random_surfaces& random) {
     CHECK_ERROR(cut_back_within(s, v1, f, Q(1000)), unreachable_tolerance);
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(bounds) {
   Random_surfaces random;
@@ -148,8 +138,7 @@ BOOST_AUTO_TEST_CASE(errors) {
     CHECK_ERROR(cut_back_within(s, v1, bad, Q(1)), parameter_outside_domain);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(kernels, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(kernels, Traits, All_traits) {
   typedef typename Traits::Point P;
   const GC::Knot_vector<FT> u(1, FT(0), FT(1)), v(2, FT(0), FT(4), {{FT(2), 1}, {FT(3), 1}});
   const Bspline<Traits> s({{P(0, 0, 0), P(0, 2, 0), P(0, 5, 1), P(0, 7, 3), P(0, 8, 4)},

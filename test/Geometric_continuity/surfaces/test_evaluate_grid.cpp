@@ -4,21 +4,11 @@
 
 // Grids of points and normals: the same numbers as one by one.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_points.h"
 
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <utility>
-#include <vector>
-
-namespace {
 
 template <class FT> void check_grid(int p, int q) {
   std::vector<std::vector<Point<FT>>> net;
@@ -39,8 +29,6 @@ template <class FT> void check_grid(int p, int q) {
       }
     }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(grids) {
   for (int p : {0, 1, 3, 6})

@@ -4,19 +4,12 @@
 
 // Normals that vanish are found, and those of graphs are proved not to.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
 
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(possible_folds)
-
-namespace {
 
 template <class FT> bool contains(const std::pair<FT, FT>& interval, const FT& x) {
   return interval.first <= x && x <= interval.second;
@@ -24,8 +17,8 @@ template <class FT> bool contains(const std::pair<FT, FT>& interval, const FT& x
 
 // z = (u - a)^2 over (u, v) with the place (a, b) of a vanishing normal: x = (u - a)^2, y = (v - b)^2, z = (u - a)(v - b) has there the
 // derivatives zero.
-template <class Traits> Bezier<Traits> cusp(const typename Traits::FT& a, const typename Traits::FT& b) {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT>
+Bezier<Traits> cusp(const typename Traits::FT& a, const typename Traits::FT& b) {
   typedef typename Traits::Point P;
   const auto square = [](const FT& c, int i) {
     return i == 0 ? FT(c * c) : i == 1 ? FT(c * c - c) : FT((c - 1) * (c - 1));
@@ -37,10 +30,7 @@ template <class Traits> Bezier<Traits> cusp(const typename Traits::FT& a, const 
   return Bezier<Traits>(net);
 }
 
-} // namespace
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(regular_and_folded, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(regular_and_folded, Traits, All_traits) {
   typedef typename Traits::Point P;
   // a graph, which turns by nearly two right angles
   const Bezier<Traits> graph({{P(0, 0, 0), P(0, 1, 0), P(0, 2, 0)},
@@ -86,8 +76,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(curves, Traits, All_traits) {
   BOOST_CHECK(possible_fold(curve).has_value() && possible_fold(curve.swap_parameters()).has_value());
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(rational, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(rational, Traits, All_traits) {
   typedef typename Traits::Point P;
   const Patch<Traits> cylinder({{P(1, 0, 0), P(1, 0, 5)}, {P(1, 1, 0), P(1, 1, 5)}, {P(0, 1, 0), P(0, 1, 5)}},
                                {{1, 1}, {1, 1}, {2, 2}});

@@ -4,21 +4,13 @@
 
 // Rational patches and B-spline surfaces: what they evaluate, how they are cut and refined, and which weights they refuse.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 
-#include <algorithm>
-#include <limits>
-#include <sstream>
-
 BOOST_AUTO_TEST_SUITE(rational_surfaces)
-
-namespace {
 
 // S of degree 1 x 1 by hand: ((1-u)(1-v) w00 b00 + ...) / (...).
 template <class Traits> Patch<Traits> bilinear() {
@@ -56,10 +48,7 @@ template <class Surface> bool is_quotient(const Surface& s, const Q& u, const Q&
   return true;
 }
 
-} // namespace
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(values_by_hand, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(values_by_hand, Traits, All_traits) {
   typedef typename Traits::Point P;
   const Patch<Traits> s = bilinear<Traits>();
   const FT half = FT(FT(1) / FT(2));
@@ -73,9 +62,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(values_by_hand, Traits, All_traits) {
   BOOST_CHECK(s.degree_u() == 1 && s.degree_v() == 1 && s.dimension() == 3);
   BOOST_CHECK(s.weight(1, 0) == FT(3) && s.weight(Patch_edge::u1, 0, 0) == FT(3) && s.weights().size() == 4);
   CHECK_ERROR(s.partial(FT(0), FT(0), -1, 0), negative_count);
-  std::ostringstream os;
-  os << s;
-  BOOST_CHECK_EQUAL(os.str(),
+  BOOST_CHECK_EQUAL(text(s),
                     "Rational Bezier patch of degree 1 x 1 on [0, 1] x [0, 1]:\n(0, 0, 0) (0, 1, 0)\n(1, 0, 0) "
                     "(1, 1, 1)\nweights:\n1 2\n3 2");
 }
@@ -135,8 +122,7 @@ BOOST_AUTO_TEST_CASE(operations_keep_the_points) {
   BOOST_CHECK(Spline<Exact>(t.homogeneous()) == t);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(polynomial_surfaces, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(polynomial_surfaces, Traits, All_traits) {
   typedef typename Traits::Point P;
   const GC::Bezier_patch<Traits> s({{P(0, 0, 0), P(0, 4, 1)}, {P(4, 0, 8), P(4, 4, 0)}, {P(8, 0, 0), P(8, 4, 2)}});
   const Patch<Traits> r = s;
@@ -152,8 +138,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(polynomial_surfaces, Traits, All_traits) {
   BOOST_CHECK(q.normal(u, v) == t.normal(u, v));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(denominators, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(denominators, Traits, All_traits) {
   typedef typename Traits::Point P;
   const auto weight = [](int p, int q) { return FT(FT(p) / FT(q)); };
   // the denominator in the middle is (12 + 4 w) / 16
@@ -271,8 +256,7 @@ BOOST_AUTO_TEST_CASE(grids) {
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(refused_input, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(refused_input, Traits, All_traits) {
   typedef typename Traits::Point P;
   const std::vector<std::vector<P>> net{{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0)}};
   typedef std::vector<std::vector<FT>> Weights;

@@ -4,23 +4,12 @@
 
 // What patches, B-spline surfaces, swept surfaces and grids refuse, with the reason.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/swept_surfaces.h"
 
 #include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 
-#include <cmath>
-#include <limits>
-#include <sstream>
-#include <tuple>
-#include <utility>
-#include <vector>
-
 typedef std::tuple<Double, Exact> All_traits;
 using GC::Patch_edge;
-
-namespace {
 
 constexpr int largest = (std::numeric_limits<int>::max)(), smallest = (std::numeric_limits<int>::min)();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -32,15 +21,11 @@ template <class Traits> GC::Bezier_patch<Traits> patch() {
 }
 
 // The patch on the unit square with a knot 1/2 in u.
-template <class Traits> GC::Bspline_surface<Traits> surface() {
-  typedef typename Traits::FT FT;
+template <class Traits, class FT = typename Traits::FT> GC::Bspline_surface<Traits> surface() {
   return GC::Bspline_surface<Traits>(patch<Traits>()).insert_u(FT(FT(1) / FT(2)), 2);
 }
 
-} // namespace
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(counts_of_surfaces, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(counts_of_surfaces, Traits, All_traits) {
   const auto s = patch<Traits>();
   const auto t = surface<Traits>();
   const FT half = FT(FT(1) / FT(2));
@@ -82,8 +67,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(counts_of_surfaces, Traits, All_traits) {
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(nets_of_surfaces, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(nets_of_surfaces, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef GC::Bezier_patch<Traits> Patch;
   typedef std::vector<std::vector<P>> Net;
@@ -101,8 +85,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(nets_of_surfaces, Traits, All_traits) {
 }
 
 // Surfaces are equal when domains, degrees and control points are.
-BOOST_AUTO_TEST_CASE_TEMPLATE(equal_surfaces, Traits, All_traits) {
-  typedef typename Traits::FT FT;
+TEST_FOR_EACH(equal_surfaces, Traits, All_traits) {
   typedef typename Traits::Point P;
   const auto s = patch<Traits>();
   const std::pair<FT, FT> unit(FT(0), FT(1)), longer(FT(0), FT(2));
@@ -221,8 +204,7 @@ BOOST_AUTO_TEST_CASE(names_of_edges_and_patches) {
   BOOST_CHECK_EQUAL(GC::to_string(Patch_edge::u0) + to_string(Patch_edge::u1) + to_string(Patch_edge::v0) +
                         to_string(Patch_edge::v1),
                     "u0u1v0v1");
-  std::ostringstream os;
-  os << patch<Double>();
-  BOOST_CHECK_EQUAL(os.str(), "Bezier patch of degree 2 x 1 on [0, 1] x [0, 1]:\n(0, 0, 0) (0, 4, 1)\n(4, 0, 8) "
-                              "(4, 4, 0)\n(8, 0, 0) (8, 4, 2)");
+  BOOST_CHECK_EQUAL(text(patch<Double>()),
+                    "Bezier patch of degree 2 x 1 on [0, 1] x [0, 1]:\n(0, 0, 0) (0, 4, 1)\n(4, 0, 8) "
+                    "(4, 4, 0)\n(8, 0, 0) (8, 4, 2)");
 }

@@ -4,20 +4,10 @@
 
 // Swept surfaces: their jets and normals.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/archetype.h"
 #include "support/swept_surfaces.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
-#include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_CASE(extrusion_is_linear) {
   Random random;

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_PROGRAM_CAD_EVALUATE_H
-#define GEOMETRIC_CONTINUITY_TEST_PROGRAM_CAD_EVALUATE_H
+#pragma once
 
 #include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 
@@ -138,5 +137,3 @@ inline GC::Cad_point<3> value_of(const GC::Cad_offset_surface& s, double u, doub
 inline GC::Cad_point<3> value(const GC::Cad_surface& surface, double u, double v) {
   return std::visit([u, v](const auto& s) { return value_of(s, u, v); }, surface);
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_PROGRAM_CAD_EVALUATE_H

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TEST_TOOLS_CAD_WRITE_MODEL_H
-#define GEOMETRIC_CONTINUITY_TEST_TOOLS_CAD_WRITE_MODEL_H
+#pragma once
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepTools.hxx>
@@ -15,9 +14,7 @@
 #include <gp_Ax1.hxx>
 #include <gp_Trsf.hxx>
 
-#include <cstdlib>
-#include <iostream>
-#include <string>
+#include "support/test.h"
 
 // What programs that write CAD models with OpenCASCADE have in common.
 
@@ -53,5 +50,3 @@ inline TopoDS_Shape moved(const TopoDS_Shape& shape) {
   translation.SetTranslation(gp_Vec(100, -20, 3));
   return shape.Moved(TopLoc_Location(translation * rotation));
 }
-
-#endif // GEOMETRIC_CONTINUITY_TEST_TOOLS_CAD_WRITE_MODEL_H

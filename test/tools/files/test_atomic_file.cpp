@@ -3,8 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #define BOOST_TEST_MODULE atomic_file
-#define BOOST_TEST_DYN_LINK
-#include "support/errors.h"
+#include "support/test.h"
 
 #include "files/atomic_file.h"
 
@@ -12,19 +11,11 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
-#include <iterator>
-#include <ostream>
-#include <random>
-#include <sstream>
-#include <stdexcept>
-#include <string>
 #include <system_error>
-
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace GC = CGAL::Geometric_continuity;
 namespace fs = std::filesystem;
 
 namespace {

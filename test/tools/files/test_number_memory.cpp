@@ -3,18 +3,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #define BOOST_TEST_MODULE number_memory
-#define BOOST_TEST_DYN_LINK
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include "files/number_memory.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <cstring>
-#include <iterator>
-#include <random>
 #include <thread>
-#include <vector>
 
 namespace {
 

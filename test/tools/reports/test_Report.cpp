@@ -10,15 +10,7 @@
 
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <iostream>
-#include <optional>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
+#include "support/test.h"
 
 namespace {
 

@@ -8,14 +8,10 @@
 
 #include "Geometric_continuity/support/random.h"
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include <cfenv>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <limits>
-#include <string>
 
 namespace {
 

@@ -4,38 +4,17 @@
 
 // The words of a text, their lines and numbers: the same however the stream cuts it, on one core and on several.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/internal/Token_reader.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/tags.h>
-
-#include <algorithm>
 #include <cerrno>
-#include <cstddef>
-#include <functional>
 #include <istream>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <stdexcept>
 #include <streambuf>
-#include <string>
-#include <string_view>
 #include <system_error>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(token_reader)
-
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
-
-namespace {
 
 constexpr std::size_t whole = std::numeric_limits<std::size_t>::max();
 
@@ -151,8 +130,6 @@ void check_refused(const std::string& text, const std::string& error, Words expe
   expected.error = "malformed_input: f.g2:" + error;
   check_words(text, expected);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(words_and_lines) {
   for (const char* text : {"", " ", "\n", "\n\n \t\n", "a", "a\n", "\na", " a b ", "a\nb\n\nc", "a\r\nb\r\n", "a\vb\fc",

@@ -5,29 +5,20 @@
 // Polynomials in integers of fixed length against the same in integers of any length, up to the bounds from which their lengths follow;
 // and their signs, by bisection in numbers that are rounded outwards.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Bounded_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Homogeneous_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Rounded_polynomial.h>
 
-#include <cstdint>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Bounded_polynomial)
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-namespace GC = CGAL::Geometric_continuity;
 namespace I = GC::internal;
 typedef CGAL::Fraction_traits<CGAL::Exact_rational>::Numerator_type Z;
 typedef GC::internal::Homogeneous_polynomial<Z> Whole;
-
-namespace {
 
 template <int degree, int bits> Whole whole(const I::Bounded_polynomial<degree, bits>& p) {
   constexpr int limbs = I::Bounded_polynomial<degree, bits>::limbs;
@@ -50,8 +41,6 @@ I::Bounded_polynomial<degree, bits> random_polynomial(Random_integers<>& random,
     return sign != 0 ? sign * x : random.integer(0, 1) ? x : -x;
   });
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(sums_and_products_up_to_the_bounds) {
   Random_integers<> random;

@@ -4,20 +4,12 @@
 
 // Polynomials in homogeneous form: factors at the ends, and their signs as those of the Bernstein form.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
 #include "support/random.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
-
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Homogeneous_polynomial)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 using GC::Sign_pattern;
 
 BOOST_AUTO_TEST_CASE(rings) {

@@ -4,16 +4,11 @@
 
 // Where the search for tangents and curvatures of a fair spline starts.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/blends/internal/Fair_joints.h>
 
-#include <cmath>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(fair_joints)
-
-namespace GC = CGAL::Geometric_continuity;
 
 // Of points on a circle, tangents and curvatures are those of the circle, also at the ends.
 BOOST_AUTO_TEST_CASE(circles_through_points) {

@@ -4,25 +4,14 @@
 
 // The fairness of blends at fixed nodes against that of their curves to a precision.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fairness_quadrature.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <array>
-#include <cmath>
-#include <random>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(fairness_quadrature)
 
-namespace GC = CGAL::Geometric_continuity;
-
 typedef CGAL::Simple_cartesian<double> K;
-
-namespace {
 
 constexpr unsigned seed = 2026;
 std::mt19937 engine(seed);
@@ -55,8 +44,6 @@ template <GC::internal::Blend_kind kind, class Traits> void compare() {
     BOOST_CHECK(std::abs(fixed - precise) <= 1e-6 * precise);
   }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(quintic_blends) {
   BOOST_TEST_MESSAGE("seed " << seed);

@@ -4,7 +4,6 @@
 
 // Identities between sums of exponential functions, which hold or fail exactly.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Exponential_sum
 #include <boost/test/unit_test.hpp>
 

@@ -4,18 +4,11 @@
 
 // The search for the largest value on a range, for functions of which the bounds are given: what ends it, and what is left open.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/cad/internal/Maximum_enclosure.h>
 
-#include <initializer_list>
-#include <limits>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Maximum_enclosure)
-
-namespace {
 
 using CGAL::Geometric_continuity::internal::Bounds_on_range;
 typedef CGAL::Geometric_continuity::internal::Maximum_enclosure Largest;
@@ -44,8 +37,6 @@ bool hold(const Ranges& ranges, const std::vector<double>& points, double length
   }
   return true;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(a_function_that_rises) {
   const Largest f({0, 1, 3}, options(1000), without({}), nowhere);

@@ -5,31 +5,17 @@
 // The Taylor models of points, normals and curvatures along an edge enclose their values, also on ranges that are so wide that what the
 // polynomials leave out is large; and they are narrow on those that are not.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 #include "support/sampled_edges.h"
 
 #include <CGAL/Geometric_continuity/cad/internal/Edge_bounds.h>
 #include <CGAL/Geometric_continuity/cad/internal/Side_evaluator.h>
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <memory>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Side_evaluator)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
 typedef GC::Cad_point<3> P3;
-
-namespace {
 
 std::mt19937 random_bits;
 
@@ -101,8 +87,6 @@ struct Outside {
     steady = longest <= 1.25L * shortest;
   }
 };
-
-} // namespace
 
 // The range of a coordinate that turns back holds its values and little else; where numbers are so large that sums of them might overflow,
 // nothing is known.

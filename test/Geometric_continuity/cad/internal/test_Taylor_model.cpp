@@ -4,27 +4,15 @@
 
 // Taylor models enclose what they are computed from: against exact numbers, at parameters of the range, in each rounding mode.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/cad/internal/Taylor_model.h>
-
-#include <algorithm>
 #include <cfenv>
-#include <cmath>
-#include <limits>
-#include <random>
 
 BOOST_AUTO_TEST_SUITE(Taylor_model)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 using GC::internal::Interval;
 using Model = GC::internal::Taylor_model;
-
-namespace {
 
 Q exactly(const Model& f, const Q& s) {
   Q y(0);
@@ -42,8 +30,6 @@ template <class Random> Model random_model(Random& random, double decay, double 
   f.r = r;
   return f;
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(operations) {
   const unsigned seed = first_seed();

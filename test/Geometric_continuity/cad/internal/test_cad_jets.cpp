@@ -5,30 +5,17 @@
 // Series of CAD curves and surfaces over ranges of parameters enclose those at each point, which are the derivatives of the same splines in
 // exact numbers; and the pieces that a range touches.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/cad/internal/Cad_surface_jet.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <memory>
-#include <random>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(cad_jets)
 
-namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Interval;
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Cad_elementary_surface Elementary;
 typedef Elementary::Kind Kind;
-
-namespace {
 
 constexpr unsigned seed = 20261127;
 std::mt19937 random_bits(seed);
@@ -89,8 +76,6 @@ double within(const std::pair<double, double>& range) {
 }
 
 bool contains(const Interval& x, const Q& y) { return Q(x.inf()) <= y && y <= Q(x.sup()); }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(series_of_splines) {
   BOOST_TEST_MESSAGE("seed " << seed);

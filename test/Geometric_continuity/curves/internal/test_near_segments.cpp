@@ -4,14 +4,11 @@
 
 // Which points are near a segment.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 
 BOOST_AUTO_TEST_SUITE(near_segments)
-
-namespace GC = CGAL::Geometric_continuity;
 
 // The squares of distances up to 1 are near: of the ends, and beside the segment.
 BOOST_AUTO_TEST_CASE(distances_up_to_1) {

@@ -4,20 +4,12 @@
 
 // The search for the largest angle in integers of fixed length, against known largest values, and against multi-precision.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/nets.h"
 
 #include <CGAL/Geometric_continuity/edges/internal/Edge_decision.h>
 #include <CGAL/Geometric_continuity/edges/internal/Largest_measure.h>
 
-#include <cmath>
-#include <optional>
-#include <vector>
-
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-
-namespace {
 
 typedef GC::internal::Common_denominator<Q>::Ring Ring;
 typedef GC::internal::Homogeneous_polynomial<Ring> Whole;
@@ -52,8 +44,6 @@ std::optional<GC::Normal_deviation<Q>> search(const Whole& s, const Whole& p, GC
   const GC::internal::Work_guard work("test");
   return Fixed(s, p)();
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(known_largest_values) {
   Random random;

@@ -4,15 +4,9 @@
 
 // Edges of B-spline surfaces that are proved to be smooth on all spans at once.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/nets.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/internal/Edge_ladder.h>
-
-#include <optional>
-#include <vector>
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 

@@ -7,42 +7,18 @@
 //
 // Set GEOMETRIC_CONTINUITY_EDGES for the number of edges of each class and GEOMETRIC_CONTINUITY_SEED for other numbers.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
-#include <iostream>
-#include <limits>
-#include <numeric>
-#include <random>
-#include <string>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(filtered_edges)
 
-namespace GC = CGAL::Geometric_continuity;
 using GC::Patch_edge;
 using GC::internal::Edge_stage;
 constexpr Patch_edge u0 = Patch_edge::u0, u1 = Patch_edge::u1, v0 = Patch_edge::v0, v1 = Patch_edge::v1;
 
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Epick> Space;
 typedef GC::Bezier_patch<Space> Patch;
-
-namespace {
 
 // Stages switched on one by one; multi-precision is always there.
 struct Stages {
@@ -329,8 +305,6 @@ void report(const char* name, const Random& r, const Counter& c) {
   BOOST_CHECK_EQUAL(c.mismatches, 0);
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(smooth_edges) {
   Random r;
   Counter counter, full;
@@ -577,8 +551,6 @@ BOOST_AUTO_TEST_CASE(steep_second_layers) {
 
 // ---------------------------------------------------------------- rational numbers, and the spans of splines
 
-namespace {
-
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Rational_space;
 typedef GC::Bezier_patch<Rational_space> Rational_patch;
 typedef GC::Bspline_surface<Rational_space> Rational_spline;
@@ -662,8 +634,6 @@ void check_numbers_and_knots(const Patch& a, Patch_edge edge_a, const Patch& b, 
   check_surfaces(x, edge_a, y, edge_b, truth, spans);
   check_surfaces(x, edge_a, rational(b, 1), edge_b, truth, spans);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(rational_numbers_and_spans, *boost::unit_test::label("long")) {
   Random r;

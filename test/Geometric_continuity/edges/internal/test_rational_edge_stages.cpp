@@ -5,25 +5,13 @@
 // Edges of rational surfaces in integers of fixed length against the decision in integers of any length: on homogeneous points with
 // few digits and with many, where an edge holds and where a number is off by one unit, with weights that are alike, large, small and mixed.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/rational_surfaces.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(rational_edge_stages)
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-
-namespace {
 
 using GC::internal::Edge_stage;
 
@@ -142,8 +130,6 @@ Pair smooth_pair(Random& random, int n, int size, const Q& factor) {
   return {net(pv, pvv, random.integer(2, 4), Q(1)), net(qv, qvv, random.integer(2, 4), factor)};
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(smooth_and_off_by_a_unit) {
   Random random;
   fixed = multiprecision = 0;
@@ -175,8 +161,6 @@ BOOST_AUTO_TEST_CASE(smooth_and_off_by_a_unit) {
   BOOST_CHECK_GT(of_second_order, 16);
   BOOST_CHECK_GT(fixed, 2 * multiprecision);
 }
-
-namespace {
 
 // A random patch of doubles, and its image in the plane y = 0 of the edge: they are G1 where the edge is planar, with the cross
 // derivatives normal to the plane, and G2 by symmetry.
@@ -220,8 +204,6 @@ Patch<Exact> to_exact(const Patch<Filtered>& s) {
     }
   return Patch<Exact>(net, weights);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(weights_of_all_sizes) {
   Random random;

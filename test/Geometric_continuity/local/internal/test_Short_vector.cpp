@@ -4,14 +4,7 @@
 
 #include <CGAL/Geometric_continuity/local/internal/Short_vector.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <string>
-#include <type_traits>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
+#include "support/test.h"
 
 // The same is done to a std::vector, on both sides of the number of elements that need no memory.
 BOOST_AUTO_TEST_CASE(like_a_vector) {

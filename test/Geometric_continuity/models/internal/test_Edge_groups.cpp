@@ -4,21 +4,11 @@
 
 // How the edges of a model are recognised: groups of those that are the same.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/spline_surfaces.h"
 
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
-
-#include <cstddef>
-#include <random>
-#include <utility>
-#include <vector>
-
-namespace {
 
 template <class Engine> S random_surface(Engine& random, const Knots& u, const Knots& v) {
   std::vector<std::vector<Exact::Point_3>> net(u.number_of_coefficients());
@@ -53,8 +43,6 @@ template <class Model> void check_groups(const Model& model) {
                           x.second.second != y.second.second);
     }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(groups_of_edges) {
   std::mt19937_64 random = seeded();
@@ -160,13 +148,11 @@ BOOST_AUTO_TEST_CASE(a_model_and_its_pairs) {
       if (e.kind != GC::Model_edge_kind::shared) continue;
       ++shared;
       const auto pair = GC::edge_continuity(model[e.patch_a], e.edge_a, model[*e.patch_b], *e.edge_b);
-      const auto text = [](const auto& x) {
-        std::ostringstream os;
-        os << x << ' ' << x.side << ' ' << x.part_a.first << ' ' << x.part_a.second << ' ' << x.part_b.first << ' '
-           << x.part_b.second << ' ' << x.whole_a << x.whole_b << ' ' << x.spans.size();
-        return os.str();
+      const auto all_of = [](const auto& x) {
+        return text(x, ' ', x.side, ' ', x.part_a.first, ' ', x.part_a.second, ' ', x.part_b.first, ' ',
+                    x.part_b.second, ' ', x.whole_a, x.whole_b, ' ', x.spans.size());
       };
-      BOOST_CHECK_EQUAL(text(e.continuity), text(pair));
+      BOOST_CHECK_EQUAL(all_of(e.continuity), all_of(pair));
     }
     BOOST_CHECK_GE(shared, 1);
   }

@@ -4,14 +4,10 @@
 
 // Keys by which the edges of a model are recognised.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/spline_surfaces.h"
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
-
-#include <random>
 
 BOOST_AUTO_TEST_CASE(keys_of_edges) {
   typedef GC::internal::Edge_key<GC::Traits_3<Exact>> Key;

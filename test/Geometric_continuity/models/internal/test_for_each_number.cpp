@@ -4,20 +4,14 @@
 
 // Work on several cores.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-
 #include <atomic>
 #include <chrono>
-#include <cstddef>
 #include <thread>
 
 BOOST_AUTO_TEST_SUITE(for_each_number)
-
-namespace GC = CGAL::Geometric_continuity;
 
 // Where two cores meet errors it is the one of the least number that leaves, also if the other one comes later.
 BOOST_AUTO_TEST_CASE(the_first_of_two_errors) {

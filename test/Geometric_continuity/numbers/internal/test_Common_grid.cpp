@@ -6,20 +6,11 @@
 
 #include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
 
-#include <boost/test/unit_test.hpp>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <iostream>
-#include <random>
+#include "support/test.h"
 
 #if defined(__GNUC__)
 
 BOOST_AUTO_TEST_SUITE(common_grid)
-
-namespace {
 
 template <std::size_t N> using Points = std::array<std::array<double, N>, 4>;
 
@@ -58,8 +49,6 @@ template <int k, std::size_t N> void check_random(std::mt19937_64& random, int b
   y[k][N - 1] = std::ldexp(1, exponent - static_cast<int>(random() % 60)); // finer by some bits
   check<k, N>(x, y);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(grids_of_numbers) {
   std::mt19937_64 random(2026);

@@ -6,28 +6,16 @@
 
 #include <CGAL/Geometric_continuity/numbers/internal/Remainder.h>
 
-#include <boost/test/unit_test.hpp>
-
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
 #include "support/random.h"
 
 #include <boost/multiprecision/cpp_int.hpp>
 
-#include <cmath>
-#include <cstdint>
-#include <iterator>
-#include <random>
-#include <utility>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Remainder)
 
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::internal::Remainder R;
 typedef boost::multiprecision::cpp_int Integer;
-
-namespace {
 
 const std::uint16_t (&moduli)[std::size(GC::internal::remainder_moduli)] = GC::internal::remainder_moduli;
 
@@ -46,8 +34,6 @@ std::vector<std::uint64_t> samples(std::uint64_t c, std::mt19937_64& random) {
   for (int i = 0; i < 20; ++i) x.push_back(remainder(random() >> random() % 64, c));
   return x;
 }
-
-} // namespace
 
 // Each modulus is the largest below those before it that has no common divisor with any of them, so that their product is 2^28160 but for a
 // factor next to 1.

@@ -5,31 +5,18 @@
 // The integers and fractions with which exact blends are computed: the same numbers as by the operators of each number type.
 
 #include "support/fractions.h"
+#include "support/test.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Unreduced_fraction.h>
 #include <CGAL/Geometric_continuity/numbers/internal/number_words.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #include <CGAL/Quotient.h>
-
 #include <boost/multiprecision/cpp_int.hpp>
 #include <boost/multiprecision/gmp.hpp>
-#include <boost/test/unit_test.hpp>
-
-#include <cstddef>
-#include <cstdint>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(Unreduced_fraction)
-
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
 
 template <class FT> void check_number(const FT& x, const FT& expected) {
   BOOST_CHECK(x == expected);
@@ -72,8 +59,6 @@ template <class FT> void check_fractions() {
   }
 }
 
-} // namespace
-
 BOOST_AUTO_TEST_CASE(fractions) {
   check_fractions<CGAL::Exact_rational>();
   check_fractions<CGAL::Gmpq>();
@@ -92,8 +77,6 @@ BOOST_AUTO_TEST_CASE(single_numbers) {
   moved = std::move(same);
   BOOST_CHECK(moved == Integer(-83810205));
 }
-
-namespace {
 
 template <class FT> void check_short_numbers() {
   typedef GC::internal::Rational_parts<FT> Parts;
@@ -115,8 +98,6 @@ template <class FT> void check_short_numbers() {
       }
     }
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(short_numbers) {
   check_short_numbers<CGAL::Exact_rational>();

@@ -4,13 +4,11 @@
 
 // How many steps searches may take that can be stopped at any time: each a quarter of the limit, all together half of it.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
 BOOST_AUTO_TEST_SUITE(work_meters)
-
-namespace GC = CGAL::Geometric_continuity;
 
 BOOST_AUTO_TEST_CASE(searches) {
   GC::internal::Work_meter meter(GC::Work_limit(1000), "a search");

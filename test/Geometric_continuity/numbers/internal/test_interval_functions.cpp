@@ -4,28 +4,17 @@
 
 // Sine, cosine and exponential function of intervals, against those of long numbers.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/numbers/internal/interval_functions.h>
 #include <CGAL/Geometric_continuity/numbers/internal/subdivision.h>
-
 #include <boost/multiprecision/cpp_bin_float.hpp>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
 
 BOOST_AUTO_TEST_SUITE(interval_functions)
 
-namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Cosine_and_sine;
 using GC::internal::Interval;
 typedef boost::multiprecision::cpp_bin_float_100 Long;
-
-namespace {
 
 bool encloses(const Interval& i, const Long& x) { return Long(i.inf()) <= x && x <= Long(i.sup()); }
 
@@ -60,8 +49,6 @@ struct Checks {
     wide += !(i.sup() - i.inf() <= i.sup() * 1e-15 * (8 + 8 * std::fabs(x)));
   }
 };
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(enclose_the_values) {
   const unsigned seed = first_seed();

@@ -6,19 +6,9 @@
 
 #include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/random.h"
 
-#include <cstdint>
-#include <iostream>
-#include <random>
-
 BOOST_AUTO_TEST_SUITE(zero_bits)
-
-namespace GC = CGAL::Geometric_continuity;
-
-namespace {
 
 void check_word(std::uint64_t x) {
   int trailing = 0, leading = 0;
@@ -29,8 +19,6 @@ void check_word(std::uint64_t x) {
   BOOST_CHECK_EQUAL(GC::internal::trailing_zero_bits_by_halves(x), trailing);
   BOOST_CHECK_EQUAL(GC::internal::leading_zero_bits_by_halves(x), leading);
 }
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE(from_every_bit_to_every_bit) {
   for (int high = 0; high < 64; ++high)

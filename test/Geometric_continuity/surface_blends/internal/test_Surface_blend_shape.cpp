@@ -4,14 +4,10 @@
 
 // The factor of the homogeneous points of an automatic shape, against the Taylor expansion of the weights.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/rational_surfaces.h"
 #include "support/series.h"
 
 #include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
-
-#include <array>
 
 BOOST_AUTO_TEST_SUITE(surface_blend_shape)
 

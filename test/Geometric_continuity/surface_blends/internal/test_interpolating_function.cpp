@@ -4,15 +4,11 @@
 
 // Functions along an edge with given values and slopes at its ends.
 
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
+#include "support/test.h"
 
 #include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
 
 BOOST_AUTO_TEST_SUITE(interpolating_function)
-
-namespace GC = CGAL::Geometric_continuity;
 
 // Slopes for which no span at an end is short enough.
 BOOST_AUTO_TEST_CASE(slopes_that_underflow) {

@@ -4,8 +4,6 @@
 
 // The jets of profiles that are given.
 
-#include <boost/test/unit_test.hpp>
-
 #include "support/swept_surfaces.h"
 
 #include <CGAL/Geometric_continuity/surfaces/internal/sweep_input.h>

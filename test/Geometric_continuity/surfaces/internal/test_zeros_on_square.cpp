@@ -4,27 +4,14 @@
 
 // Tells whether a polynomial in two variables has a zero inside of the unit square, and what constructors say of such denominators.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
-
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/internal/zeros_on_square.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <iostream>
-#include <random>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(zeros_on_square)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Traits;
-
-namespace {
 
 // Coefficients of u^i v^j.
 typedef std::vector<std::vector<Q>> Polynomial;
@@ -91,8 +78,6 @@ GC::Rational_bezier_patch<Traits> patch(const Polynomial& f) {
 
 const Polynomial u{{Q(0)}, {Q(1)}}, v{{Q(0), Q(1)}};
 Polynomial minus(const Polynomial& f, const Q& c) { return sum(f, constant(Q(-c))); }
-
-} // namespace
 
 // The middle of the interval of a number may be the number.
 BOOST_AUTO_TEST_CASE(rational_numbers) {

@@ -4,20 +4,12 @@
 
 // Repair of contours: what stays, how far handles move, mirror images, and that repairing again changes nothing.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE repair_contour
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include "commands/repair/repair_contour.h"
 
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
-
-#include <algorithm>
-#include <cmath>
-#include <iostream>
-#include <optional>
-#include <random>
-#include <vector>
 
 typedef GC::Grid_vector Vector;
 typedef std::vector<Vector> Points;

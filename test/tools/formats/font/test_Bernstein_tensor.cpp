@@ -5,21 +5,10 @@
 // Tensor-product Bernstein polynomials: values, products, parts.
 
 #define BOOST_TEST_MODULE Bernstein_tensor
-#define BOOST_TEST_DYN_LINK
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
+#include "support/test.h"
 
 #include "formats/font/Bernstein_tensor.h"
 
-#include <CGAL/Exact_rational.h>
-
-#include <iostream>
-#include <random>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Bernstein_tensor<Q> Tensor;
 
 namespace {

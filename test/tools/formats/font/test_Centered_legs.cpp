@@ -5,21 +5,11 @@
 // What is said of both legs of a join on a box of many axes holds at its points.
 
 #define BOOST_TEST_MODULE centered_legs
-#define BOOST_TEST_DYN_LINK
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include "formats/font/Centered_legs.h"
 
-#include <cstddef>
-#include <random>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-
 namespace {
-
-typedef CGAL::Exact_rational Q;
 
 std::mt19937 engine(20261127);
 int whole(int low, int high) { return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1)); }

@@ -5,14 +5,10 @@
 // Joins over axes: their vectors and corners at single instances. The largest kinks over all of them are in test_largest_kink.cpp.
 
 #define BOOST_TEST_MODULE variable_joins
-#define BOOST_TEST_DYN_LINK
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include "formats/font/Variable_join.h"
 
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
 typedef GC::Variable_join::FT FT;
 typedef GC::Variable_vector::Vector Vector;
 

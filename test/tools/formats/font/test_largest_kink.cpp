@@ -5,24 +5,10 @@
 // The largest kink over all instances: known ones, and enclosures against exact samples.
 
 #define BOOST_TEST_MODULE largest_kink
-#define BOOST_TEST_DYN_LINK
-#include <boost/test/unit_test.hpp>
-
-#include "support/errors.h"
+#include "support/test.h"
 
 #include "formats/font/largest_kink.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <iostream>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef std::vector<Q> Instance;
 typedef GC::Variable_vector::Vector Vector;
 using GC::Verdict;

@@ -5,25 +5,15 @@
 // Variable fonts that are written byte by byte: what is read is what was written, exactly; and what is malformed is refused.
 
 #define BOOST_TEST_MODULE variable_font
-#define BOOST_TEST_DYN_LINK
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
-#include "support/errors.h"
 #include "tools/formats/font/variable_fonts.h"
 
 #include "formats/font/Variable_font.h"
 #include "formats/font/glyph_parts.h"
 
-#include <cstddef>
-#include <iostream>
 #include <list>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef Font_writer::Tuple Tuple;
 typedef Font_writer::Glyph Glyph;
 

@@ -2,15 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_VARIABLE_FONTS_H
-#define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_VARIABLE_FONTS_H
+#pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
+#include "support/test.h"
 
 // A writer of small variable TrueType fonts, in the plainest form that the format allows.
 
@@ -262,5 +256,3 @@ struct Font_writer {
     return s + font(16);
   }
 };
-
-#endif // CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_VARIABLE_FONTS_H

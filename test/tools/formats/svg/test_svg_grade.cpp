@@ -4,25 +4,12 @@
 
 // Corners, kinks and angles between the segments of SVG paths.
 
-#define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE svg_grade
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include "formats/svg/read_svg_path.h"
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 
-#include <cmath>
-#include <iostream>
-#include <optional>
-#include <random>
-#include <sstream>
-#include <string>
-
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
 

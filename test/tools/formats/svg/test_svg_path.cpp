@@ -3,34 +3,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #define BOOST_TEST_MODULE svg_path
-#define BOOST_TEST_DYN_LINK
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include "formats/svg/Css_transform.h"
 #include "formats/svg/Svg_transform.h"
 #include "formats/svg/Svg_viewport.h"
 #include "formats/svg/read_svg_path.h"
 #include "formats/svg/svg_shapes.h"
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/Sqrt_extension.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <iostream>
 #include <locale>
-#include <random>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
-namespace GC = CGAL::Geometric_continuity;
-
-typedef CGAL::Exact_rational Q;
 typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;
 typedef GC::Svg_subpath<Exact> Subpath;
@@ -44,9 +27,7 @@ namespace {
 constexpr unsigned seed = 20261121;
 
 std::string text(const Q& x) {
-  std::ostringstream os;
-  GC::write_number(os, x);
-  return os.str();
+  return written_by([&](std::ostream& os) { GC::write_number(os, x); });
 }
 
 std::string text(const Point& p) { return text(p.x()) + ',' + text(p.y()); }
@@ -639,7 +620,7 @@ BOOST_AUTO_TEST_CASE(the_locale_does_not_matter) {
   std::locale::global(old);
   BOOST_CHECK_EQUAL(path, "2L 3/2,5/2 2469135/2,0; |");
   BOOST_CHECK_EQUAL(map, "3/2,2");
-  BOOST_CHECK(message.find("character 2002:") != std::string::npos);
+  BOOST_CHECK(contains(message, "character 2002:"));
 }
 
 // Random paths are written in random spellings and read back: every control point is the same.
