@@ -4,7 +4,12 @@
 
 #include "figures.h"
 
+#include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
 #include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
+#include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
+#include <CGAL/Geometric_continuity/local/congruence.h>
+#include <CGAL/Geometric_continuity/local/curvatures.h>
 
 #include <array>
 #include <cmath>

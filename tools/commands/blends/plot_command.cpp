@@ -9,6 +9,7 @@
 #include "files/progress.h"
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <Geometric_continuity_figures/Svg_figure.h>
 
 namespace {

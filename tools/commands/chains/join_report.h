@@ -10,7 +10,7 @@
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
-#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Sqrt_extension.h>
 

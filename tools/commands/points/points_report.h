@@ -8,7 +8,9 @@
 #include "commands/command_line.h"
 #include "commands/points/read_points.h"
 #include "files/output.h"
+#include "formats/g2_text/spans.h"
 
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <Geometric_continuity_figures/Svg_figure.h>
 
 #include <algorithm>

@@ -4,8 +4,10 @@
 
 #include "commands/repair/grid_contour.h"
 
+#include "commands/drawings/segment_joins.h"
+
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Geometric_continuity/joins/path_continuity.h>
+#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
 #include <algorithm>
@@ -86,8 +88,8 @@ std::optional<GC::Visual_class> grade(const Grid_contour& contour, std::size_t j
   if (beziers && !contour.map) return GC::visual_class(grid_bezier(left.points), grid_bezier(right.points), bound);
   if (!beziers && ((left.points.empty() && !left.arc) || (right.points.empty() && !right.arc))) return std::nullopt;
   const Exact_segment x = exact_segment(left), y = exact_segment(right);
-  return contour.map ? GC::visual_class(x.transform(*contour.map), y.transform(*contour.map), bound)
-                     : GC::visual_class(x, y, bound);
+  return contour.map ? segment_class(x.transform(*contour.map), y.transform(*contour.map), bound)
+                     : segment_class(x, y, bound);
 }
 
 Grade_counts grades(const Grid_contour& contour, const GC::Corner_threshold& bound) {

@@ -103,24 +103,6 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// How large a kink is: guaranteed enclosures. With `a` and `b` for the handles at the node, from the control point before it and to
-/// the one behind it:
-struct Kink_size {
-  Enclosure angle; ///< the angle between `a` and `b`, in radians, in \f$ [0, \pi] \f$
-  /// By how much a handle is off, in units of the coordinates: how far the tip of one of them must move at least to make their directions
-  /// equal, \f$ |a \times b| / \max(|a|, |b|) \f$; from a right angle on \f$ \min(|a|, |b|) \f$. On a grid, about one unit is rounding.
-  Enclosure handle_offset;
-  /// What the eye sees: the angle times the length of the shorter handle, in units of the coordinates. Compare it to the size of what is
-  /// drawn, an em or a drawing.
-  Enclosure severity;
-
-  /// Writes e.g. `angle [0.0499583, 0.0499584], handle off by 1, severity [0.999166, 0.999167]`.
-  friend std::ostream& operator<<(std::ostream& os, const Kink_size& k) {
-    return os << "angle " << k.angle << ", handle off by " << k.handle_offset << ", severity " << k.severity;
-  }
-};
-
-/// \ingroup PkgGeometricContinuityContinuity
 /// Returns how large the angle at the join between the end of `left` and the start of `right` is, whatever the curvatures; empty when one of
 /// the curves has no length. A handle that is retracted is taken as `visual_class()` takes it: by the first side that is not zero.
 /// Everything is computed in an exact field from the control points as given and rounded once, outwards. A gap is not seen.

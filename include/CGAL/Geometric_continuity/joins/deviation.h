@@ -5,8 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_DEVIATION_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_DEVIATION_H
 
-#include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>

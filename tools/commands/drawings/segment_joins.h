@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_SEGMENT_JOINS_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_SEGMENT_JOINS_H
+
+#include "formats/svg/svg_drawing.h"
+
+#include <CGAL/Geometric_continuity/curves/Path_segment.h>
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
+
+#include <optional>
+
+// Questions about the joins of the segments of a drawing, which are compiled once.
+
+// Returns what GC::visual_class() does.
+std::optional<GC::Visual_class> segment_class(const GC::Path_segment<Drawing_traits>& left,
+                                              const GC::Path_segment<Drawing_traits>& right,
+                                              const GC::Corner_threshold& bound);
+
+// Returns what GC::tangent_angle() does.
+std::optional<GC::Enclosure> segment_angle(const GC::Path_segment<Drawing_traits>& left,
+                                           const GC::Path_segment<Drawing_traits>& right);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_SEGMENT_JOINS_H
