@@ -7,6 +7,7 @@
 #include "support/jets.h"
 
 #include <CGAL/Geometric_continuity/joins/Join_certificate.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
 BOOST_AUTO_TEST_SUITE(join_certificates)
 

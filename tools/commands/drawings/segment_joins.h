@@ -7,6 +7,7 @@
 
 #include "formats/svg/svg_drawing.h"
 
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
@@ -16,6 +17,9 @@
 // Questions about the joins of the segments of a drawing, which are compiled once.
 
 // Returns what GC::visual_class() does.
+std::optional<GC::Visual_class> segment_class(const GC::Bezier_curve<Drawing_traits>& left,
+                                              const GC::Bezier_curve<Drawing_traits>& right,
+                                              const GC::Corner_threshold& bound);
 std::optional<GC::Visual_class> segment_class(const GC::Path_segment<Drawing_traits>& left,
                                               const GC::Path_segment<Drawing_traits>& right,
                                               const GC::Corner_threshold& bound);
@@ -23,5 +27,9 @@ std::optional<GC::Visual_class> segment_class(const GC::Path_segment<Drawing_tra
 // Returns what GC::tangent_angle() does.
 std::optional<GC::Enclosure> segment_angle(const GC::Path_segment<Drawing_traits>& left,
                                            const GC::Path_segment<Drawing_traits>& right);
+
+// Returns what GC::kink_size() does.
+std::optional<GC::Kink_size> segment_kink(const GC::Bezier_curve<Drawing_traits>& left,
+                                          const GC::Bezier_curve<Drawing_traits>& right);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_SEGMENT_JOINS_H

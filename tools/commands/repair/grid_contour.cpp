@@ -29,6 +29,10 @@ Grid_bezier grid_bezier(const std::vector<GC::Grid_vector>& points) {
   return Grid_bezier(p.begin(), p.end());
 }
 
+std::optional<GC::Kink_size> grid_kink(const Grid_bezier& left, const Grid_bezier& right) {
+  return GC::kink_size(left, right);
+}
+
 bool is_line(const std::vector<GC::Grid_vector>& points) {
   const GC::Grid_vector chord = points.back() - points.front();
   std::int64_t before = 0;

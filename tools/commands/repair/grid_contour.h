@@ -58,6 +58,9 @@ struct Grid_contour {
 typedef GC::Bezier_curve<GC::Traits_2<CGAL::Simple_cartesian<double>>> Grid_bezier;
 Grid_bezier grid_bezier(const std::vector<GC::Grid_vector>& points);
 
+// Returns what GC::kink_size() does, which is compiled once.
+std::optional<GC::Kink_size> grid_kink(const Grid_bezier& left, const Grid_bezier& right);
+
 // Returns whether the control points lie on the chord, in order.
 bool is_line(const std::vector<GC::Grid_vector>& points);
 
