@@ -4,11 +4,11 @@
 
 // Blends of splines.
 
-#include "support/decided_joins.h"
 #include "support/splines.h"
 
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
 TEST_FOR_EACH(splines_are_blended_and_joined, K, Kernels) {
   repeat<FT>(10, [](Random<FT>& random) {

@@ -4,12 +4,12 @@
 
 // What is said of joins of rounded numbers that miss an order by no more than rounding.
 
-#include "support/decided_joins.h"
 #include "support/test.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
 BOOST_AUTO_TEST_SUITE(up_to_rounding)
 
