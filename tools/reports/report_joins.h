@@ -6,6 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_REPORTS_REPORT_JOINS_H
 
 #include "commands/report_inputs.h"
+#include "formats/g2_text/curves.h"
 #include "formats/svg/svg_drawing.h"
 
 #include <CGAL/Geometric_continuity/IO/number.h>
