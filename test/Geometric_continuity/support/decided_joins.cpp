@@ -42,6 +42,8 @@ INSTANTIATE_CONTINUITY(Quintic<Exact_3>)
 INSTANTIATE_CONTINUITY(Quintic<Exact_d>)
 INSTANTIATE_CONTINUITY(Quintic<Float_2>)
 
+template Join_continuity<Exact_rational> continuity(const Curve_jet<Exact_2>&, const Curve_jet<Exact_2>&);
+
 template bool is_g1_join(const Bezier_curve<Double_2>&, const Bezier_curve<Double_2>&);
 template bool is_g2_join(const Bezier_curve<Double_2>&, const Bezier_curve<Double_2>&);
 template bool is_g2_join(const Bezier_curve<Exact_2>&, const Quintic_blend<Exact_2>&);

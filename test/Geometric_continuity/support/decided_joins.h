@@ -10,6 +10,7 @@
 
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -18,6 +19,8 @@ template <class Left, class Right>
 Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right, int max_order);
 template <class Left, class Right>
 Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right);
+template <class Traits>
+Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, const Curve_jet<Traits>& right);
 template <class Left, class Right> bool is_g1_join(const Left& left, const Right& right);
 template <class Left, class Right> bool is_g2_join(const Left& left, const Right& right);
 
