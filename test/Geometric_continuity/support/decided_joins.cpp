@@ -8,6 +8,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
@@ -46,6 +47,10 @@ template Join_continuity<Exact_rational> continuity(const Curve_jet<Exact_2>&, c
 
 template bool is_g1_join(const Bezier_curve<Double_2>&, const Bezier_curve<Double_2>&);
 template bool is_g2_join(const Bezier_curve<Double_2>&, const Bezier_curve<Double_2>&);
+template bool is_g2_join(const Bezier_curve<Traits_2<Epick>>&, const Representable_blend<Traits_2<Epick>>&);
+template bool is_g2_join(const Representable_blend<Traits_2<Epick>>&, const Bezier_curve<Traits_2<Epick>>&);
+template bool is_g2_join(const Bezier_curve<Traits_3<Epick>>&, const Representable_blend<Traits_3<Epick>>&);
+template bool is_g2_join(const Representable_blend<Traits_3<Epick>>&, const Bezier_curve<Traits_3<Epick>>&);
 template bool is_g2_join(const Bezier_curve<Exact_2>&, const Quintic_blend<Exact_2>&);
 template bool is_g2_join(const Quintic_blend<Exact_2>&, const Bezier_curve<Exact_2>&);
 

@@ -12,6 +12,12 @@ std::optional<GC::Visual_class> segment_class(const GC::Bezier_curve<Drawing_tra
   return GC::visual_class(left, right, bound);
 }
 
+std::optional<GC::Visual_class> segment_class(const GC::Bezier_curve<Grid_traits>& left,
+                                              const GC::Bezier_curve<Grid_traits>& right,
+                                              const GC::Corner_threshold& bound) {
+  return GC::visual_class(left, right, bound);
+}
+
 std::optional<GC::Visual_class> segment_class(const GC::Path_segment<Drawing_traits>& left,
                                               const GC::Path_segment<Drawing_traits>& right,
                                               const GC::Corner_threshold& bound) {
@@ -25,5 +31,10 @@ std::optional<GC::Enclosure> segment_angle(const GC::Path_segment<Drawing_traits
 
 std::optional<GC::Kink_size> segment_kink(const GC::Bezier_curve<Drawing_traits>& left,
                                           const GC::Bezier_curve<Drawing_traits>& right) {
+  return GC::kink_size(left, right);
+}
+
+std::optional<GC::Kink_size> segment_kink(const GC::Bezier_curve<Grid_traits>& left,
+                                          const GC::Bezier_curve<Grid_traits>& right) {
   return GC::kink_size(left, right);
 }

@@ -14,11 +14,17 @@
 
 #include <optional>
 
-// Questions about the joins of the segments of a drawing, which are compiled once.
+// Questions about the joins of the segments of a drawing, or of a grid, which are compiled once.
+
+// The coordinates on a grid, in floating-point numbers, which hold them exactly.
+typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Grid_traits;
 
 // Returns what GC::visual_class() does.
 std::optional<GC::Visual_class> segment_class(const GC::Bezier_curve<Drawing_traits>& left,
                                               const GC::Bezier_curve<Drawing_traits>& right,
+                                              const GC::Corner_threshold& bound);
+std::optional<GC::Visual_class> segment_class(const GC::Bezier_curve<Grid_traits>& left,
+                                              const GC::Bezier_curve<Grid_traits>& right,
                                               const GC::Corner_threshold& bound);
 std::optional<GC::Visual_class> segment_class(const GC::Path_segment<Drawing_traits>& left,
                                               const GC::Path_segment<Drawing_traits>& right,
@@ -31,5 +37,7 @@ std::optional<GC::Enclosure> segment_angle(const GC::Path_segment<Drawing_traits
 // Returns what GC::kink_size() does.
 std::optional<GC::Kink_size> segment_kink(const GC::Bezier_curve<Drawing_traits>& left,
                                           const GC::Bezier_curve<Drawing_traits>& right);
+std::optional<GC::Kink_size> segment_kink(const GC::Bezier_curve<Grid_traits>& left,
+                                          const GC::Bezier_curve<Grid_traits>& right);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_SEGMENT_JOINS_H

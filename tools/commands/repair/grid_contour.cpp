@@ -4,10 +4,7 @@
 
 #include "commands/repair/grid_contour.h"
 
-#include "commands/drawings/segment_joins.h"
-
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
 #include <algorithm>
@@ -27,10 +24,6 @@ Grid_bezier grid_bezier(const std::vector<GC::Grid_vector>& points) {
   std::vector<Grid_bezier::Traits::Point> p;
   for (const GC::Grid_vector& v : points) p.emplace_back(static_cast<double>(v.x), static_cast<double>(v.y));
   return Grid_bezier(p.begin(), p.end());
-}
-
-std::optional<GC::Kink_size> grid_kink(const Grid_bezier& left, const Grid_bezier& right) {
-  return GC::kink_size(left, right);
 }
 
 bool is_line(const std::vector<GC::Grid_vector>& points) {
@@ -89,7 +82,7 @@ std::optional<GC::Visual_class> grade(const Grid_contour& contour, std::size_t j
                                       const GC::Corner_threshold& bound) {
   const Grid_curve &left = contour.curves[join], &right = contour.curves[contour.next(join)];
   const bool beziers = !left.points.empty() && !right.points.empty();
-  if (beziers && !contour.map) return GC::visual_class(grid_bezier(left.points), grid_bezier(right.points), bound);
+  if (beziers && !contour.map) return segment_class(grid_bezier(left.points), grid_bezier(right.points), bound);
   if (!beziers && ((left.points.empty() && !left.arc) || (right.points.empty() && !right.arc))) return std::nullopt;
   const Exact_segment x = exact_segment(left), y = exact_segment(right);
   return contour.map ? segment_class(x.transform(*contour.map), y.transform(*contour.map), bound)
