@@ -9,7 +9,10 @@
 #include "by_hand.h"
 #include "measure.h"
 
-#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Simple_cartesian.h>
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT

@@ -6,7 +6,9 @@
 // and cross derivative it keeps. A side that does not fit is refused, with the corner and the condition.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
+#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <iostream>

@@ -7,7 +7,9 @@
 // by a billionth, the order falls.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <iostream>

@@ -7,7 +7,7 @@
 // the edges with the same curvature.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 #include <CGAL/Simple_cartesian.h>
 #include <Geometric_continuity_figures/svg_surfaces.h>
 

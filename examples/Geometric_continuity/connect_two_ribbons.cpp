@@ -7,7 +7,7 @@
 // where.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <iostream>

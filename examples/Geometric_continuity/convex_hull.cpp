@@ -6,7 +6,7 @@
 // the GPL); whether a point is inside is decided by this package as well, in any dimension, and proved by weights.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/convex_hull_2.h>
 

@@ -7,8 +7,11 @@
 // place of the circle: now every edge is G2. Writes the models fillet.g2 and smooth_fillet.g2, and a picture of each.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
+#include <CGAL/Geometric_continuity/blends/Fair.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
+#include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 #include <CGAL/Simple_cartesian.h>
 #include <Geometric_continuity_figures/svg_surfaces.h>
 

@@ -6,7 +6,6 @@
 // rebuilt from its two constant curvatures, as a composite Bezier curve with continuous curvature, and compared with
 // the formula.
 
-#include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/curves/curve_from_curvatures.h>
 #include <CGAL/Simple_cartesian.h>
 

@@ -6,8 +6,9 @@
 // that place, exactly; the spout is trimmed back; and eight blends lead from the one to the other.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
+#include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
 #include <CGAL/Simple_cartesian.h>
 #include <Geometric_continuity_figures/svg_surfaces.h>
 

@@ -6,7 +6,9 @@
 // are single points and the normals of the patches vanish.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
+#include <CGAL/Geometric_continuity/models/tessellate.h>
+#include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <iostream>

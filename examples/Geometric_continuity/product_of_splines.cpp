@@ -6,7 +6,7 @@
 // must be, and no more; the product is checked at random parameters, without rounding.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 
 #include <iostream>
 #include <random>

@@ -6,8 +6,8 @@
 // exactly for the numbers in the file. No edge is sampled.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <fstream>

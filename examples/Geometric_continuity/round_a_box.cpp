@@ -5,7 +5,8 @@
 // A box without a lid: all its edges are rounded, and what is left open is named.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
+#include <CGAL/Geometric_continuity/models/round_edges.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <iostream>

@@ -5,7 +5,8 @@
 // A quarter of a cylinder stands on a plane. The edge in which they meet, an arc, is rounded: G2 with both along the whole new edges.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/surface_blends/round_edge.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <iostream>

@@ -5,8 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_PYTHON_GEOMETRY_H
 #define GEOMETRIC_CONTINUITY_PYTHON_GEOMETRY_H
 
-#include <CGAL/Geometric_continuity/joins/Visual_class.h>
-#include <CGAL/Geometric_continuity/joins/deviation.h>
+#include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 

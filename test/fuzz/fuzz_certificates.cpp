@@ -8,7 +8,7 @@
 
 #include "reports/certificate.h"
 
-#include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
+#include <CGAL/Geometric_continuity/IO/G2_span_reader.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Simple_cartesian.h>
 

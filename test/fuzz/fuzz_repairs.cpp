@@ -7,10 +7,9 @@
 
 #include "fuzz_target.h"
 
+#include "commands/drawings/segment_joins.h"
 #include "commands/repair/repair_drawing.h"
 #include "formats/svg/svg_drawing.h"
-
-#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <algorithm>
 #include <optional>
@@ -29,7 +28,7 @@ struct Grading_handler : Drawing_handler {
   void subpath(const Drawing_element&, int, const Drawing_subpath& path) override {
     const std::size_t n = path.segments.size();
     for (std::size_t i = 0; i < path.joins(); ++i)
-      grades.push_back(GC::visual_class(path.segments[i], path.segments[(i + 1) % n], bound));
+      grades.push_back(segment_class(path.segments[i], path.segments[(i + 1) % n], bound));
   }
   void not_read(const Drawing_element&, const std::string&) override {}
 };

@@ -5,8 +5,8 @@
 #include "reports/report_joins.h"
 
 #include "commands/chains/join_report.h"
+#include "commands/drawings/segment_joins.h"
 
-#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
@@ -40,7 +40,7 @@ const char* report_words(Report_grade grade, bool retracted) {
 
 Report_item measured_join(const Plane_curve& left, const Plane_curve& right, const Report_demand& demand) {
   Report_item item;
-  item.grade = report_grade(GC::visual_class(left, right, demand.corner_threshold));
+  item.grade = report_grade(segment_class(left, right, demand.corner_threshold));
   item.gap = item.angle = GC::Enclosure{0, 0};
   bool retracted = false;
   switch (item.grade) {
@@ -53,7 +53,7 @@ Report_item measured_join(const Plane_curve& left, const Plane_curve& right, con
   }
   case Report_grade::kink:
   case Report_grade::corner: {
-    const GC::Kink_size size = *GC::kink_size(left, right);
+    const GC::Kink_size size = *segment_kink(left, right);
     item.angle = GC::in_degrees(size.angle);
     if (item.grade == Report_grade::kink) item.offset = size.handle_offset;
     item.severity = size.severity.upper;

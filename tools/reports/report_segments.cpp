@@ -3,9 +3,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/chains/join_report.h"
+#include "commands/drawings/segment_joins.h"
 #include "reports/report_joins.h"
-
-#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <algorithm>
 #include <array>
@@ -63,9 +62,9 @@ std::shared_ptr<const Report_curve> drawn_curve(const Segment& given, std::size_
 Report_item measured_join(const Segment& left, const Segment& right, const Report_demand& demand) {
   if (left.bezier() && right.bezier()) return measured_join(*left.bezier(), *right.bezier(), demand);
   Report_item item;
-  item.grade = report_grade(GC::visual_class(left, right, demand.corner_threshold));
+  item.grade = report_grade(segment_class(left, right, demand.corner_threshold));
   item.gap = GC::Enclosure{0, 0}; // segments of a path
-  const std::optional<GC::Enclosure> angle = GC::tangent_angle(left, right);
+  const std::optional<GC::Enclosure> angle = segment_angle(left, right);
   if (angle) item.angle = GC::in_degrees(*angle);
   if (item.grade == Report_grade::kink || item.grade == Report_grade::corner)
     item.severity = angle->upper * (std::min)(chord(left), chord(right)) / 3;

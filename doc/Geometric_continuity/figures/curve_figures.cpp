@@ -4,7 +4,12 @@
 
 #include "figures.h"
 
+#include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
 #include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
+#include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
+#include <CGAL/Geometric_continuity/local/congruence.h>
+#include <CGAL/Geometric_continuity/local/curvatures.h>
 
 #include <array>
 #include <cmath>
@@ -83,8 +88,8 @@ void kinks_and_corners(const std::string& file) {
     GC::Svg_style outline = named(given, "outline"), handles = named(result, "handles");
     outline.in_frame = false;
     const double length = std::sqrt(CGAL::squared_distance(node, behind) / CGAL::squared_distance(before, node));
-    const auto size = GC::kink_size(left, right);
-    std::string degrees = std::to_string(0.01 * std::round(100 * GC::in_degrees(size->angle).upper));
+    const GC::Enclosure angle = *GC::deviation(left, right).tangent_angle;
+    std::string degrees = std::to_string(0.01 * std::round(100 * GC::in_degrees(angle).upper));
     degrees.resize(degrees.find('.') + 3);
     GC::Svg_panel panel(caption + ": " + degrees + "\u00b0");
     panel.add(left, outline).join().add(right, outline);

@@ -5,6 +5,7 @@
 #include "figures.h"
 
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <memory>
 #include <string>

@@ -7,7 +7,8 @@
 #ifndef GEOMETRIC_CONTINUITY_DOC_FIGURES_H
 #define GEOMETRIC_CONTINUITY_DOC_FIGURES_H
 
-#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Simple_cartesian.h>
 #include <Geometric_continuity_figures/Svg_figure.h>
 

@@ -5,7 +5,13 @@
 #include "figures.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/blends/Fair.h>
+#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
+#include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
+#include <CGAL/Geometric_continuity/surfaces/swept_surfaces.h>
 #include <Geometric_continuity_figures/svg_surfaces.h>
 
 #include <cmath>

@@ -6,6 +6,7 @@
 
 #include "support/test.h"
 
+#include <CGAL/Geometric_continuity/IO/G2_span_reader.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 

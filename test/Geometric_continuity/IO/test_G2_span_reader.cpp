@@ -12,6 +12,7 @@
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/G2_span_reader.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/Traits.h>

@@ -4,12 +4,12 @@
 
 // Representable blends that aim at the fair one: exactly G2, and almost as fair.
 
+#include "support/decided_joins.h"
 #include "support/fairness.h"
 #include "support/test.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
-#include <CGAL/Geometric_continuity/joins/join_predicates.h>
 
 BOOST_AUTO_TEST_SUITE(Fair_representable)
 

@@ -6,13 +6,13 @@
 // is the same as in every other field. How blends are called.
 
 #include "support/archetype.h"
+#include "support/decided_joins.h"
 #include "support/plain_traits.h"
 #include "support/test.h"
 
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 BOOST_AUTO_TEST_SUITE(fields)

@@ -4,12 +4,12 @@
 
 // Fair splines through points: joins are decided exactly, and fairness is compared with that of cubic splines.
 
+#include "support/decided_joins.h"
 #include "support/exact_splines.h"
 
 #include <CGAL/Geometric_continuity/blends/interpolate_fair.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
-#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
 BOOST_AUTO_TEST_SUITE(fair_interpolation)
 

@@ -4,11 +4,11 @@
 
 // Curves near polylines. Joins are decided exactly on the control points; distances are compared with those of many points.
 
+#include "support/decided_joins.h"
 #include "support/exact_splines.h"
 #include "support/plain_traits.h"
 
 #include <CGAL/Geometric_continuity/curves/fit.h>
-#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 BOOST_AUTO_TEST_SUITE(fit)

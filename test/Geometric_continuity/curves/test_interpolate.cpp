@@ -4,10 +4,10 @@
 
 // Cubic splines through points. With exact numbers all is compared with ==.
 
+#include "support/decided_joins.h"
 #include "support/exact_splines.h"
 
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
-#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
 BOOST_AUTO_TEST_SUITE(interpolation)
 

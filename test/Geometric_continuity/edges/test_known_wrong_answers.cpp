@@ -5,11 +5,11 @@
 // Joins and edges that other programs are known to judge wrongly. Each test writes down the rule that is led astray, shows
 // that it is, and checks the exact answer.
 
+#include "support/decided_joins.h"
 #include "support/test.h"
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
 

@@ -4,6 +4,7 @@
 
 // Where the normals of swept surfaces vanish, and how smoothly swept surfaces join.
 
+#include "support/decided_joins.h"
 #include "support/swept_surfaces.h"
 
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>

@@ -6,6 +6,7 @@
 
 #include "support/jets.h"
 
+#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 
 BOOST_AUTO_TEST_SUITE(join_certificates)

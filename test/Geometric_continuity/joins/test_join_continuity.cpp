@@ -6,6 +6,7 @@
 
 #include "support/jets.h"
 
+#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
 typedef std::tuple<Exact_3, Double_3, Epick_3> Spaces;

@@ -4,10 +4,10 @@
 
 // Kinks are repaired on the grid: no pair of parallel vectors is nearer, for random and for special legs.
 
+#include "support/decided_joins.h"
 #include "support/test.h"
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
 BOOST_AUTO_TEST_SUITE(align_handles)

@@ -4,11 +4,11 @@
 
 // The lengths of handles are changed so that curvatures agree: exactly where the grid has such lengths, otherwise nearly.
 
+#include "support/decided_joins.h"
 #include "support/test.h"
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
-#include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
 BOOST_AUTO_TEST_SUITE(harmonise_handles)

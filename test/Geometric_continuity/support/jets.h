@@ -7,7 +7,7 @@
 #include "random.h"
 
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
-#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/local/congruence.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 

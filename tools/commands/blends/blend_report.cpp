@@ -4,6 +4,7 @@
 
 #include "commands/blends/blend_report.h"
 
+#include "commands/chains/decided_join.h"
 #include "files/terminal.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
@@ -161,7 +162,7 @@ void write_members(std::ostream& os, const GC::Fair_report& search) {
 Blend_report::Blend_report(const std::string& strategy, const Exact_curve& gamma, const Exact_curve& phi,
                            const Exact_curve& psi, const Exact& beta, const Exact& eta, const std::string& parameters,
                            const std::optional<GC::Fair_report>& search, bool limited)
-    : strategy(strategy), curve(gamma), start(GC::continuity(phi, gamma, 3)), end(GC::continuity(gamma, psi, 3)),
+    : strategy(strategy), curve(gamma), start(decided_join(phi, gamma, 3)), end(decided_join(gamma, psi, 3)),
       beta(beta), eta(eta), parameters(parameters), fairness(GC::fairness(gamma)),
       bending_energy(GC::bending_energy(gamma)), curvature(extrema(gamma, limited)), search(search),
       warning(warning_of(gamma)) {}

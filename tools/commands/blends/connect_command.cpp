@@ -8,6 +8,7 @@
 #include "files/output.h"
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
 #include <CGAL/Simple_cartesian.h>

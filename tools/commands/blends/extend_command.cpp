@@ -2,6 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "commands/chains/decided_join.h"
 #include "commands/chains/join_report.h"
 #include "commands/command_line.h"
 #include "commands/work_limit.h"
@@ -80,7 +81,7 @@ template <class FT> int extend(const Command_line& line) {
     const GC::Work_scope scope(GC::Work_scope::limit_of_each(), "extend");
     return next_segment(line, last, order);
   }();
-  const Join join = GC::continuity(as_written(last), as_written(next), 3);
+  const Join join = decided_join(as_written(last), as_written(next), 3);
   const bool proved = order == Order::tangent                             ? join.g_order >= 1
                       : order == Order::curvature || next.dimension() < 3 ? join.g_order >= 2
                                                                           : join.f_order >= 3;

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "commands/chains/join_report.h"
+#include "commands/chains/decided_join.h"
 #include "commands/command_line.h"
 #include "commands/surfaces_hint.h"
 #include "files/output.h"
@@ -29,18 +29,21 @@ std::string name_without_folder(const std::string& file) { return file.substr(fi
 // Draws the chain of curves of a file.
 GC::Svg_panel picture(const std::string& file, const GC::Svg_style& style, bool closed) {
   GC::Svg_panel panel(name_without_folder(file));
-  GC::Chain_accumulator<Exact_curve> chain;
   Curve_stream<GC::G2_piece_reader<Program_traits<Exact>>> stream({file});
   Progress progress("curves read");
-  const auto mark = [&](const GC::Chain_join<Exact_curve>& join) {
-    panel.join(join.continuity.c_order < 0 ? "gap" : 'G' + std::to_string(join.continuity.g_order));
+  const auto mark = [&](const Exact_curve& left, const Exact_curve& right) {
+    const GC::Join_continuity<Exact> join = decided_join(left, right, 3);
+    panel.join(join.c_order < 0 ? "gap" : 'G' + std::to_string(join.g_order));
   };
-  for (std::optional<Exact_curve> curve; stream.next(curve);) {
-    chain.add(*curve, mark); // at the end of the curve before
+  std::optional<Exact_curve> first, last;
+  std::size_t curves = 0;
+  for (std::optional<Exact_curve> curve; stream.next(curve); last = curve) {
+    if (!first) first = curve;
+    if (last) mark(*last, *curve); // at the end of the curve before
     panel.add(*curve, style);
-    progress.step(chain.size());
+    progress.step(++curves);
   }
-  if (closed) chain.close(mark);
+  if (closed && last) mark(*last, *first);
   return panel;
 }
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
+#include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <cstddef>

@@ -5,6 +5,7 @@
 #include "commands/chains/join_report.h"
 
 #include "commands/chains/remark_numbers.h"
+#include "formats/g2_text/spans.h"
 
 #include <algorithm>
 #include <charconv>

@@ -10,14 +10,19 @@
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
-#include <CGAL/Geometric_continuity/joins/Span_join.h>
-#include <CGAL/Geometric_continuity/joins/chain_continuity.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Sqrt_extension.h>
 
 #include <cstddef>
 #include <optional>
 #include <string>
+
+namespace CGAL {
+namespace Geometric_continuity {
+template <class Span> class Span_join;
+}
+} // namespace CGAL
 
 typedef GC::Join_continuity<Exact> Join;
 

@@ -7,6 +7,7 @@
 
 #include "commands/chains/join_report.h"
 
+#include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/chains/Drawn_join.h"
+#include "commands/chains/decided_join.h"
 #include "commands/chains/join_report.h"
 #include "commands/work_limit.h"
 #include "files/progress.h"
@@ -59,7 +60,7 @@ typedef GC::Coordinate_vector<Exact, 0> Exact_vector;
 // The grade and the measures of any join; where a tangent is zero, that of the drawn curves.
 Report_item measured_exactly(const Exact_curve& left, const Exact_curve& right, const Report_demand& demand) {
   Report_item item;
-  const Join join = GC::continuity(left, right, 2);
+  const Join join = decided_join(left, right, 2);
   const GC::Join_deviation d = GC::deviation(left, right);
   item.gap = d.gap;
   if (d.tangent_angle) item.angle = GC::in_degrees(*d.tangent_angle);
@@ -107,7 +108,7 @@ void show_join(Chain_piece& left, Chain_piece& right, bool several_files,
         if (!page.count(item.grade, item.severity)) return;
         item.number = page.total();
         item.place = place();
-        item.verdict = orders(GC::continuity(left.curve, right.curve, 3)) + ": " + item.verdict;
+        item.verdict = orders(decided_join(left.curve, right.curve, 3)) + ": " + item.verdict;
         item.left = left.drawing();
         item.right = right.drawing();
         item.outline = outline;

@@ -9,6 +9,7 @@
 #include "commands/chains/ordered_batches.h"
 #include "commands/work_limit.h"
 #include "files/progress.h"
+#include "formats/g2_text/spans.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -5,8 +5,7 @@
 #include "commands/drawings/Subpath_joins.h"
 
 #include "commands/drawings/element_units.h"
-
-#include <CGAL/Geometric_continuity/joins/path_continuity.h>
+#include "commands/drawings/segment_joins.h"
 
 #include <algorithm>
 #include <array>
@@ -129,7 +128,7 @@ private:
     GC::Enclosure sum{0, 0};
     std::size_t before = left;
     const auto add = [&](std::size_t i) {
-      const GC::Enclosure angle = *GC::tangent_angle(path_.segments[before], path_.segments[i]);
+      const GC::Enclosure angle = *segment_angle(path_.segments[before], path_.segments[i]);
       sum.lower += angle.lower;
       sum.upper += angle.upper;
       before = i;
@@ -137,7 +136,7 @@ private:
     for (const std::size_t i : run) add(i);
     add(right);
     const double rounding = 1e-15 * static_cast<double>(run.size() + 1) * sum.lower;
-    const double turn = GC::tangent_angle(path_.segments[left], path_.segments[right])->upper;
+    const double turn = segment_angle(path_.segments[left], path_.segments[right])->upper;
     return turn < sum.lower - rounding || (sum.upper == 0 && turn == 0);
   }
 };

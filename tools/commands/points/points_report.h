@@ -6,9 +6,11 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_POINTS_POINTS_REPORT_H
 
 #include "commands/command_line.h"
+#include "commands/points/joins_of_pieces.h"
 #include "commands/points/read_points.h"
 #include "files/output.h"
 
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <Geometric_continuity_figures/Svg_figure.h>
 
 #include <algorithm>
@@ -48,42 +50,6 @@ template <class Work> auto with_name(const Command_line& line, Work work) {
     if (e.code() == GC::Error_code::work_limit) throw;
     throw std::invalid_argument(input_name(line.files()[0]) + ": " + e.what());
   }
-}
-
-// The pieces of a curve, and the joins between them that are no corners.
-struct Joins_of_pieces {
-  std::size_t pieces = 0, joins = 0;
-  int c_order = 2, g_order = 2;       // of all joins, 2 at most
-  std::size_t not_c2 = 0, not_g2 = 0; // joins
-};
-
-// Decides the joins of the pieces of curves that are written, .g2, exactly on numbers that a `Number` holds as they stand there. At the
-// starts of the pieces with the numbers `corners`, in increasing order, are corners.
-template <class Number>
-Joins_of_pieces decide_joins(const std::string& text, GC::Closure closure, const std::vector<int>& corners = {}) {
-  typedef Program_span<Number> Span;
-  std::istringstream is(text);
-  GC::G2_span_reader<Program_traits<Exact>, Number> reader(is, "what is written", 3);
-  Joins_of_pieces result;
-  const auto decide = [&](const Span& left, const Span& right, std::size_t number) {
-    if (std::binary_search(corners.begin(), corners.end(), static_cast<int>(number))) return;
-    const GC::Join_continuity<Exact> join = continuity_orders(left, right, 2);
-    ++result.joins;
-    result.c_order = (std::min)(result.c_order, join.c_order);
-    result.g_order = (std::min)(result.g_order, join.g_order);
-    result.not_c2 += join.c_order < 2;
-    result.not_g2 += join.g_order < 2;
-  };
-  Span first, last;
-  for (Span next; reader.next(next); ++result.pieces) {
-    if (result.pieces == 0)
-      first = next;
-    else
-      decide(last, next, result.pieces);
-    std::swap(last, next);
-  }
-  if (closure == GC::Closure::closed) decide(last, first, 0);
-  return result;
 }
 
 // Writes curves as they are, and draws them with the lines from point to point, where that is asked for.

@@ -5,7 +5,6 @@
 #include "commands/repair/grid_contour.h"
 
 #include <CGAL/Fraction_traits.h>
-#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
 #include <algorithm>
@@ -83,11 +82,11 @@ std::optional<GC::Visual_class> grade(const Grid_contour& contour, std::size_t j
                                       const GC::Corner_threshold& bound) {
   const Grid_curve &left = contour.curves[join], &right = contour.curves[contour.next(join)];
   const bool beziers = !left.points.empty() && !right.points.empty();
-  if (beziers && !contour.map) return GC::visual_class(grid_bezier(left.points), grid_bezier(right.points), bound);
+  if (beziers && !contour.map) return segment_class(grid_bezier(left.points), grid_bezier(right.points), bound);
   if (!beziers && ((left.points.empty() && !left.arc) || (right.points.empty() && !right.arc))) return std::nullopt;
   const Exact_segment x = exact_segment(left), y = exact_segment(right);
-  return contour.map ? GC::visual_class(x.transform(*contour.map), y.transform(*contour.map), bound)
-                     : GC::visual_class(x, y, bound);
+  return contour.map ? segment_class(x.transform(*contour.map), y.transform(*contour.map), bound)
+                     : segment_class(x, y, bound);
 }
 
 Grade_counts grades(const Grid_contour& contour, const GC::Corner_threshold& bound) {

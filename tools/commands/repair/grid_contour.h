@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_GRID_CONTOUR_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_GRID_CONTOUR_H
 
+#include "commands/drawings/segment_joins.h"
 #include "formats/svg/svg_drawing.h"
 
 #include <CGAL/Geometric_continuity/Traits.h>
@@ -55,7 +56,7 @@ struct Grid_contour {
 };
 
 // A curve on the grid in floating-point numbers, which hold its coordinates exactly.
-typedef GC::Bezier_curve<GC::Traits_2<CGAL::Simple_cartesian<double>>> Grid_bezier;
+typedef GC::Bezier_curve<Grid_traits> Grid_bezier;
 Grid_bezier grid_bezier(const std::vector<GC::Grid_vector>& points);
 
 // Returns whether the control points lie on the chord, in order.

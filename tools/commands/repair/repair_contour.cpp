@@ -4,7 +4,6 @@
 
 #include "commands/repair/repair_contour.h"
 
-#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
@@ -101,7 +100,7 @@ class Contour_mender {
   State state(std::size_t join) const {
     State s{join, grade(join), std::nullopt};
     if (s.grade == GC::Visual_class::kink && !points(join).empty() && !points(next(join)).empty())
-      s.size = GC::kink_size(grid_bezier(points(join)), grid_bezier(points(next(join))));
+      s.size = segment_kink(grid_bezier(points(join)), grid_bezier(points(next(join))));
     return s;
   }
 
@@ -225,7 +224,7 @@ class Contour_mender {
       const Vector& tangent = left.arc ? a : b;
       off = GC::sqrt_enclosure(CGAL::Exact_rational(c * c / exact(squared_length(tangent)))).lower;
     } else
-      off = GC::kink_size(grid_bezier(left.points), grid_bezier(right.points))->handle_offset.lower;
+      off = segment_kink(grid_bezier(left.points), grid_bezier(right.points))->handle_offset.lower;
     return CGAL::Exact_rational(2 * CGAL::Exact_rational(off) + 1);
   }
 

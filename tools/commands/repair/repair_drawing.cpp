@@ -5,12 +5,12 @@
 #include "commands/repair/repair_drawing.h"
 
 #include "commands/drawings/Subpath_joins.h"
+#include "commands/drawings/segment_joins.h"
 #include "commands/repair/path_text.h"
 #include "files/progress.h"
 #include "formats/svg/svg_drawing.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <algorithm>
 #include <sstream>
@@ -26,7 +26,7 @@ template <class Function>
 void for_each_join(const Drawing_element& element, const Drawing_subpath& path, const GC::Corner_threshold& bound,
                    Function f) {
   Subpath_joins(element, path).for_each([&](std::size_t i, std::size_t, std::size_t looked_through, const auto& right) {
-    f(i, GC::visual_class(path.segments[i], right, bound), looked_through);
+    f(i, segment_class(path.segments[i], right, bound), looked_through);
   });
 }
 

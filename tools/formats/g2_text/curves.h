@@ -10,9 +10,13 @@
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
+#include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
+#include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
 #include <functional>
 #include <istream>
@@ -31,7 +35,6 @@ using Program_curve = GC::Rational_bezier_curve<Program_traits<FT>>; // polynomi
 typedef CGAL::Exact_rational Exact;
 typedef Program_curve<Exact> Exact_curve;
 typedef GC::Curve_end_jets<Program_traits<Exact>> Exact_ends;
-template <class Number> using Program_span = GC::G2_span<Program_traits<Exact>, Number>;
 
 // Returns the curve with the same control points, weights and domain, as exact numbers.
 template <class FT> Exact_curve exact(const Program_curve<FT>& curve) {
@@ -125,7 +128,7 @@ private:
     curve = reader.next();
     return curve ? curve->dimension() : 0;
   }
-  template <class Traits, class Number> static int read(Reader& reader, GC::G2_span<Traits, Number>& span) {
+  template <class Span> static int read(Reader& reader, Span& span) {
     return reader.next(span) ? span.dimension() : 0;
   }
 };

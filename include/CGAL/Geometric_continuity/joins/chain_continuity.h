@@ -11,10 +11,8 @@
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <ostream>
 #include <type_traits>
@@ -23,92 +21,6 @@
 
 namespace CGAL {
 namespace Geometric_continuity {
-
-/// \ingroup PkgGeometricContinuityContinuity
-/// The three kinds of continuity, each of which has an order.
-enum class Continuity_kind {
-  C, ///< equal derivatives
-  G, ///< equal derivatives with respect to arc length
-  F  ///< equal Frenet frames and curvatures
-};
-
-/// \ingroup PkgGeometricContinuityContinuity
-/// Returns the order of one kind that was decided for a join.
-template <class FT> int order_of(const Join_continuity<FT>& join, Continuity_kind kind) {
-  return kind == Continuity_kind::C ? join.c_order : kind == Continuity_kind::G ? join.g_order : join.f_order;
-}
-
-/// \ingroup PkgGeometricContinuityContinuity
-/// How many joins of a chain have which order. The size does not depend on the length of the chain.
-class Chain_summary {
-  std::size_t joins_ = 0;
-  std::array<std::vector<std::size_t>, 3> counts_; // of the orders -1, 0, 1, ...
-
-public:
-  /// Counts one more join.
-  template <class FT> void add(const Join_continuity<FT>& join) {
-    ++joins_;
-    for (Continuity_kind kind : {Continuity_kind::C, Continuity_kind::G, Continuity_kind::F})
-      add(kind, order_of(join, kind), 1);
-  }
-
-  /// Counts the joins of another part of the chain.
-  Chain_summary& operator+=(const Chain_summary& other) {
-    joins_ += other.joins_;
-    for (Continuity_kind kind : {Continuity_kind::C, Continuity_kind::G, Continuity_kind::F})
-      for (const auto& [order, count] : other.counts(kind)) add(kind, order, count);
-    return *this;
-  }
-
-  /// Returns the number of joins.
-  std::size_t joins() const { return joins_; }
-
-  /// Returns for each order that occurs the number of joins of exactly this order; -1 stands for a gap. Joins of the highest order
-  /// that was asked for may be smoother than that.
-  std::map<int, std::size_t> counts(Continuity_kind kind) const {
-    std::map<int, std::size_t> counts;
-    int order = -1;
-    for (const std::size_t count : counts_[static_cast<int>(kind)]) {
-      if (count > 0) counts[order] = count;
-      ++order;
-    }
-    return counts;
-  }
-
-  /// Returns the least \f$ C \f$ order of all joins: the chain as a whole has this continuity. Empty for a chain without joins.
-  std::optional<int> c_order() const { return least_order(Continuity_kind::C); }
-  /// Returns the least \f$ G \f$ order of all joins. Empty for a chain without joins.
-  std::optional<int> g_order() const { return least_order(Continuity_kind::G); }
-  /// Returns the least \f$ F \f$ order of all joins. Empty for a chain without joins.
-  std::optional<int> f_order() const { return least_order(Continuity_kind::F); }
-
-  /// Returns the number of joins whose order of this kind is less than `order`.
-  std::size_t failing(Continuity_kind kind, int order) const {
-    std::size_t n = 0;
-    for (const std::pair<const int, std::size_t>& count : counts(kind)) n += count.first < order ? count.second : 0;
-    return n;
-  }
-
-  /// Writes the number of joins and the least orders, e.g. `3 joins, C0 G2 F2 or more`.
-  friend std::ostream& operator<<(std::ostream& os, const Chain_summary& s) {
-    os << s.joins_ << (s.joins_ == 1 ? " join" : " joins");
-    if (s.joins_ == 0) return os;
-    if (*s.c_order() < 0) return os << ", " << s.failing(Continuity_kind::C, 0) << " with a gap";
-    return os << ", C" << *s.c_order() << " G" << *s.g_order() << " F" << *s.f_order() << " or more";
-  }
-
-private:
-  std::optional<int> least_order(Continuity_kind kind) const {
-    if (joins_ == 0) return std::nullopt;
-    return counts(kind).begin()->first;
-  }
-
-  void add(Continuity_kind kind, int order, std::size_t count) {
-    std::vector<std::size_t>& counts = counts_[static_cast<int>(kind)];
-    if (counts.size() < static_cast<std::size_t>(order + 2)) counts.resize(order + 2);
-    counts[order + 1] += count;
-  }
-};
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// A join of a chain, as it is reported. It refers to the two curves and is valid during the report only.

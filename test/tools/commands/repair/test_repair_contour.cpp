@@ -9,7 +9,6 @@
 
 #include "commands/repair/repair_contour.h"
 
-#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 
 typedef GC::Grid_vector Vector;
 typedef std::vector<Vector> Points;
@@ -121,7 +120,7 @@ BOOST_AUTO_TEST_CASE(nothing_is_harmed) {
         for (const std::size_t j : {left, m.curve})
           if (grade(given, j, bound) == GC::Visual_class::kink)
             off = (std::max)(
-                off, GC::kink_size(grid_bezier(given.curves[j].points), grid_bezier(given.curves[given.next(j)].points))
+                off, segment_kink(grid_bezier(given.curves[j].points), grid_bezier(given.curves[given.next(j)].points))
                          ->handle_offset.upper);
         BOOST_CHECK(m.distance().lower <= 2 * off + 1);
       }
@@ -158,7 +157,7 @@ BOOST_AUTO_TEST_CASE(least_change) {
         contour({{{-60, 30}, {-50, 20}, -1 * a, {0, 0}}, {{0, 0}, b, {50, 20}, {60, -30}}}, false);
     if (grade(given, 0, bound) != GC::Visual_class::kink) continue;
     if (a.y == -b.y && a.x == b.x) continue; // mirror images stay so
-    const double off = GC::kink_size(grid_bezier(given.curves[0].points), grid_bezier(given.curves[1].points))
+    const double off = segment_kink(grid_bezier(given.curves[0].points), grid_bezier(given.curves[1].points))
                            ->handle_offset.lower,
                  most = 2 * off + 1;
     double least = 1e300;
