@@ -171,7 +171,7 @@ def explained(lines, branches, complete):
 
 def write_manual(rows):
     text = manual.read_text()
-    head = re.search(r"^\| Room \| Lines .*\n\|.*\n", text, re.M)
+    head = re.search(r"^\| Module \| Lines .*\n\|.*\n", text, re.M)
     rest = re.compile(r"(?:\|.*\n)*").match(text, head.end())
     manual.write_text(text[: head.end()] + "\n".join(rows) + "\n" + text[rest.end() :])
 

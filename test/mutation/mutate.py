@@ -313,7 +313,7 @@ def table(results):
 
 def write_manual(rows):
     text = manual.read_text()
-    head = re.search(r"^\| Room \| Tried .*\n\|.*\n", text, re.M)
+    head = re.search(r"^\| Module \| Tried .*\n\|.*\n", text, re.M)
     rest = re.compile(r"(?:\|.*\n)*").match(text, head.end())
     manual.write_text(text[: head.end()] + "\n".join(rows) + "\n" + text[rest.end() :])
 
