@@ -55,7 +55,7 @@ inline void check(bool good, std::string_view what) {
   std::exit(1);
 }
 
-// What main() does after the answers have been compared and the benchmarks registered.
+// Runs the registered benchmarks, after main() has compared the answers.
 inline int run_benchmarks(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   Ratio_table table;

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What guaranteed verdicts on all edges of CAD models cost, against those that OpenCASCADE takes from samples, and where they
-// differ or are wide.
+// Measures the cost of guaranteed verdicts on all edges of CAD models, against the verdicts that OpenCASCADE takes from samples, and lists where both differ or where enclosures are wide.
 //   benchmark_cad MODEL...
 // Each model has a process of its own on one core, which reads it and decides its edges with the code of the program. Then, in the same
 // process, OpenCASCADE takes its samples. The tolerances are those of VDA 4955.
@@ -38,8 +37,7 @@
 
 namespace {
 
-// Of a model, or of all. What has two sides is decided, seams as well. Missed: the largest angle exceeds all those at the samples by
-// more than a tenth, and a thousandth of a degree. Seconds of the processor.
+// Holds the counts for one model, or for all. Edges with two sides are decided, seams as well. An edge is missed if the largest angle exceeds all angles at the samples by more than a tenth, and by a thousandth of a degree. Times are in seconds of the processor.
 struct Row {
   std::size_t edges, decided, proved, refuted, undecided, wide, exact, differing, missed;
   double reading, deciding, slowest, deciding_exactly, sampling;

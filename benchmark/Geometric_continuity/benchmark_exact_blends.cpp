@@ -203,7 +203,7 @@ template <class Strategy> void add_strategy(const std::string& name, const Strat
   }
 }
 
-// What it takes to get the jets of curves.
+// Measures the time to get the jets of curves.
 void add_curves() {
   typedef GC::Bezier_curve<Exact_traits, 5> Curve;
   std::mt19937_64 engine(5);

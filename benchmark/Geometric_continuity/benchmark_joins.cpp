@@ -335,7 +335,7 @@ void register_chains() {
 }
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
-// What OpenCASCADE offers for G2, with tolerances: it accepts the joins that are off by one unit as well.
+// OpenCASCADE offers these checks of G2, with tolerances: they accept the joins that are off by one unit as well.
 struct Occt_curves {
   std::vector<Handle(Geom_BezierCurve)> left;
   std::array<std::vector<Handle(Geom_BezierCurve)>, 3> right;

@@ -88,8 +88,7 @@ std::vector<std::array<double, 3>> by_hand(const std::vector<Point>& p, const st
   return x;
 }
 
-// The same by rotations of rows of a band matrix, as FITPACK solves such systems (fpgivs, fprota, fpback): with two diagonals above the
-// first one.
+// Solves the system by rotations of rows of a band matrix, as FITPACK solves such systems (fpgivs, fprota, fpback), with two diagonals above the first one.
 std::vector<std::array<double, 3>> by_rotations(const std::vector<Point>& p, const std::vector<double>& u) {
   const int n = static_cast<int>(p.size());
   std::vector<std::array<double, 3>> band(n + 2), x(n + 2); // of row i, the columns i, i + 1, i + 2
@@ -119,7 +118,7 @@ std::vector<std::array<double, 3>> by_rotations(const std::vector<Point>& p, con
 }
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_EIGEN
-// The same by a general solver for sparse matrices.
+// Solves the system by a general solver for sparse matrices.
 Eigen::MatrixXd by_eigen(const std::vector<Point>& p, const std::vector<double>& u) {
   const int n = static_cast<int>(p.size());
   std::vector<Eigen::Triplet<double>> entries;

@@ -82,7 +82,7 @@ public:
     return out;
   }
 
-  // The same for many parameters; `out` has `stride` numbers for each derivative and coordinate.
+  // Evaluates many parameters; `out` has `stride` numbers for each derivative and coordinate.
   void batch(const double* u, std::size_t size, double* out, std::size_t stride) const {
     for (int x = 0; x < 3; ++x) {
       double p[4][6]; // of its own, and not changed by what is written
@@ -106,7 +106,7 @@ private:
   }
 };
 
-// Of many jets; `jets` are the first derivatives, then the second and the third, with `stride` numbers for each coordinate.
+// Takes many jets; `jets` are the first derivatives, then the second and the third, with `stride` numbers for each coordinate.
 inline void curvature_and_torsion(const double* jets, std::size_t stride, std::size_t size, double* __restrict k,
                                   double* __restrict t) {
   const double *x1 = jets, *y1 = x1 + stride, *z1 = y1 + stride, *x2 = z1 + stride, *y2 = x2 + stride,
@@ -145,8 +145,7 @@ inline Blend blend(const Jet& x, const Jet& y) {
   return g;
 }
 
-// The same with what the package promises: jets of a low order, zero tangents and results that overflow are refused, and the
-// curve has its domain and the parameters of the strategy with it.
+// A blend with the guarantees of the package: jets of a low order, zero tangents and results that overflow are refused, and the curve has its domain and the parameters of the strategy with it.
 struct Checked_blend {
   Blend curve;
   double a, b;

@@ -35,7 +35,7 @@ try {
     const most = (key) => Math.max(0, ...joins.map((j) => j[key] ?? 0));
     return `${joins.length} joins${corners ? ` and ${corners} corners` : ''}, G1 ${joins.filter((j) => j.g >= 1).length}, G2 ${joins.filter((j) => j.g >= 2).length}, kinks to ${number(most('angle'))} degrees, curvature off by up to ${number(most('jump'))} %`;
   };
-  // What a path is: its orders exactly for its numbers; the bounds of arcs, which are rounded there, are those of their nearest doubles.
+  // Decides the orders of a path exactly, for its numbers. The bounds of arcs, which are rounded there, belong to their nearest doubles.
   const decided = async (d) => {
     const text = drawing(d), curves = (await gc.svgCurves(text)).subpaths.flatMap((p) => p.curves);
     return words((await gc.verifySvg(text)).joins.map(({ left, right, g_order }) => {

@@ -82,7 +82,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// What the ladder leaves open is decided from jets: the answer is not known here.
+// Jets decide the questions that the ladder leaves open, so the answer is not known here.
 template <class Questions, class Result>
 bool count_all_questions(const Questions& questions, int max_order, Result& join, bool only_orders) {
   const bool decided = decide_all_questions(questions, max_order, join, only_orders);

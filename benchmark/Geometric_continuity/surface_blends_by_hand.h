@@ -80,7 +80,7 @@ struct Surface_blend {
 };
 
 #ifdef CGAL_USE_GMPXX
-// The same in integers: one denominator for each patch, beta and delta in eighths, and each result is reduced once.
+// The blend in integers: there is one denominator for each patch, beta and delta are in eighths, and each result is reduced once.
 struct Exact_surface_blend {
   const Surface_blend_input<CGAL::Exact_rational>& x;
   mpz_class n[3][3], denominator, d, dd;

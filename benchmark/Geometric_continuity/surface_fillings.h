@@ -5,8 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_BENCHMARK_SURFACE_FILLINGS_H
 #define GEOMETRIC_CONTINUITY_BENCHMARK_SURFACE_FILLINGS_H
 
-// What OpenCASCADE and SISL put between the edge v1 of one patch and the edge v0 of another one, with given sides, and how far a surface is from
-// continuing both patches.
+// OpenCASCADE and SISL fill the gap between the edge v1 of one patch and the edge v0 of another one, with given sides. A function measures how far a surface is from continuing both patches.
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
 

@@ -48,7 +48,7 @@ public:
     return result;
   }
 
-  // What follows the one character behind the last word.
+  // Returns the text after the one character behind the last word.
   std::string text() const { return std::string(rest_.substr(rest_.empty() ? 0 : 1)); }
 
   int count() {

@@ -19,7 +19,7 @@
 #include <iostream>
 #include <sstream>
 
-// What geometric_continuity.mjs calls of files: the commands `verify` and `repair` of the program, which print their JSON on standard output,
+// geometric_continuity.mjs calls these functions on files: the commands `verify` and `repair` of the program, which print their JSON on standard output,
 // and the curves of drawings and fonts. The text of the file follows the options.
 
 namespace {

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What geometric_continuity.mjs calls of curves and patches.
+// geometric_continuity.mjs calls these functions on curves and patches.
 
 #include "Request.h"
 #include "array_joins.h"
@@ -98,7 +98,7 @@ void visual_class(Request& request, std::ostream& os) {
   os << '}';
 }
 
-// What the user gives of a blend besides the strategy.
+// The user gives these options of a blend besides the strategy.
 struct Blend_options {
   std::optional<Exact> beta, eta;
   std::vector<Exact> scalars; // s1, s2, or beta2, mu, beta3 of both ends

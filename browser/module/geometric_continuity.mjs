@@ -139,7 +139,7 @@ class Instance {
     return this.functions.memory.buffer;
   }
 
-  // What the C library asks of a system: there are no variables and no standard streams.
+  // The functions of a system that the C library calls: there are no variables and no standard streams.
   #system() {
     const set = (address, x) => new DataView(this.memory).setUint32(address, x, true), success = 0;
     return {

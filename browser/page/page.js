@@ -249,7 +249,7 @@ function joinScene(snap, defaults) {
       controls.append(html('button', { type: 'button', onclick: () => (align(false), update()) }, 'Make it smooth'),
         html('label', {}, magnet, ' while I drag'));
     } else if (!options[0].weights && !options[1].weights) {
-      // What is computed with doubles is exact where the points have few digits: others move to the grid of the picture.
+      // Computations with doubles are exact where the points have few digits, so other points move to the grid of the picture.
       const on_grid = (p) => set(p, p.world.map(valueOf).map((x) => (Number.isInteger((x / frame.unit) * 1024) ? x : Math.round(x / frame.unit) * frame.unit)));
       // The numbers of the points from a handle over the node to the handle that moves: on the right, or on the left where the right curve has less than so many sides.
       const across = (sides) => (m < sides && n >= sides ? [n + 2, n + 1, n, n - 1] : [n - 1, n, n + 1, n + 2]);
@@ -454,7 +454,7 @@ class Outlines {
     ends([this.curves[left].before, -1], [left, 0]);
     ends([this.curves[right].behind, 0], [right, -1]);
   }
-  // What the joins beside two curves are that get these control points: a second handle may be that of the next node.
+  // Returns the joins next to two curves that get these control points, since a second handle may belong to the next node.
   beside([left, right], [a, b]) {
     const { before } = this.curves[left], { behind } = this.curves[right], points = (k) => (k === left ? a : k === right ? b : numbersOf(this.curves[k].exact));
     const joins = [...(before < 0 ? [] : [[[...points(before).slice(0, -1), a[0]], a]]), ...(behind < 0 ? [] : [[b, [b.at(-1), ...points(behind).slice(1)]]])];
@@ -622,7 +622,7 @@ function drawingScene(parameters) {
       ...left.slice(0, 1).map((x) => `Not mended: ${left.length}. The first, at curve ${x.curve} of ${x.element}${x.id ? ` ${x.id}` : ''}: ${x.reason}. Drag the handles of what is left.`)]);
   }, failed);
   const exactly = (curve) => numbersOf(curve.exact);
-  // What was dragged: the drawing becomes its outlines.
+  // Puts the dragged points into the drawing, which becomes its outlines.
   const edited = () => {
     text.value = outlines.drawing();
     return show();

@@ -30,7 +30,7 @@ names group manual.tag >"$work/groups"
 comm -23 "$work/all" "$work/pages" | report "A public name stands on a page (a comment with three strokes, or a place in internal/):"
 grep -v :: "$work/pages" | comm -23 - "$work/groups" | report "A public name stands in a group (\\ingroup):"
 
-# What pages call by name: `name()`, `Class::name()`. How_a_decision_is_made.txt follows calls through what is internal.
+# Pages call these names: `name()`, `Class::name()`. How_a_decision_is_made.txt follows calls through internal functions.
 texts=$(sed -n 's/^ *"\(.*\/doc\/Geometric_continuity\)" .*/\1/p' Doxyfile)
 module=$texts/../../browser/module/geometric_continuity.d.ts # the functions of JavaScript
 {

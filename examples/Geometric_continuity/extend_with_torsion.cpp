@@ -18,7 +18,7 @@ typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
 
 int main() {
-  // Of degree 5: three points serve the torsion, and the last one is free.
+  // The degree is 5: three points serve the torsion, and the last one is free.
   std::vector<Curve> chain{
       Curve{Point(0, 0, 0), Point(1, 0, 0), Point(2, 1, 0), Point(3, 2, 1), Point(3, 3, 2), Point(2, 4, 4)}};
   for (const Point& target : {Point(-3, 4, 5), Point(-4, -2, 7), Point(3, -3, 9)})

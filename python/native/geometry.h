@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-// What the module asks of the package: arrays in, arrays and records out, without anything of Python. All of it may run without the lock
-// of the interpreter. Where all numbers are doubles, decisions are those of `Exact_predicates_inexact_constructions_kernel`.
+// The module calls these functions of the package. They take arrays, return arrays and records, and do not depend on Python. All of them may run without the lock of the interpreter. Where all numbers are doubles, decisions are those of `Exact_predicates_inexact_constructions_kernel`.
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -72,11 +71,11 @@ struct Curves_view {
 std::vector<std::ptrdiff_t> failing_joins(const Curves_view& curves, const std::string& order, bool closed,
                                           bool parallel, const std::function<void()>& pause);
 
-// The same of an array of shape (n, degree + 1, dimension), in any dimension.
+// Takes an array of shape (n, degree + 1, dimension), in any dimension.
 std::vector<std::ptrdiff_t> failing_joins(const Numbers& curves, const std::string& order, bool closed,
                                           const std::function<void()>& pause);
 
-// Of blends: those of degree 5, those of degree 7, and free.
+// Returns the strategies of blends: those of degree 5, those of degree 7, and free.
 std::vector<std::string> strategy_names();
 
 struct Blend_numbers {

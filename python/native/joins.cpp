@@ -37,7 +37,7 @@ auto with_curves(const Numbers& left, const Numbers& right, const std::string& p
   return f(curve<Exact_traits>(left, place), curve<Exact_traits>(right, place));
 }
 
-// The same in the plane only.
+// Calls the function in the plane only.
 template <class Function>
 auto with_plane_curves(const Numbers& left, const Numbers& right, const std::string& place, Function f) {
   typedef GC::Traits_2<CGAL::Simple_cartesian<Exact>> Exact_plane;

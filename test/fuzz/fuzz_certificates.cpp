@@ -95,7 +95,7 @@ Numbers sum(Numbers x, const Q& s, const Numbers& y) {
   return x;
 }
 
-// That the numbers of a certificate prove its orders, by the equations of the class Join_certificate.
+// Checks that the numbers of a certificate prove its orders, by the equations of the class Join_certificate.
 void check(Certificate_reader c) {
   const std::vector<Numbers>&x = c.members["x"], &y = c.members["y"];
   const int dimension = static_cast<int>(x.at(0).size()), c_order = c.integer("c_order"), g = c.integer("g_order"),

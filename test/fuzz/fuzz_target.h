@@ -5,7 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_FUZZ_FUZZ_TARGET_H
 #define GEOMETRIC_CONTINUITY_FUZZ_FUZZ_TARGET_H
 
-// What the fuzz targets have in common. Each is one function of bytes, which libFuzzer or replay_main.cpp calls: typed
+// The fuzz targets have this in common. Each is one function of bytes, which libFuzzer or replay_main.cpp calls: typed
 // errors are expected, everything else that escapes is a mistake, and so is a property that does not hold.
 
 #include <CGAL/Geometric_continuity/Error.h>

@@ -61,7 +61,7 @@ constexpr void is_not_possible(int i) {
 
 constexpr bool is_chosen(int i) { return !__builtin_is_constant_evaluated() && is_chosen_now(i); }
 
-// What an expression is when it is kept: those of GMP and Boost are evaluated.
+// Gives the type of an expression that is kept: expressions of GMP and Boost are evaluated.
 template <class T> struct Value { typedef T type; };
 template <class T, class U> struct Value<__gmp_expr<T, U>> { typedef __gmp_expr<T, T> type; };
 template <class Tag, class A1, class A2, class A3, class A4>

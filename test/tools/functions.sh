@@ -1,4 +1,4 @@
-# What the tests of the program have in common. A test is called as bash test_NAME.sh PROGRAM DATA_FOLDER WORK_FOLDER, and
+# The tests of the program have this in common. A test is called as bash test_NAME.sh PROGRAM DATA_FOLDER WORK_FOLDER, and
 # begins with
 #   . "$(dirname "$0")/functions.sh"
 # which moves to an empty work folder. When the test ends, its exit code tells whether a check has failed.

@@ -31,7 +31,7 @@ run 0 verify made/poles_tip.brep --json && says out '"poles":[[' '"undecided":0'
 run 0 report made/poles_tip.brep -o page.html && says page.html "what belongs to a pole is left out near the parameter"
 run 0 verify made/poles_arc.step --json && lacks out '"poles"'
 
-# What is left out is no longer than the tolerance; the profile of the tip has about the same speed there.
+# The part that is left out is no longer than the tolerance; the profile of the tip has about the same speed there.
 range() { # GAP FILE: the length of the parameters that are left out
   run 0 verify "$2" --json --within "$1,0.1deg"
   sed -n 's/.*"poles":\[\[\([^],]*\),\([^]]*\)\].*/\1 \2/p' out | awk '{ print $2 - $1 }'

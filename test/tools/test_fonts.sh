@@ -110,7 +110,7 @@ run 0 verify test.ttf --glyphs angles --kink-angle 179.9 --summary && says out "
 for angle in 0 180 -5 x 5deg ""; do run 2 verify test.ttf --kink-angle "$angle" && says err "kink-angle"; done
 for units in -1 x ""; do run 2 verify test.ttf --off-by "$units" && says err "off-by"; done
 
-# What is rounding: a handle that is off by one unit, exactly, and by little more
+# A handle that is off by exactly one unit is rounding, and one that is off by little more is not.
 printf 'glyph .notdef\nglyph one 65\ncontour 0,0 100,0 150,1* 300,300 0,300\nglyph more 66\ncontour 0,0 200,0 250,2* 300,300 0,300\n' | font rounding.ttf
 glyph rounding.ttf one "4 3 0 0 1 0 0"
 glyph rounding.ttf one "4 3 1 0 0 0 0" --off-by 0.99999999999999999999
@@ -356,7 +356,7 @@ glyph scaled.ttf mirrored "3 2 0 0 0 1 0"
 run 0 verify scaled.ttf --json --glyphs small && says out '"grade":"kink",' '"component":"rough"'
 run 0 verify scaled.ttf --glyphs small && says out "small, component rough"
 
-# What unpacks to more than any font needs is refused, without the memory for it
+# A file that unpacks to more than any font needs is refused, without using the memory for it.
 if command -v python3 >/dev/null; then
   python3 -c 'import struct, sys, zlib
 size = 600 << 20

@@ -25,14 +25,14 @@ bytes >kink.ttf <<'HEX'
 000000000001000000010000000000240003000100000024000000000000000000000018000000180001000a000da000400000824000c8848000
 ec80003c840000010000000000010004c000c000000000002000100040004000
 HEX
-# What is in a baseline is known, and a larger kink is new: the fourth point moves by (200, 70).
+# A kink in a baseline is known, and a larger kink is new: the fourth point moves by (200, 70).
 LC_ALL=C sed 's/\xec\x80\x00\x3c\x84/\xec\x80\x00\x46\x84/' kink.ttf >larger.ttf && holds [ "$(cmp -l kink.ttf larger.ttf | wc -l)" -eq 1 ]
 kinks() { run "$1" verify known.ttf --all-instances --max-kink 2 "${@:2}"; }
 cp kink.ttf known.ttf && kinks 1 --format sarif && mv out base.sarif && says base.sarif '"measure":{"quantity":"angle_degrees","bounds":['
 kinks 0 --baseline base.sarif --json && says out '{"findings":[],'
 cp larger.ttf known.ttf && kinks 1 --baseline base.sarif --json && says out '{"rule":"kink"' && kinks 1 --format sarif && mv out base.sarif
 cp kink.ttf known.ttf && kinks 0 --baseline base.sarif
-# The same outline, which moves in a region of four axes.
+# The next font has the same outline, which moves in a region of four axes.
 bytes >four.ttf <<'HEX'
 00010000000800000000000068656164000000000000008c000000366868656100000000000000c200000024686d747800000000000000e60000
 00066d61787000000000000000ec000000206c6f6361000000000000010c0000000c676c79660000000000000118000000286676617200000000
@@ -175,7 +175,7 @@ run 1 verify four.ttf --all-instances --max-kink 3.06 --max-work 1 --format sari
 says out '"ruleId":"undecided"' '"level":"error"'
 run 0 verify four.ttf --all-instances --max-kink 3.06 --max-work 1 --allow-undecided
 
-# What is not covered is named.
+# Things that are not covered are named.
 run 2 verify not_variable.ttf --all-instances
 says out "not_variable.ttf: not covered, not a variable font" "no join, nothing was decided"
 run 0 verify not_variable.ttf --all-instances --allow-empty --allow-uncovered

@@ -65,7 +65,7 @@ run 1 repair entity.svg -o entity2.svg && holds cmp -s entity.svg entity2.svg &&
 # Transforms stay as they are.
 svg '<g transform="matrix(2 1 0 3 5 6)"><path transform="scale(.1)" d="M0 0C10 0 20 2 40 0 70-4 80 0 90 0"/></g>'
 run 0 repair drawing.svg -o repaired.svg && sed 's/70-4/70-3/' drawing.svg >expected && holds cmp -s expected repaired.svg
-# What is defined and not drawn is repaired as well, or named.
+# Paths that are defined and not drawn are repaired as well, or named.
 svg '<defs><path d="M0 0X"/><path d="M0 0C10 0 20 2 40 0 70-4 80 0 90 0"/></defs>'
 run 0 repair drawing.svg -o repaired.svg --allow-uncovered && says out "'X' is not a command" "defined and not drawn: 1 kinks before, 0 after" && sed 's/70-4/70-3/' drawing.svg >expected
 holds cmp -s expected repaired.svg
@@ -187,7 +187,7 @@ path 'M0 0A3 4 30 0 1 5 5Q6 9 30 40L40 51' 1 && becomes 'M0 0A3 4 30 0 1 5 5Q6 9
 says out "not on this grid" "before: 1 corner, 1 kink"
 path 'M0 0A5 4 1e-350 0 1 10 0Q10 9 20 30L29 51' 1 && becomes 'M0 0A5 4 1e-350 0 1 10 0Q10 9 20 30L29 51' # no direction changes beside what is undecided
 says out "both nodes bind the handle of a quadratic" "undecided: 1 join, an arc of a rotated ellipse"
-# What is filled has a join where it ends at its start, which is mended like others; what is stroked has none.
+# A filled path has a join where it ends at its start, which is mended like others; a stroked path has none.
 ring='M50 10C72 10 90 28 90 50C90 72 72 90 50 90C28 90 10 72 10 50C10 28 28 11 50 10'
 path "$ring" 0 && becomes "${ring/28 11/28 10}" && says out "0 corners, 1 kink" "0 corners, 0 kinks, 0 G1, 4 G2" && run 0 verify repaired.svg --require G1
 for drawing in "<g style=\"fill:none\"><path d=\"$ring\"/></g>" "<defs><path fill=\"none\" d=\"$ring\"/></defs>"; do
@@ -207,7 +207,7 @@ says out 'polygon (line 2), behind command 2: no handle can move' "before: 3 cor
 svg '<path transform="scale(1 .1)" d="M0 0L100 0C120 8 200 60 300 60"/>' && run 1 verify drawing.svg --require G1 && says out "1 kink"
 run 1 repair drawing.svg -o repaired.svg --max-move 1 && says out "after:  0 corners, 1 kink"
 run 0 repair drawing.svg -o repaired.svg --max-move 9 && run 0 verify repaired.svg --require G1 && says out "0 kinks"
-# Of several moves the one that changes the curves least, by how far a handle moves their points; one that leaves fewer kinks comes first.
+# Among several moves the one that changes the curves least is taken, measured by how far a handle moves their points; a move that leaves fewer kinks comes first.
 path 'M0 0Q19 9 38 8Q77 8 89 0' 0 && becomes 'M0 0Q19 8 38 8Q77 8 89 0'
 path 'M0 0C9 6 21 -4 32 10Q42 25 52 11Q79 -28 84 -12' 1 && becomes 'M0 0C9 6 22 -5 32 10Q42 25 52 11Q79 -28 84 -12'
 path 'M0 0L32 1Q93 5 102 19Q110 33 116 53' 1 && becomes 'M0 0L32 1Q93 5 102 19Q111 33 116 53'
@@ -277,6 +277,6 @@ if [ "$(id -u)" -ne 0 ]; then
 fi
 run 0 repair --help && says out "usage: geometric_continuity repair"
 
-# What is left as it is says so.
+# The report names the curves that stay as they are.
 run 0 repair "$leaf" -o once.svg --to G2 && lacks out "nothing is changed"
 run 0 repair once.svg -o twice.svg --to G2 && says out "nothing is changed: no handle moves" && holds cmp -s once.svg twice.svg

@@ -43,7 +43,7 @@ BEGIN {
 END
 chain() { awk -v n="$1" -v form="$2" -f chain.awk; } # chain CURVES FORM
 
-# The same report for all forms of numbers; 1500 curves are more than are decided at once.
+# The report is the same for all forms of numbers; 1500 curves are more than are decided at once.
 chain 1500 decimal >decimal.g2
 chain 120 decimal >short.g2
 for options in "" "--closed --require G1" "--require G2 --summary" "--require C2 --max-order 5" "--json" "--json --summary --require F2" \

@@ -28,7 +28,7 @@ for options in "" "--allow-empty --allow-uncovered"; do
 done
 run 0 verify --closed "$L" && run 1 verify --closed "$L" --require C0 && lacks out "nothing was decided"
 
-# What is not covered or undecided is named, and is not met unless that is allowed by name.
+# Things that are not covered or undecided are named, and the requirement is not met unless an option allows them.
 round='<path d="M0 0h1 2z"/>' # three lines, two of them in one direction
 svg "$round<use/>"
 run 1 verify drawing.svg --require G0 && says out "not covered: 1 element, it does not say which element it repeats" && lacks out "proved"
@@ -123,7 +123,7 @@ if command -v python3 >/dev/null; then
     j[0]['file'] == 'a' + 4 * '\ufffd' + ' \ufffe\n\x1b[31m.svg' and j[0]['id'] == 'p\nevery join is G9\x9b31m\u202e'"
 fi
 
-# What takes longer than a second shows how fast it goes, on a terminal only, and erases that at the end. The input is a pipe
+# Work that takes longer than a second shows its speed, on a terminal only, and erases that at the end. The input is a pipe
 # that keeps the program waiting.
 slowly() { # slowly FILE FIRST SECOND: a pipe with both texts, the second later
   rm -f "$1" && mkfifo "$1"

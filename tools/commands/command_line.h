@@ -149,7 +149,7 @@ public:
     return result;
   }
 
-  // What --max-work gives; the default of the library when it is not given.
+  // Returns the value of --max-work, or the default of the library.
   CGAL::Geometric_continuity::Work_limit work_limit() const {
     if (!has("max-work")) return {};
     const std::string word = text("max-work");

@@ -18,7 +18,7 @@ struct Edge_tolerance;
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-// What the program returns to the shell.
+// The program returns one of these to the shell.
 enum Exit_code { requirement_met = 0, requirement_not_met = 1, bad_input = 2 };
 
 // How `verify` prints what it decided.

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-// What an installation of the program has beside it, made of the descriptions that --help prints.
+// An installation of the program also has these texts, made of the descriptions that --help prints.
 
 // The options whose values are words, by their names without "--".
 std::map<std::string, Arguments> option_words();

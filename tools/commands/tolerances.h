@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-// What --within gives: the bounds, and up to which order they go. What has no bound must hold exactly.
+// The value of --within: the bounds, and the order up to which they go. Orders without a bound must hold exactly.
 struct Tolerances {
   CGAL::Geometric_continuity::Join_tolerance joins;
   int order = 0;
@@ -88,7 +88,7 @@ public:
     return unit_ == "deg" ? GC::in_radians(number()) : GC::enclosure(number());
   }
 
-  // Of a curvature.
+  // Reads the bound of a curvature.
   GC::Bound ratio() const {
     if (unit_ != "%") refuse("a jump of the curvature in % is expected");
     return GC::enclosure(CGAL::Exact_rational(number() / 100));

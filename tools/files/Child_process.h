@@ -53,7 +53,7 @@ public:
 // A process that waits for what does not come, or gets hardly a share of a processor, may last so many times as long as it may compute.
 constexpr double most_waiting = 10;
 
-// What a process may take.
+// The limits of a process.
 struct Process_limits {
   double seconds;                           // of processor time, see processor_seconds()
   std::uint64_t output;                     // bytes

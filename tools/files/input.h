@@ -130,8 +130,7 @@ public:
   std::string_view beginning(std::size_t size) { return buffer_->beginning(size); }
 };
 
-// What a file begins with, without a byte order mark and the zeros of UTF-16. Of pipes only standard input is looked into, because others
-// cannot be opened twice.
+// Returns the beginning of a file, without a byte order mark and the zeros of UTF-16. The only pipe that is examined is standard input, because others cannot be opened twice.
 inline std::string beginning_of_text(const std::string& file) {
   std::error_code error;
   if (!is_standard_input(file) && !std::filesystem::is_regular_file(file, error)) return "";

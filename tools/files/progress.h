@@ -105,7 +105,7 @@ public:
     return read < 0 ? 0 : (double(begins_[file]) + double(read)) / double(begins_.back());
   }
 
-  // The same where `share` of file number `file` has been done, from 0 to 1.
+  // Reports that `share` of file number `file` has been done, from 0 to 1.
   double part(std::size_t file, double share) const {
     if (begins_.size() <= file + 1 || begins_.back() == 0) return 0;
     const double begin = double(begins_[file]), size = double(begins_[file + 1]) - begin;

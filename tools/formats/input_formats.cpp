@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What commands read.
+// The kinds of files that commands read.
 enum Kind : unsigned { curves = 1, drawings = 2, fonts = 4, models = 8, points = 16 };
 
 struct Reader {
@@ -147,7 +147,7 @@ const char* ending_of_model(std::string_view text) {
   return "";
 }
 
-// What gzip has packed is a drawing when it begins as XML, and when it is damaged before its beginning.
+// A file packed by gzip is a drawing when it begins as XML, and when it is damaged before its beginning.
 const Foreign_format* foreign_by_unpacked(const std::string& bytes) {
   std::istringstream stream(bytes);
   std::string text(200, '\0');
@@ -161,7 +161,7 @@ const Foreign_format* foreign_by_unpacked(const std::string& bytes) {
   return first == std::string::npos || text[first] == '<' ? nullptr : &foreign::packed;
 }
 
-// What bytes that no reader knows say of their format.
+// Finds the format of bytes that no reader knows.
 const Foreign_format* foreign_by_content(const std::string& bytes) {
   using namespace foreign;
   static constexpr struct {

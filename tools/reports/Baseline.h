@@ -24,7 +24,7 @@
 // The findings that are known: those of a report that `--format sarif` has written.
 class Baseline {
 public:
-  // What is known of a defect.
+  // The record of a known defect.
   struct Known {
     // A measure: what it is of, empty if there is none, and its upper bound.
     struct Size {
@@ -150,14 +150,14 @@ class Known_findings {
     return 7;
   }
 
-  // What is moved is rounded again: that much is no difference.
+  // Moved things are rounded again, so this factor is no difference.
   static constexpr double rounding = 1 + 1e-9;
 
   static bool is_no_larger(const std::optional<Measure>& measure, const Baseline::Known::Size& known) {
     return !measure || known.quantity != measure->quantity || measure->bounds.lower <= known.upper * rounding;
   }
 
-  // What cannot be read is known if it is the same: other things may hide behind another reason.
+  // A thing that cannot be read is known if the reason is the same: other things may hide behind another reason.
   static bool is_no_worse(const Finding& f, const Baseline::Known& known) {
     if (f.rule == Finding_rule::not_verified || known.rule == Finding_rule::not_verified)
       return f.rule == known.rule && known.defect == defect(f);

@@ -10,7 +10,7 @@
 
 #include <string>
 
-// What a report is about.
+// The subject of a report.
 struct Report_subject {
   std::string noun;          // of what is decided, e.g. "join"
   std::string every;         // all of it in a sentence, e.g. "every shared edge and every knot line"
@@ -20,8 +20,7 @@ struct Report_subject {
   std::string table_head = {};          // before rows of text
 };
 
-// What may be said in the end. It follows from the classes alone, and is said nowhere else: "proved", `"met":true` and the exit code 0
-// only if all that was given is decided and met, or what is not decided is allowed by the mode.
+// The words at the end of a report. They follow from the classes alone, and are decided nowhere else. "proved", `"met":true` and the exit code 0 are only given if everything is decided and met, or if the mode allows the undecided things.
 class Conclusion {
   const Claims& claims_;
   const Report_mode& mode_;

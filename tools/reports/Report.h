@@ -20,7 +20,7 @@
 
 class Known_findings;
 
-// What was decided about some things, one after the other: a part of a report, which may be made on any core.
+// The decisions about some things, one after the other: a part of a report, which may be made on any core.
 class Report_part {
   Report_mode mode_;
   Claims claims_;

@@ -29,7 +29,7 @@ class Certificate {
   std::size_t lines_ = 0;
 
 public:
-  // What is certified: "chain", "drawings" or "model". More members begin with a comma.
+  // The subject is "chain", "drawings" or "model". More members begin with a comma.
   Certificate(std::ostream* os, const std::string& kind, const Arguments& files, const std::string& members = {})
       : os_(os) {
     if (os_ == nullptr) return;

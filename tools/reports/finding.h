@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-// What a finding is about: the rules of a report.
+// The subject of a finding: the rules of a report.
 enum class Finding_rule {
   gap,          // the ends, or the edges, are apart
   corner,       // the angle of the tangents, or of the normals, is larger than that of a kink
@@ -74,7 +74,7 @@ struct Fingerprints {
 // The line of a place that stands in no line of its file, though that has lines: SARIF then points to the whole file.
 constexpr long long no_line = -1;
 
-// What is wrong, or could not be told, at one place of a file. All texts may hold any bytes.
+// A defect, or an undecided thing, at one place of a file. All texts may contain any bytes.
 struct Finding {
   std::string file;   // as it is named in messages
   long long line = 0; // from 1 on; 0 where it is not known, no_line where there is none
@@ -85,10 +85,10 @@ struct Finding {
   std::string message;                       // a sentence with the numbers, without the place
   std::string properties;   // the numbers as members of a JSON object, e.g. `"angle_degrees":[1.5,1.6]`; may be empty
   Claim claim = Claim::met; // set by the report
-  // What the place is on and where on it, as other versions of the file have them: without lines, and without numbers that change when
+  // The object of the place, and the spot on it, as other versions of the file have them: without lines, and without numbers that change when
   // something is inserted elsewhere, as far as names allow. Where there is no object it is the place.
   std::string object = {}, spot = {};
-  // What is there, the same when it is moved or gets another number; the object and the spot where it is empty.
+  // The shape of the defect, the same when it is moved or gets another number; the object and the spot where it is empty.
   std::string shape = {};
   std::optional<Measure> measure = {};
   std::optional<Measure> behind = {}; // of a gap: the angle of what does not meet there

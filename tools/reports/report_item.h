@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-// What a page of `report` shows of one join or edge. It is filled where things are decided; the page decides nothing.
+// A page of `report` shows this of one join or edge. It is filled where things are decided; the page decides nothing.
 
 namespace GC = CGAL::Geometric_continuity;
 

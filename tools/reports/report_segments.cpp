@@ -59,7 +59,7 @@ std::shared_ptr<const Report_curve> drawn_curve(const Segment& given, std::size_
   return std::make_shared<const Report_curve>(drawn_arc(c, u, v, angle, group));
 }
 
-// Of a join with an arc there are no bounds of the curvatures.
+// A join with an arc has no bounds of the curvatures.
 Report_item measured_join(const Segment& left, const Segment& right, const Report_demand& demand) {
   if (left.bezier() && right.bezier()) return measured_join(*left.bezier(), *right.bezier(), demand);
   Report_item item;

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What the proofs of the package ask of a platform without directed rounding: intervals that contain the exact results, and decimals that are
+// The proofs of the package require this of a platform without directed rounding: intervals that contain the exact results, and decimals that are
 // read and written correctly.
 
 #include <boost/test/unit_test.hpp>

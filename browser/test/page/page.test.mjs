@@ -304,7 +304,7 @@ const net = (rows) => rows.map((row) => row.map((p) => p.map((x) => x.replace(/\
 const teapot = nets_in(source('demo/Geometric_continuity/data/teapot.g2'));
 const example = (name) => `examples/Geometric_continuity/${name}.cpp`, drawn = 'doc/Geometric_continuity/figures/curve_figures.cpp', manual = 'doc/Geometric_continuity';
 const below = ([x, y]) => `${x},${-y}`;
-// Of each figure that has links: what is said there, and its curves.
+// The words and the curves of each figure that has links.
 const figures = {
   orders_of_continuity: { says: [/C0 G0 F0, kink/], left: points_in(example('orders_of_continuity'), 'left') },
   first_blend: { says: [/normal: C0 G2[^]*energy3: C0 G2[^]*fair: C0 G2/], left: points_of('hill_left'), right: points_of('hill_right') },

@@ -147,7 +147,7 @@ struct No_traits {
   auto construct_vector_object() const { return construct_point_object(); }
 };
 
-// What curves and surfaces ask of their first argument, so that the compiler says at once what is wrong with it; and what they go on with.
+// Curves and surfaces check their first argument with this class, so that the compiler reports at once what is wrong with it, and continue with its member.
 template <class T> struct Checked_traits {
   static_assert(
       Is_traits<T>::value,
@@ -218,7 +218,7 @@ Coordinate_vector<Field, dimension_v<Traits>> coordinates(const Point_or_vector&
 
 namespace internal {
 
-// Of points and vectors, and of what converts to them.
+// Returns the coordinates of a point or vector, or of an object that converts to one.
 template <class Traits> Coordinates<Traits> point_column(const typename Traits::Point& p) {
   return Geometric_continuity::coordinates<Traits>(p);
 }

@@ -76,7 +76,7 @@ std::string random_fraction() {
 
 Q power_of_ten(int exponent) { return GC::parse_number<Q>("1e" + std::to_string(exponent)); }
 
-// What becomes of a text: an error, or nothing.
+// Returns the error for a text, or nothing.
 std::string refusal_of_text_number(const std::string& text) {
   return error_of([&] { GC::Decimal{text}; });
 }

@@ -63,7 +63,7 @@ Pieces pieces_of_curves(const std::string& text) {
 
 } // namespace
 
-// Of all degrees, with knots of all multiplicities, also outside of the domain and at its ends. The numbers are halves of
+// The curves have all degrees, with knots of all multiplicities, also outside of the domain and at its ends. The numbers are halves of
 // integers, which are the same in floating point.
 BOOST_AUTO_TEST_CASE(the_pieces_are_those_of_the_curves) {
   const unsigned seed = 20261122;

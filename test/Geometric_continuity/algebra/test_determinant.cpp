@@ -95,7 +95,7 @@ BOOST_AUTO_TEST_CASE(vectors_without_a_cross_product) {
   BOOST_CHECK(cross_product(space, space) == space);
 }
 
-// Of whole numbers only matrices of determinant 1 or -1 have an inverse.
+// Among matrices of whole numbers only those of determinant 1 or -1 have an inverse.
 BOOST_AUTO_TEST_CASE(inverses_of_whole_numbers) {
   typedef GC::Basis_matrix<int> Matrix;
   const auto matrix = [](int a, int b) {

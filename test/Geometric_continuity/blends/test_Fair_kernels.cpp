@@ -119,7 +119,7 @@ BOOST_AUTO_TEST_CASE(exact_and_the_same_on_all_kernels) {
   for (int dimension : {2, 3, 4, 5}) check_exact<Exact_d>(Curves(random, dimension));
 }
 
-// What the caller left set does not matter to exact kernels.
+// The rounding mode that the caller left set does not matter to exact kernels.
 BOOST_AUTO_TEST_CASE(rounding_modes) {
   constexpr unsigned seed = 14;
   BOOST_TEST_MESSAGE("seed " << seed);
@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE(invariance) {
 
 namespace {
 
-// What every blend must satisfy, however strange its ends are. Points stay within `reach` of the ends.
+// Checks the properties of every blend, however strange its ends are. Points stay within `reach` of the ends.
 template <class Strategy>
 auto sensible(const Numbers& phi, const Numbers& psi, const Strategy& strategy, double reach) {
   const auto gamma = GC::blend(jet<Double>(phi), jet<Double>(psi), strategy);

@@ -140,7 +140,7 @@ BOOST_AUTO_TEST_CASE(degenerate_points) {
   }
 }
 
-// The same curve in other units, next to the ends of the range of doubles, too.
+// The curve is the same in other units, also next to the ends of the range of doubles.
 BOOST_AUTO_TEST_CASE(units) {
   const std::vector<std::pair<double, double>> five = {{0, 0}, {4, 3}, {9, 3}, {9, -1}, {2, -2}};
   const auto in_units = [&](int exponent, Closure closure) {

@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(tiny_and_huge_shape_parameters) {
     }
 }
 
-// What is refused says which number is beyond the range.
+// The error names the number that is beyond the range.
 BOOST_AUTO_TEST_CASE(beyond_the_range) {
   typedef GC::Bezier_curve<Plane> Curve_2;
   typedef Plane::Point P;

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What is said of joins of rounded numbers that miss an order by no more than rounding.
+// These tests check the words about joins of rounded numbers that miss an order by no more than rounding.
 
 #include <boost/test/unit_test.hpp>
 
@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(how_far) {
   BOOST_CHECK(!continuity(left, Curve{Point(0, 0), Point(0, 0)}).up_to_rounding());
 }
 
-// What is said depends neither on the unit of length nor on a common factor of the weights, however large or small they are.
+// The words depend neither on the unit of length nor on a common factor of the weights, however large or small they are.
 BOOST_AUTO_TEST_CASE(powers_of_two) {
   typedef GC::Rational_bezier_curve<Traits> Rational;
   const double ulp = std::ldexp(1, -52);

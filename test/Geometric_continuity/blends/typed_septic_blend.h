@@ -88,7 +88,7 @@ BOOST_AUTO_TEST_CASE(joins, *boost::unit_test::enable_if<exact>()) {
   });
 }
 
-// What the sequential and the joint strategies make orthogonal, at an end with the given jet x and the blend y
+// Checks the orthogonality that the sequential and the joint strategies produce, at an end with the given jet x and the blend y.
 template <class Traits>
 void check_orthogonality(const Jet<Traits>& x, const Jet<Traits>& g3, const Jet<Traits>& f3, const Jet<Traits>& joint) {
   const Column<Traits> n = GC::orthogonal_component(x[2], x[1]);

@@ -218,7 +218,7 @@ BOOST_AUTO_TEST_CASE(known_gaps) {
   check_is(e.angle->value, std::atan(1.5), 0);
 }
 
-// The same surfaces in different representations.
+// The tests take one surface in different representations.
 BOOST_AUTO_TEST_CASE(representations_of_one_surface) {
   const double radius = 2, height = 3, r = std::sqrt(0.5);
   const GC::Edge_side cylinder = side(Elementary{Kind::cylinder, standard, radius}, line(0.5, 1, 1, 0.25));

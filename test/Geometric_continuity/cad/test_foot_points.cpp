@@ -205,7 +205,7 @@ BOOST_AUTO_TEST_CASE(parameters_at_a_small_angle) {
   BOOST_TEST(distance({2.25, -0.75, 0}) == std::sqrt(17.) / 4, boost::test_tools::tolerance(1e-12));
 }
 
-// What is proved of the foot points on a parallelogram is its distance. (Next to its long sides the steps may end at another point.)
+// The proved distances of foot points on a parallelogram are the true ones. (Next to its long sides the steps may end at another point.)
 BOOST_AUTO_TEST_CASE(distances_from_a_parallelogram) {
   const unsigned seed = 2026;
   std::mt19937 random(seed);

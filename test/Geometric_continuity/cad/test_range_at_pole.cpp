@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What belongs to the poles of surfaces: lengths that are known, and what is no pole; foot points next to poles.
+// These tests check the ranges at poles of surfaces: known lengths, places that are no pole, and foot points next to poles.
 
 #define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE range_at_pole

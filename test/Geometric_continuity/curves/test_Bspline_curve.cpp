@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(curves_in_higher_dimension) {
   });
 }
 
-// What the concept of a traits class does not offer is not used.
+// Only the members that the concept of a traits class offers are used.
 BOOST_AUTO_TEST_CASE(curves_over_an_archetype) {
   typedef archetype::Traits<CGAL::Dimension_tag<2>> Traits;
   typedef archetype::Number FT;
@@ -231,7 +231,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(refused_curves_equality_and_output, K, Kernels) {
   BOOST_CHECK(c.transform(shift).knots() == knots);
 }
 
-// The same curve with rational coordinates.
+// Returns the curve with rational coordinates.
 template <class K> Curve3<CGAL::Simple_cartesian<Q>> rational(const Curve3<K>& c) {
   typedef CGAL::Simple_cartesian<Q> Exact;
   std::vector<Exact::Point_3> points;

@@ -87,7 +87,7 @@ const Rows undulation = {{0, 0}, {0.25, 0}, {0.5, 0}, {0.75, 0}, {1, 1}};   // y
 const Rows flat_s = {{-5, -1}, {-3, 1}, {-1, -1}, {1, 1}, {3, -1}, {5, 1}}; // y = (x/5)^5
 const Rows cubic_graph = {{-1, -1}, {-1. / 2, 1}, {1. / 2, -1}, {1, 1}};
 
-// What dense sampling sees: how often the curvature of a planar curve turns, and how often it changes its sign.
+// Counts by dense sampling how often the curvature of a planar curve turns, and how often it changes its sign.
 std::array<int, 2> sampled(const Rows& rows) {
   const GC::Bezier_curve<Double_d> curve = bezier<Double_d>(rows);
   constexpr int n = 4000;

@@ -23,7 +23,7 @@
 
 namespace {
 
-// The same curve with exact numbers.
+// Returns the curve with exact numbers.
 template <class Curve> GC::Bezier_curve<Traits<Exact>> exact_curve(const Curve& curve) {
   std::vector<Point<Exact>> p;
   for (const auto& x : curve) p.emplace_back(Exact(x.x()), Exact(x.y()), Exact(x.z()));

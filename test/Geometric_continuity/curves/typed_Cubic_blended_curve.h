@@ -368,7 +368,7 @@ std::pair<int, int> orders(const std::vector<Point<Traits>>& p, const Basis& bas
   return {s.c_order().value(), s.g_order().value()};
 }
 
-// The same for the constructed curve, in exact kernels.
+// Returns the orders of the constructed curve, in exact kernels.
 template <class C> std::pair<int, int> orders(const C& curve) {
   const GC::Chain_summary s = GC::chain_continuity(curve).summary;
   return {s.c_order().value(), s.g_order().value()};
@@ -423,8 +423,7 @@ BOOST_AUTO_TEST_CASE(piecewise_curves) {
   });
 }
 
-// What coincides is no error, and the analysis says what it does to the curve. Zero derivatives and whole coordinates: no
-// rounding decides here.
+// Coinciding points are no error, and the analysis reports their effect on the curve. With zero derivatives and whole coordinates no rounding decides here.
 BOOST_AUTO_TEST_CASE(piecewise_degenerate) {
   in_every_space([](auto traits, int d) {
     typedef decltype(traits) Traits;

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What certifies the order along an edge: the polynomials vanish where it says so, and the factors are those of the construction.
+// The certificate of the order along an edge is checked: the polynomials vanish where it says so, and the factors are those of the construction.
 
 #include "support/nets.h"
 

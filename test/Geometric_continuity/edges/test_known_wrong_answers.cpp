@@ -111,7 +111,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_cusp_is_not_g1, K, Kernels) {
   BOOST_CHECK(smooth.g_order >= 1 && *smooth.tangent_equal);
 }
 
-// The same along an edge: the surfaces lie on one side, as the two halves of a folded sheet do.
+// Along an edge the surfaces lie on one side, as the two halves of a folded sheet do.
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_folded_sheet_is_not_g1, K, Kernels) {
   const Patch<K> a = patch<K>(x_axis, direction(0, 1, 0), zero), b = patch<K>(x_axis, direction(1, 2, 0), zero),
                  c = patch<K>(x_axis, direction(1, -2, 0), zero);

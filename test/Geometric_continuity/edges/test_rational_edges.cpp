@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(edges_with_little_in_common, Traits, All_traits) {
   BOOST_CHECK_EQUAL(is_g2_edge(cylinder, v0, next.elevate(0, 12), v0), is_g2_edge(cylinder, v0, next, v0));
 }
 
-// What nothing has been decided about has no spans.
+// An edge about which nothing has been decided has no spans.
 BOOST_AUTO_TEST_CASE(output_of_nothing) {
   BOOST_CHECK_EQUAL(text(GC::Spline_edge_continuity<Q>()), text(GC::Edge_continuity<Q>()));
 }

@@ -106,7 +106,7 @@ BOOST_AUTO_TEST_CASE(exact_numbers) {
               work_limit);
 }
 
-// What takes no limit of its own counts in a scope, and what takes one counts there as well.
+// A function without a limit of its own counts in a scope, and so does a function with one.
 BOOST_AUTO_TEST_CASE(scopes) {
   const Bezier<Q> left = random_curve<Q>(5, 8), long_left = random_curve<Q>(5, 600);
   const Bezier<Q> right = left.reverse(), long_right = long_left.reverse();
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(floating_point_numbers) {
   BOOST_CHECK_GT(GC::extend_toward(c, GC::Frenet_order::curvature, c.control_point(0)).energy(2), 0);
 }
 
-// What is long can be interrupted by a scope with a function, whatever its numbers are.
+// A scope with a function can interrupt long work, whatever its numbers are.
 BOOST_AUTO_TEST_CASE(interruption) {
   struct Interrupted {};
   const auto is_interruptible = [](auto work) {

@@ -60,7 +60,7 @@ template <class Traits> Curve<Traits> curve_on(const Points<Traits>& points, con
 }
 template <class Traits> Curve<Traits> unit(const Curve<Traits>& c) { return c.with_domain(FT(0), FT(1)); }
 
-// Of degree m, with a nonzero curvature at its end, on a random domain.
+// Makes a curve of degree m with a nonzero curvature at its end, on a random domain.
 template <class Traits> Curve<Traits> random_left(Random& random, int d, int m) {
   for (;;) {
     const FT a = value(random);

@@ -105,7 +105,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_curves_differ) {
                         GC::Error, refused);
 }
 
-// What a predicate throws arrives, also from another thread.
+// An exception of a predicate reaches the caller, also from another thread.
 template <class Tag> void check_exception() {
   const std::vector<int> numbers(5000, 1);
   const auto throws = [](int, int) -> bool { throw std::domain_error("join"); };

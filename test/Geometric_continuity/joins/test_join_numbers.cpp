@@ -97,7 +97,7 @@ BOOST_AUTO_TEST_CASE(powers_of_ten) {
   }
 }
 
-// What exceeds the numbers is refused.
+// Joins that exceed the range of the numbers are refused.
 BOOST_AUTO_TEST_CASE(overflow) {
   const Halves<Rounded> fast(1, 1, 0x1p-400);
   CHECK_ERROR(GC::continuity(fast.left, fast.right), not_finite); // the third derivative

@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE(weights_of_any_size) {
   BOOST_CHECK_EQUAL(n.g2, 30);
 }
 
-// The same of lines, of which only the ratio of two weights counts, on domains of such lengths; and of a degree for which no factor is exact.
+// The test takes lines, for which only the ratio of two weights counts, on domains of such lengths, and a degree for which no factor is exact.
 BOOST_AUTO_TEST_CASE(weights_and_domains_beyond_all_filters) {
   typedef GC::Traits_3<CGAL::Epick> Traits;
   typedef GC::Rational_bezier_curve<Traits> Curve;

@@ -7,7 +7,7 @@
 
 #include "support/typed.h"
 
-// What each kernel must be able to do, once. Four kernels run the full suites: a rounded one, one with exact predicates, an exact one and
+// Each kernel must be able to do this, once. Four kernels run the full suites: a rounded one, one with exact predicates, an exact one and
 // the archetype. The others differ from these by their numbers and points alone.
 
 BOOST_AUTO_TEST_SUITE(smoke)

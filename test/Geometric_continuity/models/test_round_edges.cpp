@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(edges_that_go_on) {
   BOOST_CHECK(summary.g2 == 6 && summary.g1 == 1);
 }
 
-// The same with a slight kink between the halves, more or less of which is left at the new edges: both blends are G2 with the surfaces in
+// There is a slight kink between the halves, and a part of it is left at the new edges: both blends are G2 with the surfaces in
 // any case.
 BOOST_AUTO_TEST_CASE(edges_that_go_on_with_a_kink) {
   typedef Exact::Point P;

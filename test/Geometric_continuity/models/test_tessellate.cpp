@@ -56,7 +56,7 @@ template <class K> constexpr bool is_exact = !std::is_floating_point_v<typename 
 
 // ---------------------------------------------------------------- models, made of rationals
 
-// The same patch in another kernel; with rounded numbers the coordinates must be doubles.
+// Returns the patch in another kernel; with rounded numbers the coordinates must be doubles.
 template <class K> Patch<K> in_kernel(const Exact_patch& s) {
   const auto number = [](const Q& x) {
     if constexpr (is_exact<K>)
@@ -413,7 +413,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(closed_and_open_parts, K, Kernels) {
   }
 }
 
-// What is closed but holds no volume keeps the orientation of its first patch; it has no outside.
+// A closed model without volume has no outside, and keeps the orientation of its first patch.
 BOOST_AUTO_TEST_CASE_TEMPLATE(two_sides_of_a_sheet, K, Kernels) {
   const Exact_patch sheet({{{0, 0, 0}, {0, 1, 1}}, {{1, 0, 1}, {1, 1, 2}}});
   for (const Exact_patch& first : {sheet, sheet.swap_parameters()}) {

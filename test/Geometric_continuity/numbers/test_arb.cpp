@@ -38,7 +38,7 @@ namespace {
 typedef std::array<double, 3> Point;
 
 struct Random : Random_integers<std::mt19937_64> {
-  // Of the sizes 1/1000, 1 and 100000.
+  // Returns a random number of the size 1/1000, 1 or 100000.
   double number() {
     const double scale = std::array<double, 3>{1e-3, 1, 1e5}[integer(0u, 2u)];
     return scale * std::ldexp(static_cast<double>(integer<std::int64_t>(-(1LL << 52), 1LL << 52)), -52);

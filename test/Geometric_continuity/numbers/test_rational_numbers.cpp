@@ -43,7 +43,7 @@ struct Random : Random_integers<std::mt19937_64> {
 
 } // namespace
 
-// The same numbers in lowest terms, short or not.
+// The results are the same numbers in lowest terms, short or not.
 BOOST_AUTO_TEST_CASE(sums) {
   Random random;
   for (int i = 0; i < 20000; ++i) {

@@ -51,7 +51,7 @@ int least_order(const Rounded& r, bool closed) {
   return *GC::chain_continuity(r.curves, 3, closed ? GC::Closure::closed : GC::Closure::open).g_order();
 }
 
-// What is left of each given curve lies in its place, and is the part of it between the cuts.
+// The rest of each given curve lies in its place, and is the part of it between the cuts.
 void check_parts(const Chain& given, const Rounded& r) {
   std::vector<Q> starts, ends;
   std::vector<bool> is_blend(r.curves.size(), false);
@@ -216,7 +216,7 @@ BOOST_AUTO_TEST_CASE(random_polygons) {
     }
 }
 
-// The same chain on every kernel; rounded numbers are near the exact ones.
+// Every kernel rounds the same chain; rounded numbers are near the exact ones.
 BOOST_AUTO_TEST_CASE(kernels) {
   const Rounded exact = rounded(square, 1.3, true);
   const auto check = [&](auto traits) {

@@ -15,7 +15,7 @@
 #include <type_traits>
 #include <vector>
 
-// What a leaf of the output rests on, which decides how it can be compared when numbers are rounded.
+// A leaf of the output depends on one of these, which decides how it can be compared when numbers are rounded.
 enum class Source {
   construction, // a number computed from the input
   predicate,    // a decision on the input as given

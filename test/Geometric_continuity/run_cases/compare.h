@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// What the comparison of one case found.
+// The result of the comparison of one case.
 struct Verdict {
   std::vector<std::string> mismatches; // "path: expected ..., computed ..."
   int compared = 0;                    // leaves

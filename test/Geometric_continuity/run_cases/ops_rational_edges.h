@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  // Of a net whose denominator is positive near the edge only.
+  // Takes a net whose denominator is positive near the edge only.
   template <class Points, class Weights>
   static GC::Rational_bezier_patch<Traits> part_next_to_edge(const Points& net, const Weights& weights) {
     typedef GC::Rational_bezier_patch<Traits> Patch;

@@ -129,7 +129,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(blossoms, K, Kernels) {
     });
 }
 
-// What a sum of at most p + 1 terms can lose in the j-th derivative: the quotients are at most 2 p / h for the shortest
+// Bounds the loss of a sum of at most p + 1 terms in the j-th derivative: the quotients are at most 2 p / h for the shortest
 // difference h of knots, so that the j-th derivative of coefficients up to 1 is at most (2 p / h)^j.
 template <class FT> FT derivative_scale(const Function<FT>& f, int j) {
   FT h = f.domain().second - f.domain().first;

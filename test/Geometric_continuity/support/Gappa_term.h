@@ -15,7 +15,7 @@
 
 // Bounds of rounding errors as theorems for Gappa, a prover of such bounds: a form is evaluated on a number type that keeps what is computed.
 
-// What is computed, as definitions of Gappa: r for the rounded value, e for the exact one.
+// Records the computation as definitions of Gappa: r for the rounded value, e for the exact one.
 class Gappa_term {
   struct Node {
     std::string definitions, hypotheses;

@@ -16,7 +16,7 @@
 #include <array>
 #include <vector>
 
-// What the tests need of Arb and FLINT: numbers in balls of 200 bits, polynomials with integers as coefficients, and their real roots.
+// The tests need this of Arb and FLINT: numbers in balls of 200 bits, polynomials with integers as coefficients, and their real roots.
 
 namespace arb {
 

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-// What certifies an enclosure, without the functions that made it.
+// These functions certify an enclosure without the functions that made it.
 
 namespace enclosures {
 

@@ -25,7 +25,7 @@
 #include <type_traits>
 #include <vector>
 
-// What tests of splines have in common. In exact kernels all identities hold with ==. In rounded kernels the bounds are
+// The tests of splines have this in common. In exact kernels all identities hold with ==. In rounded kernels the bounds are
 // multiples of the unit roundoff u = 2^-53, times the largest coefficient:
 // - A weight of a value or a blossom is made in p levels of a triangle, each with 6 roundings, where all terms are
 //   nonnegative; the sum over p + 1 coefficients adds p + 2. So values and coefficients over finer knots are known to
@@ -70,7 +70,7 @@ public:
   // The lengths of neighbouring spans differ by factors up to 10^6.
   FT length() { return coin() ? ratio<FT>(integer(1, 9), 4) : ratio<FT>(integer(1, 9), 4000000); }
 
-  // Of degree p: inner knots of multiplicity 1 to `highest`; sometimes not clamped, when that is allowed.
+  // Makes knots of degree p: inner knots have the multiplicity 1 to `highest`; sometimes not clamped, when that is allowed.
   GC::Knot_vector<FT> knots(int p, int highest, bool may_be_unclamped = true) {
     const FT a = ratio<FT>(integer(-9, 9), 4);
     FT b = a;
@@ -159,7 +159,7 @@ template <class FT> FT value_by_recursion(const Function<FT>& f, const FT& t, bo
 // The values from both sides, where there are both.
 template <class FT> FT left_value(const Function<FT>& f, const FT& u) { return f.left_derivatives(u, 0)[0]; }
 
-// The same function: at p + 1 parameters in each span, and from both sides at its ends.
+// Checks that two functions are the same: at p + 1 parameters in each span, and from both sides at its ends.
 template <class FT> void check_same(const Function<FT>& f, const Function<FT>& g, double roundings) {
   const FT scale = largest(f.coefficients());
   BOOST_REQUIRE(f.knots().has_domain_of(g.knots()));

@@ -24,7 +24,7 @@ template <class Traits> struct Translated_curves {
   template <class Strategy> auto shape(const Strategy& strategy) const {
     return automatic_surface_shape(first, v1, second, v0, strategy, Edge_direction::same);
   }
-  // The same, where all weights of a surface are equal.
+  // Returns the shape if all weights of a surface are equal.
   template <class Strategy> auto rational_shape(const Strategy& strategy) const {
     return automatic_surface_shape(Patch<Traits>(first), v1, with_factor(Patch<Traits>(second), FT(8)), v0, strategy,
                                    Edge_direction::same);

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TYPED_H
 #define CGAL_GEOMETRIC_CONTINUITY_TEST_SUPPORT_TYPED_H
 
-// What the typed tests share. The including file has defined, for one kernel:
+// The typed tests share this. The including file has defined, for one kernel:
 //
 //   Traits2, Traits3       traits classes that serve dimension 2 and 3, with one number type FT
 //   exact                  constructions are exact, and so are predicates
@@ -82,7 +82,7 @@ template <class T>
 struct Is_streamable<T, std::void_t<decltype(std::declval<std::ostream&>() << std::declval<const T&>())>>
     : std::true_type {};
 
-// What is written for the parts one after the other.
+// Writes the parts one after the other.
 template <class... T> std::string text(const T&... part) {
   std::ostringstream os;
   (os << ... << part);
@@ -368,7 +368,7 @@ template <class Column_type> bool within(const Column_type& x, const Column<Refe
 
 // ---------------------------------------------------------------- blends
 
-// What is blended: two jets and the shape parameters.
+// A blend takes these: two jets and the shape parameters.
 template <class Traits> struct Blend_input {
   Jet<Traits> phi, psi;
   GC::Shape_parameters<typename Traits::FT> shape;

@@ -27,7 +27,7 @@ using GC::Sign_pattern;
 
 namespace {
 
-// What is given: C and both neighbours.
+// The input is C and both neighbours.
 struct Input {
   Curve<Exact> c, c1, c2;
   Ribbon ribbon(const Q& bulge = Q(0)) const { return GC::connect_g1(c, c1, c2, bulge); }

@@ -54,7 +54,7 @@ struct Numbers : Random_surfaces {
   }
 };
 
-// What lies beyond the blend: the same curve, and the derivative out of the blend.
+// Returns the side beyond the blend: the same curve, and the derivative out of the blend.
 template <class Side, class Surface> Side beyond(const Surface& blend, Patch_edge edge) {
   Side side(blend, edge);
   for (auto& x : side.cross) x = -1 * x;

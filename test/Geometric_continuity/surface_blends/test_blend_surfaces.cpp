@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(a_part_of_one_surface) {
   check_middle_part(Patch<Exact>{random.net(4, 5), random.weights(4, 5), random.domain()});
 }
 
-// The same with homogeneous points that are multiplied by 1 + v/2: lambda is 1 and lambda_1 is 1/2 at the start, and at the end they are
+// The homogeneous points are multiplied by 1 + v/2: lambda is 1 and lambda_1 is 1/2 at the start, and at the end they are
 // 3/2 and 1/3.
 BOOST_AUTO_TEST_CASE(factors_of_homogeneous_points) {
   Numbers random;
@@ -368,7 +368,7 @@ BOOST_AUTO_TEST_CASE(closed_and_open_edges) {
   for (int j = 0; j <= 5; ++j) BOOST_CHECK(t.control_point(0, j) == t.control_point(4, j));
 }
 
-// What a shift along the edge multiplies must not jump.
+// A row that a shift along the edge multiplies must not jump.
 BOOST_AUTO_TEST_CASE(torn_blends) {
   Numbers random;
   const Knots v(2, Q(0), Q(1));

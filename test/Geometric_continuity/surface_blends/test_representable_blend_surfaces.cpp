@@ -127,7 +127,7 @@ void check_random_blend(Numbers& random, const Surface& given_a, const Surface& 
 
 } // namespace
 
-// Of every degree; coordinates of 21 digits stay, those of 53 digits move.
+// The patches have every degree. Coordinates of 21 digits stay, and coordinates of 53 digits move.
 BOOST_AUTO_TEST_CASE_TEMPLATE(patches, Traits, Rounded_traits) {
   Numbers random;
   for (int m = 2; m <= 4; ++m)

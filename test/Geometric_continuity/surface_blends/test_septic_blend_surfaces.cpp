@@ -253,7 +253,7 @@ BOOST_AUTO_TEST_CASE(automatic_factors) {
   BOOST_CHECK(is_g3_edge(a, v1, s, v0));
 }
 
-// What a shift along the edge multiplies must not jump.
+// A row that a shift along the edge multiplies must not jump.
 BOOST_AUTO_TEST_CASE(torn_blend) {
   Numbers random;
   const Knots u(3, Q(0), Q(1), {{fraction(1, 3), 1}}), v(3, Q(0), Q(1));

@@ -67,7 +67,7 @@ Net_surface random_surface(Random& random) {
   return Net_surface(random, u, v);
 }
 
-// The same map, from the right at its knots.
+// Checks that two surfaces are the same map, from the right at its knots.
 template <class S> void check_same_surface(const Surface<Exact>& s, const S& t, Random& random) {
   for (const Q& u : parameters(s.knots_u(), random))
     for (const Q& v : parameters(s.knots_v(), random)) BOOST_CHECK(s(u, v) == t(u, v));

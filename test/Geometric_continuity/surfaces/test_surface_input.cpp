@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What patches, B-spline surfaces, swept surfaces and grids refuse, with the reason.
+// Patches, B-spline surfaces, swept surfaces and grids refuse bad input with the reason.
 
 #include <boost/test/unit_test.hpp>
 
@@ -167,7 +167,7 @@ BOOST_AUTO_TEST_CASE(domains_of_surfaces) {
   BOOST_CHECK(wide.split_u(0).first.domain_u() == Interval(-0x1p1022, 0));
 }
 
-// What overflows is refused: neither infinite numbers nor NaN are returned.
+// A result that overflows is refused: neither infinite numbers nor NaN are returned.
 BOOST_AUTO_TEST_CASE(surface_jets_that_overflow) {
   typedef Double::Point P;
   const GC::Bezier_patch<Double> narrow = patch<Double>().with_domain({0, 0x1p-600}, {0, 1});

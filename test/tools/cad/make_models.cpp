@@ -346,7 +346,7 @@ int main(int argc, char** argv) {
   aside.SetTranslation(gp_Vec(0, 10, 0));
   const TopoDS_Shape flats = compound({flat, BRepBuilderAPI_Copy(flat).Shape().Moved(TopLoc_Location(aside))});
   for (const char* name : {"flats.brep", "flats_apart.igs"}) write(flats, name);
-  // What cannot be compared at equal parameters.
+  // This model cannot be compared at equal parameters.
   TopoDS_Shape differing = BRepPrimAPI_MakeCylinder(3, 10).Shape();
   BRep_Builder().SameParameter(TopoDS::Edge(TopExp_Explorer(differing, TopAbs_EDGE).Current()), false);
   write(differing, "differing.brep");

@@ -59,7 +59,7 @@
 
 namespace {
 
-// What a profile in the half plane x >= 0, y = 0 makes around the axis of z.
+// Returns the shape that a profile in the half plane x >= 0, y = 0 makes around the axis of z.
 TopoDS_Shape revolved(const Handle(Geom_Curve) & profile, double angle = 2 * M_PI) {
   return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(profile).Shape(), gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)), angle)
       .Shape();

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// What is reported about a blend: its joins, decided in exact arithmetic, and how fair it is.
+// The report about a blend: its joins, decided in exact arithmetic, and how fair it is.
 struct Blend_report {
   Blend_report(const std::string& strategy, const Exact_curve& gamma, const Exact_curve& phi, const Exact_curve& psi,
                const Exact& beta, const Exact& eta, const std::string& parameters,

@@ -19,7 +19,7 @@
 #include <type_traits>
 #include <vector>
 
-// What one strategy gives.
+// The result of one strategy.
 template <class FT> struct Blend_result {
   std::string strategy;
   Program_curve<FT> curve;

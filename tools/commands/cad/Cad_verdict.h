@@ -23,7 +23,7 @@
 // The tolerance unless one is given: the edges of CAD models are computed, and never meet exactly.
 constexpr const char* default_cad_tolerance = "vda-4955";
 
-// What is asked of the edges of CAD models.
+// The demands on the edges of CAD models.
 struct Cad_demand {
   std::optional<int> order;  // that is required
   int most = 0;              // up to this order there are bounds
@@ -56,7 +56,7 @@ inline bool has_verdict(const Cad_edge& edge) {
   return edge.kind == Cad_edge_kind::inner || edge.kind == Cad_edge_kind::seam || edge.kind == Cad_edge_kind::knot_line;
 }
 
-// What is known of an edge within the tolerance.
+// The verdict on an edge within the tolerance.
 struct Cad_verdict {
   std::optional<GC::Edge_enclosure> enclosure; // if the edge has two sides that can be compared
   std::string reason;                          // why they cannot, or why the edge is not what it is said to be

@@ -22,7 +22,7 @@ constexpr std::uint64_t steps_of_box = 4000;
 // So many ranges of an edge about which nothing is known are looked at for poles, and an edge is taken to pass so many.
 constexpr std::size_t most_poles = 16;
 
-// What an angle may be less than that of a corner, relatively: the numbers in files are rounded.
+// An angle may be smaller than that of a corner by this relative amount, because the numbers in files are rounded.
 constexpr double rounded_angle = 1e-9;
 
 GC::Bound times(const GC::Bound& x, double factor) { return GC::Enclosure{x.lower() * factor, x.upper() * factor}; }
@@ -318,7 +318,7 @@ Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
     result = decision.decide();
     const bool is_far =
         result.deviation && GC::at_most(result.deviation->value, demand.bounds.gap) != GC::Verdict::proved;
-    // What is wrong or undecided with a projection is measured with a better one.
+    // A projection that is wrong or undecided is measured with a better one.
     const bool is_wrong = edge.projected && result.within[1] != GC::Verdict::proved;
     for (int pieces : {32, 256}) {
       if (!edge.space || !(result.in_doubt || (is_wrong && !result.computed))) break;

@@ -50,7 +50,7 @@ struct Cad_summary {
 
   std::size_t decided() const { return inner + seams + knot_lines; }
 
-  // What is to be done where no edge is compared; empty if there is nothing to say.
+  // Returns a hint what to do if no edge is compared; it is empty if there is nothing to say.
   std::string hint() const;
 
   void add(const Decided_cad_file& file, const Cad_demand& demand);

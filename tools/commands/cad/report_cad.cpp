@@ -43,7 +43,7 @@ Report_grade grade(const Cad_verdict& verdict) {
   return Report_grade::undecided;
 }
 
-// What is worst of an edge: the gap, the angle, or of smooth faces the jump of the curvature.
+// Returns the worst number of an edge: the gap, the angle, or the jump of the curvature of smooth faces.
 const GC::Edge_maximum& worst(const GC::Edge_enclosure& e, Report_grade grade) {
   if (grade == Report_grade::gap || !e.angle) return e.gap;
   return grade >= Report_grade::g1 && e.curvature_jump ? *e.curvature_jump : *e.angle;
@@ -60,7 +60,7 @@ Cad_demand page_demand(const std::string& tolerance, const Report_demand& asked)
   return demand;
 }
 
-// The same bounds, rounded outwards where they are so near to zero that nobody needs to know how near.
+// Returns the bounds, rounded outwards where they are so near to zero that nobody needs to know how near.
 GC::Enclosure readable(const GC::Enclosure& x) {
   const double least = std::nextafter(1e-9, 0.); // mm, degrees or percent; not above the decimal
   return {x.lower < least ? 0 : x.lower, x.upper > 0 && x.upper < least ? least : x.upper};
@@ -107,7 +107,7 @@ class Cad_page {
   std::vector<Report_model::Edge> edges_, others_; // those of two sides, and the boundaries
   std::vector<Report_model::Patch> faces_;
   std::vector<std::string> undrawn_; // the faces that cannot be drawn, and why
-  // What is drawn of each file ends behind these numbers.
+  // The drawing of each file ends at these numbers.
   struct End {
     std::size_t faces, edges, others;
   };
@@ -216,7 +216,7 @@ class Cad_page {
     page_.notes.push_back(counted(files_.size(), "file") + ", which are drawn beside each other, not where they lie.");
   }
 
-  // What the page says where no edge is compared.
+  // The page shows this text if no edge is compared.
   std::string empty_text() const {
     std::string text = "There is no edge of two sides";
     if (summary_.boundary > 0) text += ", but " + counted(summary_.boundary, "boundary edge");

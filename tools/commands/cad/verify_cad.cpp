@@ -64,7 +64,7 @@ std::string entities(const Cad_edge& edge, const Cad_model& model) {
   return text;
 }
 
-// What an edge is, wherever the model is placed and whatever the numbers of its entities are.
+// Describes an edge, wherever the model is placed and whatever the numbers of its entities are.
 std::string shape(const Cad_edge& edge, const Cad_model& model) {
   std::vector<std::string> surfaces;
   for (const std::size_t face : edge.faces) surfaces.push_back(model.faces[face]);

@@ -33,7 +33,7 @@ private:
   std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
 
 public:
-  // Of a subpath in the coordinates to which the transform of the element leads.
+  // Takes a subpath in the coordinates to which the transform of the element leads.
   Subpath_joins(const Drawing_element& element, const Drawing_subpath& path);
 
   // Returns how many segments are looked through.

@@ -110,7 +110,7 @@ class Drawing_report : public Drawing_handler {
     return drawn || (*grade == GC::Visual_class::corner && leaves_corners(*required_)) ? Claim::met : Claim::not_met;
   }
 
-  // What is said of segments that are looked through.
+  // Appends the words about skipped segments.
   static void append_rounding(std::string& s, std::size_t looked_through) {
     if (looked_through == 0) return;
     append(s, ", rounding: ", counted(looked_through, "segment"), looked_through == 1 ? " is" : " are",
@@ -329,7 +329,7 @@ private:
     return *decision->curvature_vector_equal ? Finding_rule::derivative : Finding_rule::curvature;
   }
 
-  // What makes the defect, from the join on, wherever that is: both segments, of curves with a kink or a corner their handles.
+  // Describes the defect relative to the join, wherever that is: by both segments, or by the handles of curves with a kink or a corner.
   static std::string shape(Finding_rule rule, const Segment& left, const Segment& right) {
     const bool is_of_tangents = rule == Finding_rule::kink || rule == Finding_rule::corner;
     std::ostringstream os;
@@ -368,7 +368,7 @@ private:
     return angle ? std::optional<Measure>(Measure{"angle_degrees", *angle}) : std::nullopt;
   }
 
-  // What the lines of an element begin with: names from outside must not look like lines.
+  // The lines of an element begin with this name; names from outside must not look like lines.
   std::string name(const Drawing_element& element) const {
     return GC::printable((several_ ? element.file + ": " : "") + element.text());
   }

@@ -43,7 +43,7 @@ struct Claim_counts {
     return text + '}';
   }
 
-  // Of the object `claims` of a report, where what is open is an array with a count for each reason, or of a record.
+  // Reads the object `claims` of a report, in which open things are an array with a count for each reason, or of a record.
   static Claim_counts of(const Json_view& claims) {
     Claim_counts result;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -59,7 +59,7 @@ struct Claim_counts {
   }
 };
 
-// What a file was asked, and by which program.
+// The question that a file was asked, and the program that asked it.
 struct File_question {
   std::vector<std::string> options; // that matter for the answer, in one order and one form
   std::string version;              // of the program
@@ -74,7 +74,7 @@ struct File_question {
   }
 };
 
-// What a file may take. An answer does not depend on it, but whether there is one may.
+// The limits for a file. An answer does not depend on them, but its existence may.
 struct File_limits {
   double seconds = 0, mebibytes = 0;
 
@@ -171,7 +171,7 @@ private:
   }
 };
 
-// What has been read of a text of records.
+// The records that have been read from a text.
 struct Read_records {
   std::uint64_t size = 0;  // the bytes of whole lines
   std::size_t records = 0; // among them

@@ -127,8 +127,7 @@ private:
   }
 };
 
-// What an option gives in one form for all texts that mean the same: numbers are fractions, presets of tolerances their bounds, and what is
-// given by a file is the hash of the file.
+// Returns the value of an option in one form for all texts with the same meaning. Numbers become fractions, presets of tolerances become their bounds, and files become their hashes.
 std::string normal_value(const std::string& name, const std::string& value) {
   if (name == "require") return Requirement(value).text();
   if (name == "baseline") {
@@ -169,7 +168,7 @@ File_question question_of(const Arguments& options) {
   return question;
 }
 
-// What a file is asked, and what is known of it before.
+// The question for a file, and the previous record of it.
 struct Asked_file {
   const std::string& name;
   const List_demand& demand;
@@ -180,7 +179,7 @@ struct Asked_file {
     return '{' + File_record::json_name(name) + ",\"exit_code\":" + std::to_string(exit_code) + ',' + members;
   }
 
-  // What the answer belongs to, in front of the report.
+  // Returns the question of the answer, which precedes the report.
   std::string question() const {
     return ',' + asked.json() + ",\"size\":" + state.size + ",\"sha256\":" + state.sha256;
   }

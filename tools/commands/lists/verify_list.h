@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-// What is asked of many files, each of which is verified by a process of its own.
+// The demands on many files, each of which is verified by a process of its own.
 struct List_demand {
   std::string list, output; // the names of files, and where their records are written
   Arguments options;        // of `verify`

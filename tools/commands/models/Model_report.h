@@ -27,7 +27,7 @@
 #include <type_traits>
 #include <vector>
 
-// What is asked of the edges of a model.
+// The demands on the edges of a model.
 struct Edge_demand {
   std::optional<int> order;
   std::optional<GC::Edge_tolerance> tolerance;
@@ -140,7 +140,7 @@ private:
                                        [&](std::size_t n) { progress.step(n, [&] { return part(n); }); });
   }
 
-  // What is required, exactly or within the tolerance; where nothing is required, all orders within the tolerance.
+  // Returns the claim of the requirement, exactly or within the tolerance; where nothing is required, of all orders within the tolerance.
   Claim claim(int exact_order, const std::optional<Within>& within) const {
     if (!demand_.order) {
       const bool is_open = within && ((*within)(0) == GC::Verdict::undecided || (*within)(1) == GC::Verdict::undecided);

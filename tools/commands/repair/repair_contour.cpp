@@ -31,7 +31,7 @@ CGAL::Exact_rational squared_distance(const Vector& p, const Vector& q) {
   return CGAL::Exact_rational(x * x + y * y);
 }
 
-// What moves leave behind: what is better is less.
+// The harm that moves leave behind; less is better.
 struct Harm {
   std::size_t kinks = 0; // that are left next to them
   std::size_t lost = 0;  // joins that are G2 no more
@@ -92,7 +92,7 @@ class Contour_mender {
     return most;
   }
 
-  // What is to stay at a join next to a move.
+  // The state of a join next to a move, which must be kept.
   struct State {
     std::size_t join;
     std::optional<GC::Visual_class> grade;
@@ -156,7 +156,7 @@ class Contour_mender {
     return smooth ? "" : "another join would be harmed";
   }
 
-  // What would mend a kink.
+  // A proposal that would mend a kink.
   struct Proposal {
     std::size_t join;
     Moves moves = {}; // none where there is a reason
@@ -268,7 +268,7 @@ class Contour_mender {
     return proposal;
   }
 
-  // What distinguishes legs that are no mirror images of each other, whichever way the contour is run through.
+  // Distinguishes handles that are no mirror images of each other, whatever the direction of the contour is.
   static std::pair<std::int64_t, std::int64_t> rank(const Vector& v) {
     return {squared_length(v), (std::max)((std::abs)(v.x), (std::abs)(v.y))};
   }
@@ -587,7 +587,7 @@ std::string units(const GC::Enclosure& distance) {
 Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
   const Grid_contour given = contour;
   Contour_repair result = Contour_mender(contour, options).mend();
-  // What was left may be possible now; a limit that is given holds for all of it.
+  // A repair that was impossible before may be possible now; a given limit holds for all rounds together.
   for (bool more = !same_points(contour, given) && !result.unrepaired.empty(); more;) {
     Grid_contour again = contour;
     Contour_repair next = Contour_mender(again, options).mend();

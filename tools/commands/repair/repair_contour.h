@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// What to repair, and how.
+// Options that tell what to repair, and how.
 struct Repair_options {
   GC::Corner_threshold bound; // kinks are angles up to this one
   std::optional<CGAL::Exact_rational>
@@ -52,7 +52,7 @@ struct Curvature_jump {
   std::string reason;          // why it is not harmonised; empty when it is
 };
 
-// What was done with a contour.
+// The result of the repair of a contour.
 struct Contour_repair {
   std::vector<Handle_move> moves;
   std::vector<Unrepaired_join> unrepaired;

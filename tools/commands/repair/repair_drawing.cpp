@@ -78,7 +78,7 @@ bool is_read_as(const Grid_curve& read, const Grid_curve& computed) {
   throw std::logic_error(place + ": what would be written is not what was computed; nothing is written");
 }
 
-// What a reader of drawings for repair does with shapes and paths: counts joins.
+// Counts the joins of shapes and paths when a drawing is read for repair.
 class Counting_handler : public Drawing_handler {
 protected:
   const GC::Corner_threshold& bound_;

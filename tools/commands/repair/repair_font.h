@@ -17,7 +17,7 @@
 // move with the handles: with halves, which are five tenths, all curves are fixed.
 Grid_contour grid_contour(const Glyph_outline& outline, std::size_t contour);
 
-// What was done with the fonts of a file.
+// The result of the repair of the fonts of a file.
 struct Font_repair {
   std::string
       moves; // {"moves":[…],"not_repaired":[…],"before":{…},"after":{…}}, the moves of handles in units of the font

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-// What a CAD file holds, without anything of the library that reads it.
+// These types hold the contents of a CAD file, and do not depend on the library that reads it.
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -58,7 +58,7 @@ struct Cad_edge {
   GC::Cad_placement place = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 };
 
-// What a file says of a face.
+// The label that a file gives a face.
 struct Cad_label {
   std::string id;                              // of its entity, e.g. "#123"
   std::string name;                            // empty if it has none
@@ -70,7 +70,7 @@ struct Cad_label {
 struct Cad_mesh {
   std::vector<GC::Cad_point<3>> points;
   std::vector<std::array<std::size_t, 3>> triangles;
-  // Of a face whose boundary has been healed, which is not the one that is decided: how far the edges are from the triangles, rounded.
+  // If the boundary of a face has been healed, and so differs from the one that is decided: how far the edges are from the triangles, rounded.
   std::optional<double> healed;
   std::string reason = {}; // why it cannot be drawn; empty if it can
 };

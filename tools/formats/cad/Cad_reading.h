@@ -7,7 +7,7 @@
 
 #include <optional>
 
-// What is read of a CAD file beyond what decides.
+// The parts of a CAD file that are read besides the geometry that decides.
 enum class Cad_drawing { none, faces_and_edges };
 
 // How a file is read.

@@ -43,7 +43,7 @@ class Attribute_text {
     }
   }
 
-  // What a reference to a character stands for; others are not those of numbers and letters.
+  // Returns the character of a reference; other references do not stand for numbers and letters.
   static char character(std::string_view name) {
     if (name.size() < 2 || name[0] != '#') return '&';
     const bool hexadecimal = name[1] == 'x';

@@ -144,7 +144,7 @@ class Drawing_reader {
     if (reason) refuse(*reason);
   }
 
-  // What has been read of the file from the place on to which the current call refers.
+  // Returns the bytes that have been read from the place of the current call on.
   std::string_view rest() const {
     int offset = 0, size = 0;
     const char* const context = XML_GetInputContext(parser_.get(), &offset, &size);
@@ -263,7 +263,7 @@ public:
   }
 };
 
-// What the animation moves of the element that holds it, or to which it refers.
+// Does the animation move the outlines of the element that contains it, or to which it refers?
 bool moves_outlines(const Drawing_node& node) {
   if (node.name == "animateMotion" || node.name == "animateTransform") return true;
   if (node.name != "animate" && node.name != "set") return false;

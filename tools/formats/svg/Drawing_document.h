@@ -29,7 +29,7 @@ struct Drawing_node {
   std::size_t tag_begin = 0; // in the file
 };
 
-// What is kept of a drawing besides its elements.
+// The parts of a drawing that are kept besides its elements.
 enum class Drawing_tags { with_lines, all };
 
 // The elements of a drawing, in the order of the file: an element stands before those that it holds.

@@ -21,7 +21,7 @@ struct Styled_element {
   std::string_view name, id, classes;
 };
 
-// What a property does to the outline of an element.
+// The effect of a property on the outline of an element.
 enum class Style_effect { none, shape, place, place_of_transform, animation };
 
 // The name of a property without the prefix that browsers read as if it were not there.

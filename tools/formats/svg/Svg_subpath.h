@@ -27,7 +27,7 @@ template <class Traits> struct Svg_segment : Path_segment<Traits> {
   }
 };
 
-/// What a path draws from one command M, or from the end of a closed subpath, to the next.
+/// The curve that a path draws from one command M, or from the end of a closed subpath, to the next.
 template <class Traits> struct Svg_subpath {
   std::deque<Svg_segment<Traits>> segments; ///< each starts where the one before it ends
   bool closed = false;      ///< the end of the last one is the start of the first, and they join: by Z, or join_ends()

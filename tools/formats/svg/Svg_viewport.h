@@ -23,7 +23,7 @@ namespace Geometric_continuity {
 template <class FT> struct Svg_viewport {
   std::optional<FT> width, height;
 
-  // That of lengths that are neither horizontal nor vertical, where the square root is rational.
+  // Returns the size for lengths that are neither horizontal nor vertical, if the square root is rational.
   std::optional<FT> diagonal() const {
     if (!width || !height) return std::nullopt;
     if (*width == *height) return width;

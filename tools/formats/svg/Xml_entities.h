@@ -53,7 +53,7 @@ public:
     return reason;
   }
 
-  // The same for what stands between the first two quotation marks of one kind.
+  // Checks the text between the first two quotation marks of one kind.
   std::optional<std::string> refusal_in_quoted(std::string_view text) const {
     const std::size_t begin = text.find_first_of("'\"");
     if (begin == std::string_view::npos) return std::nullopt;

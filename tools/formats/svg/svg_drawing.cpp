@@ -23,7 +23,7 @@
 
 namespace {
 
-// What use elements repeat, together, as it is written: so many bytes, or this many times the drawing when that is more.
+// The elements that use elements repeat may have this size together, as written: so many bytes, or this many times the size of the drawing if that is more.
 constexpr std::size_t free_repetition = 1 << 24, most_repetitions = 10;
 constexpr std::size_t most_nested = 256; // elements in each other, with those that are repeated
 
@@ -55,7 +55,7 @@ int most_decimals(std::string_view text) {
 
 // Goes through the elements of a drawing, and through those that use elements repeat, and hands on what they draw.
 class Drawing_walk {
-  // What is gone through: the elements from one on, and those that a use element repeats in its place.
+  // A part that is traversed: the elements from one on, and those that a use element repeats in its place.
   struct Part {
     std::size_t next, end;
     std::size_t frames;      // how many there are below
@@ -188,7 +188,7 @@ class Drawing_walk {
     return value != "none" && value != "transparent";
   }
 
-  // Of an element that is not drawn there.
+  // Takes an element that is not drawn there.
   bool is_filled_where_it_stands(std::size_t i) const {
     const std::size_t parent = node(i).parent;
     return is_filled(i, parent == i || is_filled_where_it_stands(parent));

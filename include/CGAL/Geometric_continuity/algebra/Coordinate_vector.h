@@ -34,8 +34,7 @@ namespace Geometric_continuity {
 /// formulas of the package are written on this type, so that one text serves every kernel and
 /// every dimension.
 ///
-/// That two vectors of a dimension known at run time only have the same dimension when they meet is the caller's duty:
-/// these operations run in the innermost loops. The functions of the package that read points and vectors check it.
+/// The caller must ensure that two vectors whose dimension is known at run time only have the same dimension, because these operations run in the innermost loops. The functions of the package that read points and vectors check it.
 ///
 /// \tparam FT a field number type
 /// \tparam N the dimension, or 0 when it is known at run time only

@@ -181,7 +181,7 @@ Fair_numbers<kind> fair_numbers(const Jet& phi, const Jet& psi, double beta, dou
           {minimum.iterations, minimum.before, minimum.after, minimum.converged}};
 }
 
-// What a strategy chooses that also chooses the shape.
+// A strategy that also chooses the shape returns this.
 template <class FT, class Strategy> struct Fair_choice {
   Shape_parameters<FT> shape;
   Strategy strategy; // for this shape

@@ -292,8 +292,8 @@ template <class Function> double nearest_short_ratio(const Function& is_below) {
   return short_ratio(low);
 }
 
-// The same for |a2 - a1| / |d| by exact numbers of any size: whether |a2 - a1|^2 < m^2 |d|^2, where coordinates of floating-point type
-// are whole numbers in one unit, and m a fraction of such numbers.
+// Finds the ratio |a2 - a1| / |d| by exact numbers of any size, from the sign of |a2 - a1|^2 - m^2 |d|^2. Coordinates of
+// floating-point type are integers in one unit, and m is a fraction of such integers.
 template <class FT, int N>
 double exact_chord_ratio(const Coordinate_vector<FT, N>& a1, const Coordinate_vector<FT, N>& a2,
                          const Coordinate_vector<FT, N>& d) {

@@ -30,7 +30,7 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// What differs between the shapes of rational curves.
+// Describes the differences between the shapes of rational curves.
 template <class Shape> struct Curve_shape;
 template <class Traits, int Degree_> struct Curve_shape<Bezier_curve<Traits, Degree_>> {
   typedef Bezier_curve<Homogeneous_traits<Traits>, Degree_> Homogeneous;

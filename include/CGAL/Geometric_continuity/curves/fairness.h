@@ -251,7 +251,7 @@ template <class NT> class Curvature_walk {
   Signed_square<NT> end_; // the curvature at the end of the last piece
 
 public:
-  // Of a rational curve, the rows are homogeneous.
+  // The rows of a rational curve are homogeneous.
   template <int N>
   void add(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational, const NT& a, const NT& b) {
     const Curvature_polynomials<NT> curve(rows, rational);
@@ -399,8 +399,7 @@ template <class Curve, class Function> void for_each_exact_piece(const Curve& cu
 /// dimensions the curvature is not negative, and an inflection is a place where the curvature vector vanishes and has the
 /// opposite directions before and behind; it is a minimum there. Of a planar curve both have the same inflections.
 ///
-/// What does not change its sign is not counted, as a point of undulation; neither are the ends of the domain, also where they
-/// meet. A straight line has neither extrema nor inflections. A curve of several pieces is treated as one: where the curvature
+/// A zero without a change of sign, such as a point of undulation, is not counted. Neither are the ends of the domain, also where they meet. A straight line has neither extrema nor inflections. A curve of several pieces is treated as one: where the curvature
 /// jumps it rises or falls at once, and the extremum in front of a jump and the one behind have the same parameter.
 /// A stretch of constant curvature, a straight piece, between rising and falling counts once, with the parameter where it
 /// begins; and the same holds between two bends in opposite directions.

@@ -130,7 +130,7 @@ template <class FT, class Row, class Get, class Set> void solve_tridiagonal(int 
   }
 }
 
-// The same for a cyclic system of 3 unknowns or more: in the first row, a belongs to the last unknown, in the last row c to the first
+// Solves a cyclic system of 3 unknowns or more: in the first row, a belongs to the last unknown, in the last row c to the first
 // one. The others are y_i - z_i x_{n-1}, where y and z solve the equations without the last unknown.
 template <class FT, class Row, class Get, class Set> void solve_cyclic(int n, Row row, Get get, Set set) {
   typedef std::decay_t<decltype(get(0))> Value;

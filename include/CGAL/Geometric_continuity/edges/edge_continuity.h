@@ -286,7 +286,7 @@ void add_knot_lines(const Surface& s, Parameter_line line,
   }
 }
 
-// What knot_line_continuity() returns; report() is called after each line.
+// Returns the result of knot_line_continuity(); report() is called after each line.
 template <class Surface, class Report>
 std::vector<Knot_line<Edge_field<typename Surface::Traits>>> knot_lines(const Surface& surface, Report report) {
   require_space(surface, "knot_line_continuity");

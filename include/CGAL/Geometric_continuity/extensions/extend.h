@@ -158,7 +158,7 @@ Bezier_curve<Traits, Degree> extend(const Bezier_curve<Traits, Degree>& left, Fr
 
 namespace internal {
 
-// What an extension of this order reads of a rational curve: its Taylor polynomial, of its degree or of that order.
+// Returns the part of a rational curve that an extension of this order reads: its Taylor polynomial, of its degree or of that order.
 template <class Traits, int Degree>
 Bezier_curve<Traits> polynomial_at_end(const Rational_bezier_curve<Traits, Degree>& left, Frenet_order order) {
   if (left.is_polynomial()) return *left.polynomial();

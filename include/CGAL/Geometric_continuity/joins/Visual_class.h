@@ -80,7 +80,7 @@ public:
   // The first leg that is not zero, as a curve that ends, or starts, at the node.
   Line curve() const { return which == Curve_end::end ? line(leg_, 0) : line(0, leg_); }
 
-  // The same in the direction of the curve, the coordinates subtracted in NT.
+  // Returns the vector in the direction of the curve. The coordinates are subtracted in NT.
   template <class NT> std::array<NT, 2> vector() const {
     const int from = which == Curve_end::end ? leg_ : 0, to = which == Curve_end::end ? 0 : leg_;
     const auto difference = [&](int i) -> NT {
@@ -110,8 +110,7 @@ struct Kink_size {
   /// By how much a handle is off, in units of the coordinates: how far the tip of one of them must move at least to make their directions
   /// equal, \f$ |a \times b| / \max(|a|, |b|) \f$; from a right angle on \f$ \min(|a|, |b|) \f$. On a grid, about one unit is rounding.
   Enclosure handle_offset;
-  /// What the eye sees: the angle times the length of the shorter handle, in units of the coordinates. Compare it to the size of what is
-  /// drawn, an em or a drawing.
+  /// The visible size: the angle times the length of the shorter handle, in units of the coordinates. Compare it to the size of the em or the drawing.
   Enclosure severity;
 
   /// Writes e.g. `angle [0.0499583, 0.0499584], handle off by 1, severity [0.999166, 0.999167]`.

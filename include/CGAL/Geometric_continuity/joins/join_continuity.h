@@ -86,7 +86,7 @@ Join_continuity<Predicate_FT<typename Left::Traits>> decide_continuity(const Lef
   }
 }
 
-// The same, with what up_to_rounding() needs.
+// Returns the result, with the data that up_to_rounding() needs.
 template <class Left, class Right, class Order>
 Join_continuity<Predicate_FT<typename Left::Traits>> continuity_of_curves(const Left& left, const Right& right,
                                                                           Order max_order) {

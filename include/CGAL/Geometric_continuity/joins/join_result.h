@@ -50,9 +50,7 @@ struct Parameter_end {
   double rests[4] = {0, 0, 0, 0}; // what the points are larger than these doubles
 };
 
-// What the shape parameters beta_1, beta_2, ... of a join are computed from, when someone asks for them. Either from the
-// forms of a decision on jets, beta_k = b_k / g^(2k-1); or, for joins of curves with double coordinates, from one coordinate:
-// of the vectors Y^(k) - sum_{m=2}^k B_{k,m}(beta_1, ...) X^(m) = beta_k X' only that is needed. No memory is allocated before.
+// Computes the shape parameters beta_1, beta_2, ... of a join on request. They come from the forms of a decision on jets, beta_k = b_k / g^(2k-1). Or, for joins of curves with double coordinates, they come from one coordinate, since the vectors Y^(k) - sum_{m=2}^k B_{k,m}(beta_1, ...) X^(m) = beta_k X' need no more. No memory is allocated before.
 template <class FT> class Join_parameters {
   std::vector<FT> forms_; // g, b_1, b_2, ...
   Parameter_scale scale_;

@@ -151,7 +151,7 @@ private:
 
 namespace internal {
 
-// What overflows in floating-point arithmetic is refused: x - x is not 0 then.
+// Refuses a jet that overflows in floating-point arithmetic, where x - x is not 0.
 template <class Traits> void check_jet(const Surface_jet<Traits>& jet, const char* place) {
   if constexpr (std::is_floating_point_v<typename Traits::FT>) {
     Coordinates<Traits> zeros(jet.dimension());

@@ -58,7 +58,7 @@ inline std::string surface_in_tessellation(std::size_t number) {
   return "tessellate: surface " + std::to_string(number);
 }
 
-// What is known of a Bezier patch before its edges are compared with those of others.
+// Returns the bounds of a Bezier patch before its edges are compared with those of others.
 template <class Patch> Patch_cells bounds_of_patch(const Uniform_grid& grid, const Patch&, std::size_t) {
   return {grid.n, grid.n};
 }

@@ -62,12 +62,12 @@ public:
   // For `factor` times the limit.
   Work_meter(Work_limit limit, const char* place, double factor = 1)
       : limit_(limit), place_(place), allowed_(static_cast<double>(limit.steps()) * factor) {}
-  // That calls pause(), which lives as long.
+  // Makes a meter that calls pause(), which must live as long.
   Work_meter(Work_limit limit, const char* place, const std::function<void()>& pause) : Work_meter(limit, place) {
     pause_ = &pause;
   }
 
-  // That of the innermost Work_scope of this thread with a place, and that of the object that is at work: null if there is none.
+  // Returns the meter of the innermost Work_scope of this thread with a place, or the meter of the current object: null if there is none.
   static Work_meter*& scope() {
     static thread_local Work_meter* meter = nullptr;
     return meter;

@@ -82,7 +82,7 @@ template <class Field, class Left, class Right> bool turn_back(const Left& left,
   return on_line;
 }
 
-// The same curve, at the speed 1 where it has this first derivative, if its speed there is rational. A strategy may round, and then the blend
+// Returns the curve at the speed 1 where it has this first derivative, if its speed there is rational. A strategy may round, and then the blend
 // of two lines would depend on how fast they are run through.
 template <class Curve, class Vector> Curve at_unit_speed(const Curve& curve, const Vector& derivative) {
   typedef typename Curve::FT FT;

@@ -149,8 +149,7 @@ std::vector<typename Coefficients::value_type> bspline_bezier(const Knot_vector<
 /// of `bspline_bezier()`: each coefficient is one value of the blossom of one polynomial. \f$ O(n p^2) \f$ With rounded
 /// numbers, knots far outside the domain magnify the roundings: their coefficients are extrapolations.
 ///
-/// That the polynomials join as smoothly at each knot of multiplicity `m` as `knots` says, \f$ C^{p-m} \f$, is the
-/// caller's duty: otherwise there is no such spline, and each coefficient belongs to one of the polynomials.
+/// The caller must ensure that the polynomials join as smoothly at each knot of multiplicity `m` as `knots` says, \f$ C^{p-m} \f$. Otherwise there is no such spline, and each coefficient belongs to one of the polynomials.
 /// \throws Error `wrong_number_of_points` unless there are `p + 1` coefficients for each span
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_from_bezier(const Knot_vector<FT>& knots,

@@ -92,7 +92,7 @@ public:
   }
 
 private:
-  // Of a function that is no number.
+  // Is a function that is no number positive?
   bool is_positive_function() const {
     const std::vector<FT>& c = f_.coefficients();
     if (std::all_of(c.begin(), c.end(), [](const FT& x) { return FT(0) < x; })) return true; // mostly

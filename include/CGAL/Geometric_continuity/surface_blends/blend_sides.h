@@ -99,7 +99,7 @@ using Side_of_blend = Blend_side<typename internal::Blended_surfaces<Surface_a, 
 
 namespace internal {
 
-// What a function is to be where an edge ends: the value, and the slope if it is given.
+// A function must have this value where an edge ends, and this slope if it is given.
 template <class FT> struct Edge_end_value {
   FT value;
   std::optional<FT> slope;
@@ -177,7 +177,7 @@ public:
     if constexpr (order == 3) x_ = derivatives(end.third_cross, 1);
   }
 
-  // Of C', T, C in the derivative of the order n across the edge; 0 where it is higher than that of the blend, or not rational.
+  // Returns the free coefficient of C', T or C in the derivative of the order n across the edge. It is 0 if the order is higher than that of the blend, or if the blend is not rational.
   Number free(int n, std::size_t i) const { return i < k ? free_[n - 1][i] : Number{FT(0), FT(0)}; }
 
   const Vector& point() const { return c_[0]; }
@@ -248,7 +248,7 @@ private:
     const Vector* row; // followed by its derivative along the edge
   };
 
-  // What the derivative of the order n across the edge is besides C', T and C. With c = lambda_1, and alpha_2 + 2 c alpha and
+  // Returns the part of the derivative of the order n across the edge besides C', T and C. With c = lambda_1, and alpha_2 + 2 c alpha and
   // delta + 2 c beta for the coordinates p, q of the second one, it is alpha^2 C'' + 2 alpha beta T' + beta^2 W, and of the third one
   // alpha^3 C''' + 3 alpha^2 beta T'' + 3 alpha beta^2 W' + beta^3 X and
   // 3 (alpha (p - c alpha) C'' + (alpha q + beta p - 2 c alpha beta) T' + beta (q - c beta) W).

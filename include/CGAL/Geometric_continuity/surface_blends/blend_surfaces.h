@@ -79,10 +79,10 @@ template <bool is_rational, class FT, int N> void check_edge(const Blend_end<FT,
   refuse_edge(is_point, vanishes, surface);
 }
 
-// What C, C', C'', T, T' and W are multiplied by in a sum: numbers or functions along the edge.
+// C, C', C'', T, T' and W are multiplied by these numbers, or functions along the edge, in a sum.
 template <class F> struct Row_weights { F c, c1, c2, t, t1, w; };
 
-// Of the sums n (b_1 - b_0) = d S_v and n (n-1) (b_2 - b_0) = 2 (n-1) d S_v + S_vv, where n is the degree across and d is 1 at the start
+// Returns the weights of the sums n (b_1 - b_0) = d S_v and n (n-1) (b_2 - b_0) = 2 (n-1) d S_v + S_vv, where n is the degree across and d is 1 at the start
 // of the blend, -1 at its end. With lambda_1 and lambda_2 the derivatives are S_v = lambda_1 C + D and
 // S_vv = lambda_2 C + 2 lambda_1 D + E, with D = alpha C' + beta T.
 template <class FT, class F>
@@ -94,10 +94,10 @@ std::array<Row_weights<F>, 2> row_weights(const F& alpha, const F& beta, const F
             F(e * beta + two * lambda1 * beta + delta), F(two * alpha * beta), F(beta * beta)}}};
 }
 
-// What C''', T'', W' and X are multiplied by in addition.
+// C''', T'', W' and X are multiplied by these in addition.
 template <class F> struct Third_row_weights : Row_weights<F> { F c3, t2, w1, x; };
 
-// Of the sum 210 (b_3 - b_0) = 90 d S_v + 15 S_vv + d S_vvv, which is n (n-1) (n-2) (b_3 - b_0) for the degree n = 7, with
+// Returns the weights of the sum 210 (b_3 - b_0) = 90 d S_v + 15 S_vv + d S_vvv, which is n (n-1) (n-2) (b_3 - b_0) for the degree n = 7, with
 // S_vvv = lambda_3 C + 3 lambda_2 D + 3 lambda_1 E + alpha^3 C''' + 3 alpha^2 beta T'' + 3 alpha beta^2 W' + beta^3 X
 //   + 3 alpha alpha_2 C'' + 3 (alpha delta + alpha_2 beta) T' + 3 beta delta W + alpha_3 C' + delta_3 T.
 template <class FT, class Reparametrisation>

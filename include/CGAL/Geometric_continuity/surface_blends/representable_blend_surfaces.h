@@ -44,10 +44,10 @@ template <class Surface> struct Representable_blend_surface {
   Surface first;  ///< the first surface; three layers of control points next to the edge are on a grid
   Surface blend;  ///< from the edge of the first surface, at `v = 0`, to that of the second one, at `v = 1`
   Surface second; ///< the second surface; three layers of control points next to the edge are on a grid
-  /// What was needed at the edge of the first surface. `grid` has the coordinates of the first column of control points across the edge,
+  /// The changes that were needed at the edge of the first surface. `grid` has the coordinates of the first column of control points across the edge,
   /// then those of the second one, and so on.
   Representable_join<FT, 0> start_join;
-  /// What was needed at the edge of the second surface.
+  /// The changes that were needed at the edge of the second surface.
   Representable_join<FT, 0> end_join;
 };
 
@@ -165,7 +165,7 @@ public:
   }
 
 private:
-  // Of the control point number i along the edge in the layer j.
+  // Returns the index of the control point number i along the edge in the layer j.
   std::pair<int, int> index(int i, int j) const {
     const int along = opposite_ ? number_of_columns() - 1 - i : i,
               across = at_upper_end(edge_) ? across_.number_of_coefficients() - 1 - j : j;

@@ -27,7 +27,7 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// What differs between the shapes of rational surfaces. A side is what tells the domain in one parameter.
+// Describes the differences between the shapes of rational surfaces. A side gives the domain in one parameter.
 template <class Shape> struct Surface_shape;
 template <class Traits> struct Surface_shape<Bezier_patch<Traits>> {
   typedef Bezier_patch<Homogeneous_traits<Traits>> Homogeneous;
@@ -454,7 +454,7 @@ private:
     return w == FT(0) ? y : FT(w * y);
   }
 
-  // Of the control point number i along an edge of a patch in the layer j.
+  // Returns the index of the control point number i along an edge of a patch in the layer j.
   std::pair<int, int> index(Patch_edge edge, int i, int j) const {
     const int inward = at_upper_end(edge) ? degree_across(edge) - j : j;
     return runs_along_u(edge) ? std::make_pair(i, inward) : std::make_pair(inward, i);

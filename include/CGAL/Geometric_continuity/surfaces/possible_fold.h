@@ -214,7 +214,7 @@ private:
 template <class Surface> struct Shape_of { typedef Surface type; };
 template <class Shape> struct Shape_of<Rational_surface<Shape>> { typedef Shape type; };
 
-// Of a patch in space, or one of homogeneous points.
+// Takes a patch in space, or one of homogeneous points.
 template <class Patch> Interval_net<Normal_point> interval_net(const Patch& s) {
   Interval_net<Normal_point> net(s.degree_u(), s.degree_v());
   for (int i = 0; i <= s.degree_u(); ++i)

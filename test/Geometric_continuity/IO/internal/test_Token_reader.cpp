@@ -310,7 +310,7 @@ BOOST_AUTO_TEST_CASE(long_words) {
   }
 }
 
-// What was read before the failure counts, as far as words are complete; the failure is never taken for the end.
+// Complete words that were read before the failure count; the failure is never taken for the end.
 BOOST_AUTO_TEST_CASE(failing_streams) {
   const std::string reason = std::generic_category().message(EIO);
   const std::function<void()> system = [] { throw std::system_error(EIO, std::generic_category(), "read"); },

@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(what_fixed_length_leaves_open) {
   BOOST_CHECK(!search(Whole(std::vector<Ring>(5, Ring(0))), one(4))); // no angle
 }
 
-// Of two spans with one defect the one with the larger angle is worse, and one of which no angle is known is not.
+// If two spans have one defect, the span with the larger angle is worse. A span whose angle is unknown is not worse.
 BOOST_AUTO_TEST_CASE(worse_spans) {
   GC::Edge_continuity<Q> none, small;
   none.g_order = small.g_order = 0;

@@ -188,7 +188,7 @@ public:
   }
 };
 
-// What two surfaces have along the edge, see Edge_conditions.
+// Describes two surfaces along an edge, see Edge_conditions.
 struct Connection {
   int n, q1, q2; // degrees
   Curve c, t1, w1, t2, w2;
@@ -350,7 +350,7 @@ BOOST_AUTO_TEST_CASE(smooth_edges) {
     }
 }
 
-// Of first order only, by a little or much.
+// The surfaces agree to first order only, and differ in curvature by a little or much.
 BOOST_AUTO_TEST_CASE(curvature_differs) {
   Random r;
   Counter counter;

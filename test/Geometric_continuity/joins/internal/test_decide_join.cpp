@@ -549,7 +549,7 @@ BOOST_AUTO_TEST_CASE(high_degrees_and_short_domains) {
 
 namespace {
 
-// What the absolute value of a number cannot exceed.
+// A number that bounds the absolute value of another.
 struct Magnitude {
   boost::multiprecision::cpp_int value;
   Magnitude(boost::multiprecision::cpp_int x = 0) : value(std::move(x)) {}

@@ -147,7 +147,7 @@ BOOST_AUTO_TEST_CASE(collapsed_edges) {
   BOOST_CHECK_EQUAL(GC::internal::Edge_groups<S>(one).collapsed().size(), 1);
 }
 
-// What a model says of a shared edge is what the verb for two surfaces says.
+// A model and the function for two surfaces give the same verdict on a shared edge.
 BOOST_AUTO_TEST_CASE(a_model_and_its_pairs) {
   std::mt19937_64 random = seeded();
   const S s = random_surface(random, knots(0, 4, {1, 2, 3}), knots(0, 4, {1, 2}));

@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE(mirror_images) {
   BOOST_CHECK(contours > 100);
 }
 
-// Of two cubics: against all positions of both handles.
+// The moves of two cubics are compared with all positions of both handles.
 BOOST_AUTO_TEST_CASE(least_change) {
   const unsigned seed = 29;
   std::cout << "seed " << seed << '\n';

@@ -15,7 +15,7 @@
 
 namespace GC = CGAL::Geometric_continuity;
 
-// What cannot be expressed by the types of Cad_geometry.h; the message names it, e.g. "Geom_OffsetCurve".
+// Is thrown for geometry that the types of Cad_geometry.h cannot express; the message names it, e.g. "Geom_OffsetCurve".
 struct Not_covered : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -74,7 +74,7 @@ GC::Cad_placement placement(const TopLoc_Location& location) {
   return result;
 }
 
-// What both placements begin with: that of the part, and of the parts that it belongs to. The list of a placement ends with them.
+// Returns the common beginning of both placements: the placement of the part, and of the parts that it belongs to. The list of a placement ends with them.
 TopLoc_Location common_placement(const TopLoc_Location& a, const TopLoc_Location& b) {
   const auto list = [](TopLoc_Location location) {
     std::vector<TopLoc_Location> steps;
@@ -103,8 +103,7 @@ class Model_builder {
   std::vector<std::vector<const Plane_curve*>> face_curves_; // those of finite length
   std::vector<bool> inside_out_;                             // whether the faces of an edge are, as a shell has them
   Cad_model model_;
-  // What has been read: where a part is placed again, it is the same. Surfaces by that of the file and the ranges that are used, curves by
-  // their numbers, since those in planes are computed anew for each place.
+  // These maps hold the geometry that has been read, since a part that is placed again has the same. Surfaces are found by the surface of the file and the used ranges. Curves are found by their numbers, since curves in planes are computed anew for each place.
   typedef std::array<double, 4> Ranges;
   std::map<std::pair<const Standard_Transient*, Ranges>, std::shared_ptr<const GC::Cad_surface>> surfaces_of_file_;
   template <int D> using Curves = std::map<std::string, std::shared_ptr<const GC::Cad_curve<D>>>;

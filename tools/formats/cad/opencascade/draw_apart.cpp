@@ -32,7 +32,7 @@
 
 namespace {
 
-// What the process passes on for a face: its triangles, and the points of those of its edges that have none yet.
+// The process passes this on for a face: its triangles, and the points of those of its edges that have none yet.
 struct Face_drawing {
   Cad_mesh mesh;
   std::vector<std::pair<std::size_t, std::vector<GC::Cad_point<3>>>> edges;

@@ -18,7 +18,7 @@ struct Drawing_limits {
   double all;
 };
 
-// What is drawn: of each face its triangles, or why there are none, and of each edge its points.
+// The drawing of a model: the triangles of each face, or the reason why there are none, and the points of each edge.
 struct Model_drawing {
   std::vector<Cad_mesh> meshes;
   std::vector<std::vector<GC::Cad_point<3>>> edges;

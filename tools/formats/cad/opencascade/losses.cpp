@@ -17,7 +17,7 @@
 
 namespace {
 
-// What is a loss by itself, and not together with all that it has.
+// Is a shape a loss by itself, and not together with its parts?
 bool is_counted(const TopoDS_Shape& shape) {
   return shape.ShapeType() == TopAbs_FACE || shape.ShapeType() == TopAbs_WIRE || shape.ShapeType() == TopAbs_EDGE;
 }

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// What a file names and OpenCASCADE leaves out without a word.
+// These functions find the things that a file names and OpenCASCADE leaves out without a word.
 
 // Lists what of a file is lost, each entity once: "#60 EDGE_CURVE: ...".
 class Losses {
@@ -45,7 +45,7 @@ public:
   bool has(const TopoDS_Shape& shape) const;
 };
 
-// What an entity has become; nothing if it is no shape.
+// Returns the shape of an entity, or nothing if it is no shape.
 TopoDS_Shape shape_of(XSControl_Reader& reader, const Handle(Standard_Transient) & entity);
 
 // Adds what could not be translated as the reader says, and returns what it says of no entity.

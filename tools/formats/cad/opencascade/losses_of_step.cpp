@@ -30,7 +30,7 @@ bool is_face(const std::string& type) { return type == "ADVANCED_FACE" || contai
 bool is_edge(const std::string& type) { return contains(type, "EDGE_CURVE"); }
 bool is_bound(const std::string& type) { return has_word(type, "FACE_BOUND") || has_word(type, "FACE_OUTER_BOUND"); }
 
-// What says nothing of the shape: how it looks, what it is called, who made it.
+// Is a type a remark, which does not affect the shape: a look, a name, an author?
 bool is_remark(const std::string& type) {
   for (const char* word :
        {"STYLE", "COLOUR", "PRESENTATION", "DRAUGHTING", "ANNOTATION", "CAMERA", "APPROVAL", "DATE", "PERSON",

@@ -21,7 +21,7 @@
 constexpr double infinite = 1e9;
 inline bool is_finite(double begin, double end) { return std::abs(begin) < infinite && std::abs(end) < infinite; }
 
-// What a file holds: the geometry as given, nothing healed.
+// The geometry of a file as it is given, without healing.
 struct Shape_of_file {
   TopoDS_Shape shape;
   std::vector<std::string> lost; // what of it could not be translated, each with the reason

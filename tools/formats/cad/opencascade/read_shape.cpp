@@ -74,7 +74,7 @@ Shape_of_file translated(XSControl_Reader& reader, const std::string& file, cons
   return result;
 }
 
-// What has failed somewhere, where nothing tells what.
+// Adds the failures if nothing else tells what has failed.
 void add_if_empty(const std::vector<std::string>& failures, Losses& losses) {
   if (losses.empty())
     for (const std::string& failure : failures) losses.add("", "", failure);

@@ -71,7 +71,7 @@ struct G2_size {
   int points, order;
 };
 
-// What the text says of one parameter of a spline.
+// The text gives these numbers for one parameter of a spline.
 template <class FT> struct G2_direction : G2_size { std::vector<FT> knots; };
 
 // Reads the parts of the objects of one class in a `.g2` text, one after the other. Everything that is not as it should

@@ -191,7 +191,7 @@ template <class Traits, class Part> Bspline_curve<Traits> polynomial_curve(const
   return {points.begin(), points.end(), knots_of<typename Traits::FT>(part)};
 }
 
-// The same for a rational one.
+// Makes a rational curve of its parts.
 template <class Traits, class Part> Rational_bspline_curve<Traits> rational_curve(const Part& part) {
   typedef Rational_bspline_curve<Traits> Curve;
   const auto rows = points_of_numbers<Homogeneous_traits<Traits>>(part.homogeneous, part.dimension + 1);

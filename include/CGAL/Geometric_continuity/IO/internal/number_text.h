@@ -67,8 +67,7 @@ inline std::uint64_t eight_characters(const char* p) {
   return byte(0) | byte(1) | byte(2) | byte(3) | byte(4) | byte(5) | byte(6) | byte(7);
 }
 
-// What the high halves of eight characters differ by from those of digits, zero for these. Behind the first one that is no digit it is
-// unspecified, because of a carry.
+// Returns the differences of the high halves of eight characters from those of digits, zero for digits. After the first character that is no digit the result is unspecified, because of a carry.
 inline std::uint64_t no_digits(std::uint64_t characters) {
   constexpr std::uint64_t high = 0xf0f0f0f0f0f0f0f0, digit = 0x3030303030303030;
   return ((characters & high) ^ digit) | (((characters + 0x0606060606060606) & high) ^ digit);
@@ -332,7 +331,7 @@ template <class FT> std::string short_rational_text(const FT& x) {
     return {};
 }
 
-// What the number type itself prints, with the sign in front and without a denominator 1. It is read back, because
+// Returns the text that the number type itself prints, with the sign in front and without a denominator 1. The text is read back, because
 // some number types print approximations only.
 template <class FT> std::string exact_text(const FT& x) {
   const std::string short_text = short_rational_text(x);

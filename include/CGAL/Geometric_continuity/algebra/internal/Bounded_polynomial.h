@@ -34,7 +34,7 @@ template <int most> struct Binomial_table {
   constexpr std::int64_t operator()(int n, int k) const { return x[n][k]; }
 };
 
-// What becomes of a polynomial and a product.
+// A product is assigned to a polynomial, added to it or subtracted from it.
 enum class Accumulation { assign, add, subtract };
 
 // A polynomial sum_k c_k t^k (1-t)^(n-k), see Homogeneous_polynomial, of a degree 0 <= n <= most_degree, whose Bernstein coefficients
@@ -133,7 +133,7 @@ void subtract_product(Bounded_polynomial<m, b>& r, const Bounded_polynomial<n, d
   r.template accumulate<Accumulation::subtract>(p, q);
 }
 
-// Of polynomials of one degree.
+// Takes polynomials of one degree.
 template <int m, int b, int n, int d>
 Bounded_polynomial<(std::max)(m, n), (std::max)(b, d) + 1> operator+(const Bounded_polynomial<m, b>& p,
                                                                      const Bounded_polynomial<n, d>& q) {

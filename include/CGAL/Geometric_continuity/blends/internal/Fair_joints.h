@@ -128,7 +128,7 @@ private:
     return std::isfinite(e) ? quadrature.integral() : e;
   }
 
-  // Of the pieces at a point.
+  // Returns the variation of the pieces at a point.
   double value(int i, const Joint& joint) const {
     const int n = static_cast<int>(joints_.size());
     double sum = 0;

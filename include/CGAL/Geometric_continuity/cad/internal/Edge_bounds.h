@@ -255,7 +255,7 @@ public:
     first_models_.resize(ends_.size());
   }
 
-  // Of the parts of the range.
+  // Returns the ends of the parts of the range.
   const std::vector<double>& ends() const { return ends_; }
 
   // Returns whether it is proved that a normal vanishes at a point of the range, or for curvatures the direction of the edge.

@@ -102,7 +102,7 @@ public:
     return foot;
   }
 
-  // What is proved of the foot point next to the curve of the side, or of the point of that curve.
+  // Encloses the foot point next to the curve of the side, or the point of that curve.
   std::optional<Enclosed> enclosed(double t, bool is_projected) const {
     const auto [point, tangent] = curve_.jet(t);
     const std::optional<Box> box = is_projected ? foot_box(near_curve(t).point, point) : own_box(t);
@@ -232,7 +232,7 @@ private:
     return std::nullopt;
   }
 
-  // The same among the points with the given values of the parameters that are not free.
+  // Encloses the foot point among the points with the given values of the parameters that are not free.
   std::optional<Box> foot_box(const Cad_point<2>& x, const Interval_vector<3>& point,
                               const std::array<bool, 2>& is_free) const {
     const Equations at = equations({Interval(x[0]), Interval(x[1])}, point);

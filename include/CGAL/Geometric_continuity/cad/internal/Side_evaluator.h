@@ -281,7 +281,7 @@ private:
     const double rounding = 1e-12 * (std::fabs(surface.radius) + magnitude(rho));
     return rho.sup() > rounding && rho.inf() >= -rounding ? 1 : rho.inf() < -rounding && rho.sup() <= rounding ? -1 : 0;
   }
-  // Of the placed axes of a frame.
+  // Returns the determinant of the placed axes of a frame.
   Taylor_model frame_determinant(const Cad_elementary_surface& surface) const {
     const Cad_frame& f = surface.frame;
     Taylor_vector axes[3];

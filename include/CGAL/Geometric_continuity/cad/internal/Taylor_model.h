@@ -41,7 +41,7 @@ struct Taylor_model {
   }
 
   bool known() const { return r <= largest; }
-  // Of the polynomial.
+  // Bounds the absolute value of the polynomial.
   double norm() const {
     double sum = 0;
     for (double x : c) sum += std::fabs(x);

@@ -31,8 +31,7 @@
 // which for degree m >= 2 are of degree 4m - 7 and 6m - 11: 2 g w' - 3 g' w = 2 (g det(d1, d3) - 3 (d1.d2) det(d1, d2)). The
 // leading coefficients cancel, so that w is of degree 2m - 4 and S of degree 4m - 8.
 //
-// Of a rational curve p / v, with the denominator v, the numerator d1 = p' v - p v' of its derivative takes the place of the derivative,
-// and d2 = d1'. It is v^2 x', and w is v^4 times that of x', x'', so that
+// For a rational curve p / v with the denominator v, the numerator d1 = p' v - p v' of its derivative takes the place of the derivative, and d2 = d1'. It is v^2 x', and w is v^4 times the determinant of x', x'', so that
 //
 //   kappa^2 = S v^4 / g^3,  in the plane  kappa = w v^2 / g^(3/2),
 //

@@ -38,7 +38,7 @@ template <class FT> struct Rotated_ellipse {
   std::array<Turned_number<FT>, 2> k;
   Turned_number<FT> lambda;
 
-  // Of an ellipse with these radii, rotated by so many degrees.
+  // Makes an ellipse with these radii, rotated by so many degrees.
   Rotated_ellipse(const FT& rx, const FT& ry, const FT& rotation, const std::array<FT, 2>& h) {
     const FT area = FT(rx * ry), half = FT(FT(2) * area), p = FT(FT(rx * rx + ry * ry) / half),
              q = FT(FT(ry * ry - rx * rx) / half), x = h[0], y = h[1];

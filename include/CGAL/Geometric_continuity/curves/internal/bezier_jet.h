@@ -55,7 +55,7 @@ CGAL_GC_FORCEINLINE void step_to_next_level(Coefficient* c, int i, int m, const 
     c[i] = c[i + 1] - s * e;
 }
 
-// The same for all i. No lambda expression, which a compiler may refuse to inline.
+// Does so for all i. This is no lambda expression, which a compiler may refuse to inline.
 template <class FT, class Coefficient, int... i>
 CGAL_GC_FORCEINLINE void steps_to_next_level(Coefficient* c, const FT& s, const FT& t, const Coefficient* e,
                                              std::integer_sequence<int, i...>) {
@@ -135,8 +135,7 @@ template <class FT, int Degree, class Fixed, class Any> auto with_largest_order(
     }
 }
 
-// Of the curves below, Level and k are known at compile time, and N is n, or 0 when it is known at run time only. The coordinates are
-// those of the level of de Casteljau's algorithm at u with Level + 1 points; the first one of a curve has Level == degree. The
+// For the curves below, Level and k are known at compile time, and N is n, or 0 when n is known at run time only. The coordinates belong to the level of de Casteljau's algorithm at u with Level + 1 points; the first one of a curve has Level == degree. The
 // jet has the given order, which is not higher than k.
 template <int Level, int k, int N, class FT, class Coordinate, class Jet>
 CGAL_GC_FORCEINLINE void bezier_jet(int dimension, int degree, const FT& u, const FT& a, const FT& b,
@@ -157,7 +156,7 @@ CGAL_GC_FORCEINLINE void bezier_jet(int dimension, int degree, const FT& u, cons
   }
 }
 
-// The same for a rational curve, from its homogeneous points of dimension n + 1, see homogeneous_point().
+// Computes the jet of a rational curve, from its homogeneous points of dimension n + 1, see homogeneous_point().
 template <int Level, int k, int N, class FT, class Coordinate, class Jet>
 CGAL_GC_FORCEINLINE void rational_bezier_jet(int dimension, int degree, const FT& u, const FT& a, const FT& b,
                                              const Coordinate& coordinate, int order, Jet& jet) {

@@ -89,7 +89,7 @@ template <class Field> std::vector<Edge_piece<Field, 4>> lifted(const std::vecto
   return result;
 }
 
-// Of an edge of a surface. A patch has one piece, which needs no knots.
+// Takes an edge of a surface. A patch has one piece, which needs no knots.
 template <class Surface>
 std::vector<Edge_piece<Edge_field<typename Surface::Traits>, row_dimension<Surface>>>
 edge_pieces(const Surface& surface, Patch_edge edge, int order = 2) {
@@ -232,7 +232,7 @@ public:
   }
 
 private:
-  // Of two parallel vectors.
+  // Returns the ratio of two parallel vectors.
   static Field ratio(const Vector& x, const Vector& y) { return Field(dot(x, y) / dot(y, y)); }
 
   // Returns whether all homogeneous points are multiples of the first, which is not infinite.
@@ -289,7 +289,7 @@ Affine_parameter_map<Field> whole_map(const std::vector<Edge_piece<Field, N>>& a
   return {scale, Field(begin - scale * a.front().begin)};
 }
 
-// Of two edges that are the same as a whole.
+// Takes two edges that are the same as a whole.
 template <class Field, int N>
 Edge_match<Field> whole_match(const std::vector<Edge_piece<Field, N>>& a, const std::vector<Edge_piece<Field, N>>& b,
                               Edge_direction direction) {

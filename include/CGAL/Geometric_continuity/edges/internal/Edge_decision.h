@@ -118,7 +118,7 @@ private:
   }
 };
 
-// What Edge_decision answers for the orders 1 and 2, which have no reasons and places but these.
+// Edge_decision answers this for the orders 1 and 2, which have no other reasons and places.
 template <class Field> Edge_continuity<Field> smooth_continuity(int order, const std::pair<Field, Field>& domain) {
   Edge_continuity<Field> e;
   e.g_order = order;

@@ -37,7 +37,7 @@
 /// Homogeneous points have T2 = l C + p C' + q T1 with another factor l: then V has - 2 l_i (n3_i C' + n2_i T1), and the right side
 /// 3 l_i N_i^3 (N . W2), where l_i = l N_i is a minor as n2_i and n3_i are. Order 3 is decided by multi-precision only.
 ///
-/// Of control points, with the degrees n along the edge and q1, q2 across it, the differences
+/// With control points, the degrees n along the edge and q1, q2 across it, the differences
 ///   d = C'/n, a = T1/q1, b = T2/q2, e = C''/(n (n-1)), f = T1'/(n q1), g = W1/(q1 (q1-1)), h = W2/(q2 (q2-1))
 /// take the place of the derivatives: with N = d x a, n2 = d x b, n3 = b x a the identity is
 ///   n q1 (q2-1) N_i^2 (N.h) = q1 q2 (n-1) n3_i^2 (N.e) + 2 n q1 q2 n3_i n2_i (N.f) + n q2 (q1-1) n2_i^2 (N.g).
@@ -143,7 +143,7 @@ template <class Factor> struct Edge_factors {
   Factor along, mixed, across[2]; // across is that of each side
 };
 
-// Of differences of control points. They are at most 2 n q^2.
+// Returns the factors for differences of control points. They are at most 2 n q^2.
 template <class Points> CGAL_GC_FORCEINLINE Edge_factors<int> edge_factors(const Points& s1, const Points& s2) {
   const int n = s1.along, q1 = s1.across, q2 = s2.across;
   return {q1 * q2 * (n - 1), 2 * n * q1 * q2, {n * q2 * (q1 - 1), n * q1 * (q2 - 1)}};
@@ -224,7 +224,7 @@ private:
   static constexpr double with_margin(const Rounding_bound& x) { return x.error * (1 + 0x1p-20); } // see below
 };
 
-// What rounded numbers can refute: the conditions at an end of the edge, where they need only few control points.
+// Rounded numbers can refute the conditions at an end of the edge, where they need only few control points.
 //
 // All bounds lie between 2^-100 and 2^100, and factors are below 2^10, so that nothing overflows. A product that underflows
 // has an error of 2^-1074, which is less than u 2^-300 times the product of the bounds of its factors, at least 2^-700;

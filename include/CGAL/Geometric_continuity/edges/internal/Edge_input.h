@@ -215,7 +215,7 @@ bool common_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Pa
     return false;
 }
 
-// Of the control points of surfaces without weights: those as given if they are doubles.
+// Takes the control points of surfaces without weights, as they are given if they are doubles.
 template <class Surface_a, class Surface_b>
 bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, int order,
                  Edge_layers& x, Edge_layers& y) {

@@ -128,7 +128,7 @@ private:
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// The same for surfaces of homogeneous points, along whole edges that are the same curve in one direction up to a factor. The numbers
+// Decides surfaces of homogeneous points, along whole edges that are the same curve in one direction up to a factor. The numbers
 // are exact already, and there are no rounded ones.
 class Homogeneous_ladder {
   const Homogeneous_layers &a_, &b_;
@@ -181,7 +181,7 @@ template <class Ladder> std::optional<int> smooth_order(Ladder& ladder) {
   return found.value_or(0) > 0 ? found : std::nullopt;
 }
 
-// What the stages of fixed length read of edges of points with N coordinates, and their ladder.
+// The stages of fixed length read these layers of edges of points with N coordinates, and have this ladder.
 template <int N> struct Edge_rungs {
   typedef Edge_layers Layers;
   typedef Edge_ladder Ladder;
@@ -210,7 +210,7 @@ std::optional<bool> decide_on_same_edge(const Edge_points<T, N>& a, const Edge_p
   }
 }
 
-// The same on whole edges that may differ, or run in opposite directions; then the second is turned.
+// Decides whole edges that may differ, or run in opposite directions; then the second one is reversed.
 template <int order, class T, int N, class Stages>
 CGAL_GC_FORCEINLINE std::optional<bool> decide_on_layers(const Edge_points<T, N>& a, Edge_points<T, N>& b,
                                                          Stages& stages) {

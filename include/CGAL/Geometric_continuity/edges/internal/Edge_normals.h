@@ -81,7 +81,7 @@ template <class Field, int N = 3> struct Edge_sides {
 
   // C, of the side with the lower degree along the edge
   const Vector& edge() const { return c[c[1][0].degree() < c[0][0].degree()]; }
-  // Of the edge, with C' or another vector in its place.
+  // Returns the tangent plane of the edge, with C' or another vector in its place.
   Tangent tangent(const Vector& d) const { return tangent(edge(), d); }
   static Tangent tangent(const Vector& edge, const Vector& d) {
     if constexpr (N == 4)
@@ -194,7 +194,7 @@ template <class Field, int N = 3> struct Edge_normals {
   static bool vanishes(const Vector& v) { return sign_pattern<Exact>(square(v)) != Sign_pattern::positive; }
 
 private:
-  // Of the normal n1; 3 if there is none.
+  // Returns a nonzero coordinate of the normal n1, or 3 if there is none.
   int nonzero_coordinate() const {
     return static_cast<int>(std::find_if(n1.begin(), n1.begin() + 3, [](const Polynomial& p) { return !p.is_zero(); }) -
                             n1.begin());

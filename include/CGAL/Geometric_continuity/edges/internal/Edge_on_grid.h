@@ -130,7 +130,7 @@ public:
   typedef Edge_points<Coordinate, N> Layers;
 
 private:
-  // Of the degree n - below, by sums of at most 2^bits control points.
+  // Makes the polynomial of the degree n - below by sums of at most 2^bits control points.
   template <int below, int bits>
   using Vector = std::array<Bounded_polynomial<(std::max)(Layers::most_along - below, 1), coordinate_bits + bits>, N>;
   typedef Vector<0, 0> Edge;

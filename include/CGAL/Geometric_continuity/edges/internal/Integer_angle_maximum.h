@@ -72,7 +72,7 @@ template <class Field, class S, class P = S> class Integer_angle_maximum {
   double lower_ = 0, steps_ = 0;
 
 public:
-  // Of polynomials of one degree.
+  // Takes polynomials of one degree.
   Integer_angle_maximum(const S& s, const P& p) : exact_s_(s), exact_p_(p) {}
 
   // Returns nothing where it does not get on, or the meter does not allow more.

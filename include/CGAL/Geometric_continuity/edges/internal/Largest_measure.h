@@ -236,7 +236,7 @@ private:
   static Exact exact(const Fraction& x) { return Exact(Exact(x.numerator) / Exact(x.denominator)); }
 };
 
-// The same, in integers of fixed length where they do.
+// Returns the largest measure, in integers of fixed length where they suffice.
 template <class Field, class Polynomial>
 Normal_deviation<Field> largest_measure(Polynomial s, Polynomial p, Polynomial side) {
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER

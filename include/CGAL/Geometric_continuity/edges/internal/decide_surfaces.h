@@ -47,7 +47,7 @@ Spline_edge_continuity<Field> decide_spans(const std::vector<Edge_piece<Field, N
   return result;
 }
 
-// Of two whole edges along which the surfaces are one polynomial each, from the verdict in the parameters of the first.
+// Decides two whole edges along which the surfaces are one polynomial each, from the verdict in the parameters of the first.
 template <class Field>
 Spline_edge_continuity<Field> verdict_on_whole_edge(Edge_continuity<Field> verdict, Edge_direction direction,
                                                     const std::pair<Field, Field>& domain_a,
@@ -68,7 +68,7 @@ template <class Surface>
 constexpr bool has_double_knots =
     std::is_same_v<Surface, Bspline_surface<typename Surface::Traits>>&& std::is_same_v<typename Surface::FT, double>;
 
-// Of two whole edges along which the surfaces have the order 2 on all spans, which are those of the knots of the first.
+// Decides two whole edges along which the surfaces have the order 2 on all spans, which are those of the knots of the first.
 template <class Field, class FT>
 Spline_edge_continuity<Field> smooth_on_all_spans(const Knot_vector<FT>& knots, Edge_direction direction,
                                                   const std::pair<Field, Field>& domain_b) {

@@ -87,7 +87,7 @@ CGAL_GC_FORCEINLINE void project_order(const Derivatives& p, int n, int order, J
     }
 }
 
-// The same where the order is at most 3, otherwise nothing is done.
+// Divides the derivatives if the order is at most 3, and otherwise does nothing.
 template <class FT, class Derivatives, class Jet>
 CGAL_GC_FORCEINLINE bool project_short(const Derivatives& p, int n, int order, Jet& x) {
   switch (order) {

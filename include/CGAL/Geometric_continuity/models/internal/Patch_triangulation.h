@@ -59,8 +59,7 @@ public:
     }
   }
 
-  // Of the cell between the points number j and j + 1: whether the diagonal from number j of the lower row is shorter than the
-  // other, equal, or longer.
+  // Compares the diagonals of the cell between the points number j and j + 1: the one from number j of the lower row is shorter than the other, equal, or longer.
   Comparison_result operator()(std::size_t j) const {
     if constexpr (filtered) {
       const Protect_FPU_rounding<true> protection;

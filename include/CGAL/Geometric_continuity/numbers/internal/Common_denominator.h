@@ -95,7 +95,7 @@ public:
 
   template <class FT> static Number number(const FT& x) { return to_field<Field>(x); }
 
-  // What Remainder_scale has besides.
+  // Remainder_scale has this member as well.
   int bits() const { return 0; }
   static int moduli(int) { return 1; }
   void take_modulus(int) {}

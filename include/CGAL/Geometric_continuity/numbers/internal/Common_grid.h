@@ -129,7 +129,7 @@ private:
     return reinterpret_cast<Numbers>(reinterpret_cast<Bits>(Numbers{x, y}) & INT64_MAX);
   }
   static CGAL_GC_FORCEINLINE Numbers larger(const Numbers& x, const Numbers& y) { return x < y ? y : x; }
-  // Of the point j.
+  // Returns the largest exponents of the point j.
   CGAL_GC_FORCEINLINE Numbers largest(std::size_t j) const {
     const Numbers most = larger(sizes_[N * j], sizes_[N * j + 1]);
     if constexpr (N == 2)

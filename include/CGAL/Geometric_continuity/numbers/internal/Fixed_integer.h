@@ -196,7 +196,7 @@ CGAL_GC_FORCEINLINE Fixed_integer<m, most> scaled(const Fixed_integer<m, most>& 
   return product;
 }
 
-// The same number with at least as many limbs.
+// Returns the number with at least as many limbs.
 template <int l, int m> CGAL_GC_FORCEINLINE Fixed_integer<l> extended(const Fixed_integer<m>& x) {
   static_assert(m <= l);
   Fixed_integer<l> result(static_cast<std::int64_t>(x.sign_mask()));

@@ -85,7 +85,7 @@ public:
   friend CGAL_GC_FORCEINLINE bool operator==(Remainder x, Remainder y) { return x.r_ == y.r_; }
 
 private:
-  // Of r + 2^64 carry, which is less than twice the modulus. For c = 0 nothing is added.
+  // Takes r + 2^64 carry, which is less than twice the modulus. For c = 0 nothing is added.
   CGAL_GC_FORCEINLINE Remainder(std::uint64_t r, std::uint64_t c, bool carry)
       : r_(carry || r >= 0 - c ? r + c : r), c_(c) {}
 };

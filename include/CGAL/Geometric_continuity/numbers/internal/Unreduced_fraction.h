@@ -30,8 +30,7 @@ struct Unreduced_denominator {
   }
 };
 
-// What two numerators are multiplied with when their fractions get a common denominator. That is a denominator that is
-// a multiple of the other, or the product: no greatest common divisor is computed.
+// Two numerators are multiplied by these numbers when their fractions get a common denominator. It is the denominator that is a multiple of the other, or the product: no greatest common divisor is computed.
 class Equal_denominators {
   struct Factor {
     Inline_integer d;

@@ -96,7 +96,7 @@ bool subdivide(Parts& parts, const Examine& examine, const Divide& divide) {
   return true;
 }
 
-// The same for ranges, which are halved, the left half first.
+// Examines ranges, which are halved, the left half first.
 template <class Examine> bool subdivide(Newest_first<Range>& parts, const Examine& examine) {
   return subdivide(parts, examine, [&](const Range& part) {
     parts.add({part.middle(), part.upper});

@@ -62,7 +62,7 @@ template <class FT> struct Spline_weights {
   }
 };
 
-// What q leaves of a weight w, of which it takes x. An enclosure does not know that x is a part of w: there the difference is wider.
+// Returns the rest of a weight w when q takes x of it. An enclosure does not know that x is a part of w: there the difference is wider.
 template <class FT> CGAL_GC_FORCEINLINE FT weight_left(const FT& w, const FT& x, const FT&) { return FT(w - x); }
 template <bool is_protected>
 Interval_nt<is_protected> weight_left(const Interval_nt<is_protected>& w, const Interval_nt<is_protected>&,

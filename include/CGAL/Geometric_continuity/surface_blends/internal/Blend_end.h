@@ -126,7 +126,7 @@ private:
   }
 };
 
-// What the blend of two surfaces is.
+// Describes the blend of two surfaces.
 template <class A, class B> struct Blended_surfaces {
   static_assert(std::is_same_v<typename A::Traits, typename B::Traits>,
                 "both surfaces must have the same traits class");

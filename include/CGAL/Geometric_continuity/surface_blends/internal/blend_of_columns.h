@@ -61,7 +61,7 @@ inline void refuse_edge(bool is_point, bool vanishes, const char* surface) {
 template <class Number> struct Column_factors {
   Number f, g, h, fifth, twentieth; // the rounded 1/5 divides exactly what a rounded number can be divided by exactly
 
-  // Of numbers or vectors.
+  // Takes numbers or vectors.
   template <class Value> std::pair<Value, Value> operator()(const Value& p0, const Value& p1, const Value& p2) const {
     Value d1 = p1, d2 = p2;
     d1 -= p0;
@@ -80,7 +80,7 @@ template <class Number> struct Column_factors {
   }
 };
 
-// The same of rational numbers in machine words, where all are short over one denominator d: (e_1 n_0 + f (n_1 - n_0)) / (e_1 d) and
+// Computes with rational numbers in machine words, where all are short over one denominator d: (e_1 n_0 + f (n_1 - n_0)) / (e_1 d) and
 // (e_2 n_0 + g (n_1 - n_0) + h (n_2 - 2 n_1 + n_0)) / (e_2 d).
 template <class FT> class Short_column_factors {
   typedef Rational_parts<FT> Parts;

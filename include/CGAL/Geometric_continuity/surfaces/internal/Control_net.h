@@ -35,7 +35,7 @@ inline void check_elevation(int degree, int times, const char* place) {
     throw Error(Error_code::work_limit, std::string(place) + ": a degree above " + std::to_string(most_raised_degree));
 }
 
-// What is in rows of constant i, so many columns, with rows and columns exchanged, and with the rows in reverse order.
+// Exchanges rows and columns. The first function takes rows of constant i, with so many columns; the second one also reverses the order of the rows.
 template <class T> std::vector<T> transposed(const std::vector<T>& net, int rows, int columns) {
   std::vector<T> r;
   r.reserve(net.size());

@@ -32,7 +32,7 @@ template <class Traits> auto summand(const Rational_bezier_patch<Traits>& s, int
   return homogeneous_point(s.coordinates(i, j), s.weight(i, j));
 }
 
-// Of the point number k along an edge.
+// Takes the point number k along an edge.
 template <class Patch> auto summand(const Patch& s, Patch_edge edge, int k) {
   const int across = at_upper_end(edge) ? s.degree_across(edge) : 0;
   return runs_along_u(edge) ? summand(s, k, across) : summand(s, across, k);
