@@ -80,10 +80,12 @@ public:
 
 #if defined(__GNUC__)
 
-// The coarsest grid of units 2^exponent that has all coordinates of the first k + 1 points of two ends.
+// The coarsest grid of units 2^exponent that has all coordinates of the first k + 1 points of two
+// ends.
 //
-// Let 2^e <= |x| < 2^(e+1) for the largest coordinate and G = 2^(e-51), then |x| < 2^52 G for all of them. Between 2^52 G and 2^53 G
-// the doubles are the multiples of G: so 2^52 G + |x| is exact if x is a multiple of G, and so is (2^52 G + |x|) - 2^52 G =
+// Let 2^e <= |x| < 2^(e+1) for the largest coordinate and G = 2^(e-51), then |x| < 2^52 G for all
+// of them. Between 2^52 G and 2^53 G the doubles are the multiples of G: so 2^52 G + |x| is exact
+// if x is a multiple of G, and so is (2^52 G + |x|) - 2^52 G =
 // |x|; and otherwise, in every rounding mode, this is a multiple of G, so it is not |x|. The last 52 bits of the sum
 // are |x|/G: the zeros at the end that all of them have go into the unit.
 //
@@ -129,7 +131,7 @@ private:
     return reinterpret_cast<Numbers>(reinterpret_cast<Bits>(Numbers{x, y}) & INT64_MAX);
   }
   static CGAL_GC_FORCEINLINE Numbers larger(const Numbers& x, const Numbers& y) { return x < y ? y : x; }
-  // Returns the largest exponents of the point j.
+  // Returns the largest exponents of the point j.
   CGAL_GC_FORCEINLINE Numbers largest(std::size_t j) const {
     const Numbers most = larger(sizes_[N * j], sizes_[N * j + 1]);
     if constexpr (N == 2)
