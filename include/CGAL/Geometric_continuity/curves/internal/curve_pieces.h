@@ -42,8 +42,8 @@ template <class Traits, class Function> void for_each_bezier(const Rational_bspl
   for (const Rational_bezier_curve<Traits>& piece : curve.bezier_pieces()) f(piece);
 }
 
-// Applies the function to the pieces of a curve, where rational curves are given in parts whose weights are positive, so that each lies in the convex hull of its control
-// points.
+// Applies the function to the pieces of a curve, where rational curves are given in parts whose
+// weights are positive, so that each lies in the convex hull of its control points.
 template <class Curve, class Function>
 auto for_each_piece(const Curve& curve, Function f) -> decltype(for_each_bezier(curve, f)) {
   for_each_bezier(curve, [&](const auto& piece) {
@@ -54,7 +54,8 @@ auto for_each_piece(const Curve& curve, Function f) -> decltype(for_each_bezier(
   });
 }
 
-// Returns the coordinates to which the algorithms of Bernstein and de Casteljau are applied: those of the control points, or of the homogeneous points of a rational curve.
+// Returns the coordinates to which the algorithms of Bernstein and de Casteljau are applied: those
+// of the control points, or of the homogeneous points of a rational curve.
 template <class Traits, int Degree>
 std::vector<Coordinates<Traits>> control_rows(const Bezier_curve<Traits, Degree>& curve) {
   std::vector<Coordinates<Traits>> rows;
@@ -94,10 +95,11 @@ halves(std::vector<Coordinate_vector<FT, N>> rows) {
   return {std::move(left), std::move(rows)};
 }
 
-// 0 for exact numbers. For floating-point numbers a length that is larger than any error that up to 32 halvings make in a
-// control point: each halving of a polygon of m legs takes the middle of two numbers at most m times in a row, and each
-// middle is rounded once, by at most 2^-53 |x| (in doubles) where |x| is the largest coordinate. That is 32 m 2^-53 |x| in
-// each coordinate, and in up to 16 dimensions at most 4 times as much, m 2^-46 |x|. The result, (m + 1) 2^-44 |x|, leaves
+// 0 for exact numbers. For floating-point numbers a length that is larger than any error that up to
+// 32 halvings make in a control point: each halving of a polygon of m legs takes the middle of two
+// numbers at most m times in a row, and each middle is rounded once, by at most 2^-53 |x| (in
+// doubles) where |x| is the largest coordinate. That is 32 m 2^-53 |x| in each coordinate, and in
+// up to 16 dimensions at most 4 times as much, m 2^-46 |x|. The result, (m + 1) 2^-44 |x|, leaves
 // three quarters for the roundings in what is computed from the control points.
 template <class FT, int N> FT rounding_allowance(const std::vector<Coordinate_vector<FT, N>>& rows) {
   if constexpr (std::is_floating_point_v<FT>) {
@@ -109,7 +111,8 @@ template <class FT, int N> FT rounding_allowance(const std::vector<Coordinate_ve
     return FT(0);
 }
 
-// Takes the homogeneous rows of a rational curve with positive weights. An error e in w x and in w makes one of 2 e / w in x.
+// Takes the homogeneous rows of a rational curve with positive weights. An error e in w x and in w
+// makes one of 2 e / w in x.
 template <class Curve, class Rows> typename Curve::FT rounding_allowance_of(const Rows& rows) {
   typedef typename Curve::FT FT;
   const FT allowance = rounding_allowance(affine_rows<Curve>(rows));
