@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns an edge of a patch as a Bézier curve on the domain of the edge; its control points are those of the patch
-/// along the edge. \f$ O(p) \f$ for an edge of degree `p`
+/// Returns an edge of a patch as a Bézier curve on the domain of the edge; its control points are
+/// those of the patch along the edge. \f$ O(p) \f$ for an edge of degree `p`
 template <class Traits> Bezier_curve<Traits> boundary_curve(const Bezier_patch<Traits>& patch, Patch_edge edge) {
   const typename Bezier_patch<Traits>::Interval domain = patch.domain(edge);
   std::vector<typename Traits::Point> points;
@@ -31,8 +31,9 @@ template <class Traits> Bezier_curve<Traits> boundary_curve(const Bezier_patch<T
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns an edge of a B-spline surface as a curve over the knots of the surface along the edge. The knots across the
-/// edge need not be clamped. \f$ O(m q + q^2) \f$ for an edge with `m` control points, of degree `q` across the edge
+/// Returns an edge of a B-spline surface as a curve over the knots of the surface along the edge.
+/// The knots across the edge need not be clamped. \f$ O(m q + q^2) \f$ for an edge with `m` control
+/// points, of degree `q` across the edge
 template <class Traits> Bspline_curve<Traits> boundary_curve(const Bspline_surface<Traits>& surface, Patch_edge edge) {
   std::vector<typename Traits::Point> points;
   const auto rows = surface.rows(edge, 0);
@@ -41,7 +42,8 @@ template <class Traits> Bspline_curve<Traits> boundary_curve(const Bspline_surfa
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns an edge of a rational patch as a rational curve, with the domain and the direction of the edge.
+/// Returns an edge of a rational patch as a rational curve, with the domain and the direction of
+/// the edge.
 template <class Traits>
 Rational_bezier_curve<Traits> boundary_curve(const Rational_bezier_patch<Traits>& patch, Patch_edge edge) {
   const typename Rational_bezier_patch<Traits>::Interval domain = patch.domain(edge);
