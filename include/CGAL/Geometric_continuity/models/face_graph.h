@@ -79,12 +79,14 @@ private:
     }
   }
 
-  // The triangles at a point must be one fan: turning from one of them, first backwards, leads to all of them.
+  // The triangles at a point must be one fan: turning from one of them, first backwards, leads to
+  // all of them.
   void check_points(std::size_t number_of_points) const {
     std::vector<std::size_t> degree(number_of_points), some(number_of_points, none);
     for (std::size_t h = 0; h < size(); ++h) {
       ++degree[source(h)];
-      if (some[source(h)] == none || on_boundary(h)) some[source(h)] = h; // a boundary halfedge begins the fan
+      // a boundary halfedge begins the fan
+      if (some[source(h)] == none || on_boundary(h)) some[source(h)] = h;
     }
     for (std::size_t p = 0; p < number_of_points; ++p) {
       std::size_t seen = 0, h = some[p];
@@ -97,16 +99,18 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Appends triangles to a mesh of \cgal: a vertex for each point, a face for each triangle, with the orientation that `tessellate()` gives
-/// it, outwards for closed solids. When it throws, the mesh has
+/// Appends triangles to a mesh of \cgal: a vertex for each point, a face for each triangle, with
+/// the orientation that `tessellate()` gives it, outwards for closed solids. When it throws, the
+/// mesh has
 /// not been changed. \f$ O(n \log n) \f$ for `n` triangles
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Mesh a model of the concept `MutableFaceGraph` of \cgal
-/// \tparam VertexPointMap a writable property map from the vertices of the mesh to points, to which `Traits::Point` is
-///   assigned
-/// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite orientations, or the triangles
-///   at a point are not one fan, or a triangle has one point twice or a point that does not exist
+/// \tparam VertexPointMap a writable property map from the vertices of the mesh to points, to which
+///   `Traits::Point` is assigned
+/// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite
+///   orientations, or the triangles at a point are not one fan, or a triangle has one point twice
+///   or a point that does not exist
 template <class Traits, class Mesh, class VertexPointMap>
 void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh, VertexPointMap points) {
   typedef boost::graph_traits<Mesh> Graph;
@@ -130,7 +134,8 @@ void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh, VertexP
     set_target(halfedges[h], vertices[triangles.target(h)], mesh);
     set_target(opposite(halfedges[h], mesh), vertices[triangles.source(h)], mesh);
   }
-  std::vector<Halfedge> leaving(tessellation.points.size(), Graph::null_halfedge()); // along the boundary
+  // along the boundary
+  std::vector<Halfedge> leaving(tessellation.points.size(), Graph::null_halfedge());
   for (std::size_t h = 0; h < triangles.size(); ++h) {
     set_halfedge(vertices[triangles.target(h)], halfedges[h], mesh);
     set_next(halfedges[h], halfedges[triangles.next(h)], mesh);
@@ -151,13 +156,15 @@ void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh, VertexP
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Appends triangles to a mesh of \cgal, whose point map is `get(CGAL::vertex_point, mesh)`: a vertex for each point, a face
-/// for each triangle. When it throws, the mesh has not been changed. \f$ O(n \log n) \f$ for `n` triangles
+/// Appends triangles to a mesh of \cgal, whose point map is `get(CGAL::vertex_point, mesh)`: a
+/// vertex for each point, a face for each triangle. When it throws, the mesh has not been changed.
+/// \f$ O(n \log n) \f$ for `n` triangles
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Mesh a model of the concept `MutableFaceGraph` of \cgal with a property map of points
-/// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite orientations, or the triangles
-///   at a point are not one fan, or a triangle has one point twice or a point that does not exist
+/// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite
+///   orientations, or the triangles at a point are not one fan, or a triangle has one point twice
+///   or a point that does not exist
 template <class Traits, class Mesh> void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh) {
   to_face_graph(tessellation, mesh, get(CGAL::vertex_point, mesh));
 }
