@@ -18,16 +18,19 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What lets anybody check the orders of a join by adding and multiplying: with the derivatives \f$ X^{(j)}, Y^{(j)} \f$ of the left and of
-/// the right curve at the join, for each order `j` the equation
+/// What lets anybody check the orders of a join by adding and multiplying: with the derivatives
+/// \f$ X^{(j)}, Y^{(j)} \f$ of the left and of the right curve at the join, for each order `j` the
+/// equation
 ///
 /// - C: \f$ Y^{(j)} = X^{(j)} + r \f$;
-/// - G: \f$ Y^{(j)} = \sum_{m=2}^{j} B_{j,m}(\beta_1, \beta_2, \dots) X^{(m)} + \beta_j X' + r \f$ with \f$ r \cdot X' = 0 \f$, where
-///   \f$ B_{j,m} \f$ are the Bell polynomials of the chain rule;
-/// - F: \f$ Y^{(j)} = \beta_1^j X^{(j)} + \sum_{i=1}^{j-1} a_{j,i} X^{(i)} + r \f$ with \f$ r \cdot X^{(i)} = 0 \f$ for each `i < j`.
+/// - G: \f$ Y^{(j)} = \sum_{m=2}^{j} B_{j,m}(\beta_1, \beta_2, \dots) X^{(m)} + \beta_j X' + r \f$
+///   with \f$ r \cdot X' = 0 \f$, where \f$ B_{j,m} \f$ are the Bell polynomials of the chain rule;
+/// - F: \f$ Y^{(j)} = \beta_1^j X^{(j)} + \sum_{i=1}^{j-1} a_{j,i} X^{(i)} + r \f$ with
+///   \f$ r \cdot X^{(i)} = 0 \f$ for each `i < j`.
 ///
-/// An order holds if for it and all before it `r` is zero, and \f$ \beta_1 > 0 \f$. Where an order does not hold, the residual `r` of the first
-/// that fails is not zero, or for the order 1 \f$ \beta_1 \le 0 \f$, or a first derivative is zero.
+/// An order holds if for it and all before it `r` is zero, and \f$ \beta_1 > 0 \f$. Where an order
+/// does not hold, the residual `r` of the first that fails is not zero, or for the order 1
+/// \f$ \beta_1 \le 0 \f$, or a first derivative is zero.
 /// \tparam FT an exact field
 /// \tparam N the dimension, or 0 when it is known at run time only
 template <class FT, int N = 0> struct Join_certificate {
@@ -42,27 +45,29 @@ template <class FT, int N = 0> struct Join_certificate {
   std::optional<Vector> c_residual;
   /// \f$ \beta_1, \dots, \beta_g \f$ for `g_order`, and one more if there is `g_residual`.
   std::vector<FT> betas;
-  /// The residual of the order `g_order + 1`; empty when no higher order was asked for, and where a tangent is zero or the points differ.
+  /// The residual of the order `g_order + 1`; empty when no higher order was asked for, and where a
+  /// tangent is zero or the points differ.
   std::optional<Vector> g_residual;
-  /// \f$ a_{j,1}, \dots, a_{j,j-1} \f$ for `j = 2`, ..., `f_order`, and one row more if there is `f_residual`. Numbers of derivatives that are
-  /// combinations of those before them are 0.
+  /// \f$ a_{j,1}, \dots, a_{j,j-1} \f$ for `j = 2`, ..., `f_order`, and one row more if there is
+  /// `f_residual`. Numbers of derivatives that are combinations of those before them are 0.
   std::vector<std::vector<FT>> f_factors;
-  /// The residual of the order `f_order + 1` if that is at least 2 and at most the dimension; empty as `g_residual`.
+  /// The residual of the order `f_order + 1` if that is at least 2 and at most the dimension; empty
+  /// as `g_residual`.
   std::optional<Vector> f_residual;
 };
 
 namespace internal {
 
-// Vectors that come one at a time, and what writes others as their combinations: Gram and Schmidt's orthogonal vectors o_i, each with
-// its factors in terms of the given vectors.
+// Vectors that come one at a time, and what writes others as their combinations: Gram and Schmidt's
+// orthogonal vectors o_i, each with its factors in terms of the given vectors.
 template <class FT, int N> class Orthogonal_span {
   typedef Coordinate_vector<FT, N> Vector;
   std::vector<Vector> orthogonal_;
   std::vector<std::vector<FT>> factors_;
 
 public:
-  // v = sum factors_i v_i + residual, where the residual is orthogonal to all vectors v_i; the factor of a vector that depends on those before
-  // it is 0.
+  // v = sum factors_i v_i + residual, where the residual is orthogonal to all vectors v_i; the
+  // factor of a vector that depends on those before it is 0.
   struct Combination {
     std::vector<FT> factors;
     Vector residual;
@@ -92,12 +97,14 @@ public:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns what certifies the orders that were decided for a join up to order `max_order`, computed anew from the jets: when the verdict is
-/// wrong, the certificate shows it. \f$ O(k^3 + k^2 n) \f$ operations for the order `k` in dimension `n`
+/// Returns what certifies the orders that were decided for a join up to order `max_order`, computed
+/// anew from the jets: when the verdict is wrong, the certificate shows it. \f$ O(k^3 + k^2 n) \f$
+/// operations for the order `k` in dimension `n`
 /// \param left, right the jets at the join, of order `max_order` or more
 /// \param verdict what `continuity()` has returned for `max_order`
 /// \param max_order the highest order that was asked for
-/// \throws Error `negative_count` for a negative `max_order`, `jet_order_too_low`, `dimension_mismatch`
+/// \throws Error `negative_count` for a negative `max_order`, `jet_order_too_low`,
+///   `dimension_mismatch`
 template <class FT, int N, class Number>
 Join_certificate<FT, N> join_certificate(const Coordinate_jet<FT, N>& left, const Coordinate_jet<FT, N>& right,
                                          const Join_continuity<Number>& verdict, int max_order) {

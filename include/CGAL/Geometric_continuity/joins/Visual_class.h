@@ -22,8 +22,8 @@
 #include <type_traits>
 
 /// \file Visual_class.h
-/// What a designer sees of a join in the plane: a corner that is meant, a kink that nobody wants and how large it is, or a
-/// smooth join.
+/// What a designer sees of a join in the plane: a corner that is meant, a kink that nobody wants
+/// and how large it is, or a smooth join.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -41,7 +41,8 @@ template <class NT> struct Leg_products {
   }
 };
 
-// The end of a plane Bézier curve as it is drawn: the direction is that of the first leg that is not zero.
+// The end of a plane Bézier curve as it is drawn: the direction is that of the first leg that is
+// not zero.
 template <class Traits_, int Degree, Curve_end which> class Image_end {
   typedef Bezier_curve<Traits_, Degree> Curve;
   const Curve& curve_;
@@ -65,7 +66,8 @@ public:
   // Returns whether the handle is at the node. \pre has_length()
   bool is_retracted() const { return leg_ > 1; }
 
-  // Returns whether all control points lie on the chord in order: the legs that are not zero have one direction. \pre has_length()
+  // Returns whether all control points lie on the chord in order: the legs that are not zero have
+  // one direction. \pre has_length()
   bool is_line() const {
     Line leg = line(leg_ - 1, leg_);
     for (int j = leg_; j < curve_.degree(); ++j)
@@ -80,7 +82,7 @@ public:
   // The first leg that is not zero, as a curve that ends, or starts, at the node.
   Line curve() const { return which == Curve_end::end ? line(leg_, 0) : line(0, leg_); }
 
-  // Returns the vector in the direction of the curve. The coordinates are subtracted in NT.
+  // Returns the vector in the direction of the curve. The coordinates are subtracted in NT.
   template <class NT> std::array<NT, 2> vector() const {
     const int from = which == Curve_end::end ? leg_ : 0, to = which == Curve_end::end ? 0 : leg_;
     const auto difference = [&](int i) -> NT {
@@ -103,14 +105,16 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// How large a kink is: guaranteed enclosures. With `a` and `b` for the handles at the node, from the control point before it and to
-/// the one behind it:
+/// How large a kink is: guaranteed enclosures. With `a` and `b` for the handles at the node, from
+/// the control point before it and to the one behind it:
 struct Kink_size {
   Enclosure angle; ///< the angle between `a` and `b`, in radians, in \f$ [0, \pi] \f$
-  /// By how much a handle is off, in units of the coordinates: how far the tip of one of them must move at least to make their directions
-  /// equal, \f$ |a \times b| / \max(|a|, |b|) \f$; from a right angle on \f$ \min(|a|, |b|) \f$. On a grid, about one unit is rounding.
+  /// By how much a handle is off, in units of the coordinates: how far the tip of one of them must
+  /// move at least to make their directions equal, \f$ |a \times b| / \max(|a|, |b|) \f$; from a
+  /// right angle on \f$ \min(|a|, |b|) \f$. On a grid, about one unit is rounding.
   Enclosure handle_offset;
-  /// The visible size: the angle times the length of the shorter handle, in units of the coordinates. Compare it to the size of the em or the drawing.
+  /// The visible size: the angle times the length of the shorter handle, in units of the
+  /// coordinates. Compare it to the size of the em or the drawing.
   Enclosure severity;
 
   /// Writes e.g. `angle [0.0499583, 0.0499584], handle off by 1, severity [0.999166, 0.999167]`.
@@ -120,9 +124,11 @@ struct Kink_size {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns how large the angle at the join between the end of `left` and the start of `right` is, whatever the curvatures; empty when one of
-/// the curves has no length. A handle that is retracted is taken as `visual_class()` takes it: by the first side that is not zero.
-/// Everything is computed in an exact field from the control points as given and rounded once, outwards. A gap is not seen.
+/// Returns how large the angle at the join between the end of `left` and the start of `right` is,
+/// whatever the curvatures; empty when one of the curves has no length. A handle that is retracted
+/// is taken as `visual_class()` takes it: by the first side that is not zero. Everything is
+/// computed in an exact field from the control points as given and rounded once, outwards. A gap is
+/// not seen.
 /// \throws Error `not_finite` for an infinite or undefined coordinate
 template <class Traits, int Left, int Right>
 std::optional<Kink_size> kink_size(const Bezier_curve<Traits, Left>& left, const Bezier_curve<Traits, Right>& right) {
@@ -147,7 +153,8 @@ inline const Corner_threshold& usual_corner_threshold() {
   return bound;
 }
 
-// Returns whether the angle between two ends is larger than the bound; empty when it is zero. \pre both have a length
+// Returns whether the angle between two ends is larger than the bound; empty when it is zero. \pre
+// both have a length
 template <class Left_end, class Right_end>
 std::optional<bool> exceeds(const Left_end& a, const Right_end& b, const Corner_threshold& bound) {
   typedef typename Left_end::Traits Traits;
@@ -170,16 +177,20 @@ std::optional<bool> exceeds(const Left_end& a, const Right_end& b, const Corner_
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns what the join between the end of `left` and the start of `right` looks like; empty when the ends meet and one of the curves has
-/// no length, hence no direction. The bound is 5 degrees unless another one is given.
+/// Returns what the join between the end of `left` and the start of `right` looks like; empty when
+/// the ends meet and one of the curves has no length, hence no direction. The bound is 5 degrees
+/// unless another one is given.
 ///
-/// It is decided exactly on the control points as given, with every kernel, and about the curves as they are drawn:
-/// - A curve whose control points lie on its chord, in order, is that line, also where handles are retracted.
-/// - Of other curves with a retracted handle, a first side that is zero, the first side that is not zero is the direction in which the curve
-///   leaves the node. Such a join is `g1` at most, because the curvature at the node is infinite or not given by the second differences.
+/// It is decided exactly on the control points as given, with every kernel, and about the curves as
+/// they are drawn:
+/// - A curve whose control points lie on its chord, in order, is that line, also where handles are
+///   retracted.
+/// - Of other curves with a retracted handle, a first side that is zero, the first side that is not
+///   zero is the direction in which the curve leaves the node. Such a join is `g1` at most, because
+///   the curvature at the node is infinite or not given by the second differences.
 ///
-/// Where no handle is retracted `g1` and `g2` are the answers of `is_g1_join()` and `is_g2_join()`. \f$ O(1) \f$ then, otherwise
-/// \f$ O(m) \f$ for the degree `m`
+/// Where no handle is retracted `g1` and `g2` are the answers of `is_g1_join()` and `is_g2_join()`.
+/// \f$ O(1) \f$ then, otherwise \f$ O(m) \f$ for the degree `m`
 /// \throws Error `not_finite` for an infinite or undefined coordinate that it reads
 template <class Traits, int Left, int Right>
 std::optional<Visual_class> visual_class(const Bezier_curve<Traits, Left>& left,
