@@ -107,9 +107,8 @@ template <class Reparametrisation> struct Septic_edge_reparametrisation : Repara
 
   Function alpha3 = Function{FT(0)}; ///< the third derivative along the edge
   Function delta3 = Function{FT(0)}; ///< the third derivative across the edge
-  Function lambda3 = Function{/// the third derivative of the factor of a rational surface across the edge; not used for
-                              /// others
-                              FT(0)};
+  // the third derivative of the factor of a rational surface across the edge; not used for others
+  Function lambda3 = Function{FT(0)};
 
   /// Sets \f$ \beta \f$ to 1 and all others to 0.
   Septic_edge_reparametrisation() = default;
