@@ -13,7 +13,7 @@
 
 #include <stdexcept>
 
-// Returns the value of --kink-angle, the largest angle of a kink.
+// Returns the value of --kink-angle, the largest angle of a kink.
 inline GC::Corner_threshold corner_threshold(const Command_line& line) {
   try {
     return GC::Corner_threshold(line.number("kink-angle", CGAL::Exact_rational(5)));
@@ -22,7 +22,8 @@ inline GC::Corner_threshold corner_threshold(const Command_line& line) {
   }
 }
 
-// Returns the value of --off-by: by how many units of a font a handle may be off because of rounding.
+// Returns the value of --off-by: by how many units of a font a handle may be off because of
+// rounding.
 inline Rounding_bound rounding_bound(const Command_line& line) {
   const CGAL::Exact_rational units = line.number("off-by", CGAL::Exact_rational(1));
   if (units < CGAL::Exact_rational(0)) throw std::invalid_argument("--off-by: " + line.text("off-by") + " is negative");

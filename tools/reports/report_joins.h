@@ -23,10 +23,11 @@ typedef GC::Bezier_curve<Drawing_traits> Plane_curve;
 // The grade of the page; an empty one is that of curves without length.
 Report_grade report_grade(const std::optional<GC::Visual_class>& grade);
 
-// Returns the grade, the verdict and all measures of the join of two curves in the plane. Throws GC::Error `work_limit`.
+// Returns the grade, the verdict and all measures of the join of two curves in the plane. Throws
+// GC::Error `work_limit`.
 Report_item measured_join(const Plane_curve& left, const Plane_curve& right, const Report_demand& demand);
 
-// Takes two segments of a path, which may be arcs.
+// Takes two segments of a path, which may be arcs.
 Report_item measured_join(const GC::Svg_segment<Drawing_traits>& left, const GC::Svg_segment<Drawing_traits>& right,
                           const Report_demand& demand);
 

@@ -27,8 +27,9 @@ inline std::string broken_joins(std::size_t broken, std::size_t joins) {
   return "rounding has broken " + std::to_string(broken) + " of " + counted(joins, "join");
 }
 
-// Returns the result of rounded() for most numbers that are written without an exponent, and an empty text for others. A number times an exact power of
-// ten has a relative error below 2^-51, which matters only next to the middle between two integers.
+// Returns the result of rounded() for most numbers that are written without an exponent, and an
+// empty text for others. A number times an exact power of ten has a relative error below 2^-51,
+// which matters only next to the middle between two integers.
 inline std::string rounded_by_product(double x, int digits) {
   static constexpr double powers[] = {1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10};
   constexpr int most_digits = 6;
@@ -62,7 +63,8 @@ template <class... Parts> void append(std::string& text, const Parts&... parts) 
   (add(parts), ...);
 }
 
-// Returns a number with this many significant digits, as printf() does with %g, but zero has no sign.
+// Returns a number with this many significant digits, as printf() does with %g, but zero has no
+// sign.
 inline std::string rounded(double x, int digits) {
   std::string text = rounded_by_product(x, digits);
   if (!text.empty()) return text;

@@ -60,7 +60,8 @@ std::pair<GC::Patch_edge, GC::Patch_edge> given_edges(const Command_line& line) 
   return {edge_of(text.substr(0, comma)), edge_of(text.substr(comma + 1))};
 }
 
-// Prints the continuity along the edge of a given surface, and returns whether the blend has the order there.
+// Prints the continuity along the edge of a given surface, and returns whether the blend has the
+// order there.
 template <class Surface>
 bool report_edge(std::ostream& report, int order, const std::string& file, const Surface& given, GC::Patch_edge edge,
                  const Surface& blend, GC::Patch_edge edge_of_blend) {
@@ -90,7 +91,8 @@ Exit_code report_order(std::ostream& report, int order, bool has_order) {
   return has_order ? requirement_met : requirement_not_met;
 }
 
-// The search for folds may take long, and what it finds is no more than a warning: it never refuses the blend.
+// The search for folds may take long, and what it finds is no more than a warning: it never refuses
+// the blend.
 template <class Surface> void warn_of_fold(std::ostream& report, const Surface& s) {
   try {
     if (const auto fold = possible_fold(s))
@@ -163,7 +165,8 @@ template <class Strategy> Exit_code blend_by(const Command_line& line, const Str
   return code;
 }
 
-// Blends by the strategy of --strategy, one of a table but for those for F3, which are none for surfaces.
+// Blends by the strategy of --strategy, one of a table but for those for F3, which are none for
+// surfaces.
 template <class Table>
 Exit_code blend_by_name(const Command_line& line, const Table& strategies, const std::string& by_default) {
   const auto of_surfaces = [](const auto& s) {

@@ -21,7 +21,8 @@
 #include <utility>
 #include <vector>
 
-// `interpolate` and `fit` have this in common: one file of points, a curve that may be closed, its joins, and where it is written.
+// `interpolate` and `fit` have this in common: one file of points, a curve that may be closed, its
+// joins, and where it is written.
 
 // Refuses any other number of files, and outputs that cannot be written.
 inline void check_points_arguments(const Command_line& line, const std::string& command) {
@@ -57,8 +58,9 @@ struct Joins_of_pieces {
   std::size_t not_c2 = 0, not_g2 = 0; // joins
 };
 
-// Decides the joins of the pieces of curves that are written, .g2, exactly on numbers that a `Number` holds as they stand there. At the
-// starts of the pieces with the numbers `corners`, in increasing order, are corners.
+// Decides the joins of the pieces of curves that are written, .g2, exactly on numbers that a
+// `Number` holds as they stand there. At the starts of the pieces with the numbers `corners`, in
+// increasing order, are corners.
 template <class Number>
 Joins_of_pieces decide_joins(const std::string& text, GC::Closure closure, const std::vector<int>& corners = {}) {
   typedef Program_span<Number> Span;
@@ -86,7 +88,8 @@ Joins_of_pieces decide_joins(const std::string& text, GC::Closure closure, const
   return result;
 }
 
-// Writes curves as they are, and draws them with the lines from point to point, where that is asked for.
+// Writes curves as they are, and draws them with the lines from point to point, where that is asked
+// for.
 template <class Traits>
 void write_curves(const Command_line& line, const std::string& text, std::vector<typename Traits::Point> points,
                   const std::string& name) {

@@ -13,7 +13,8 @@
 // An entity of a STEP file as it stands there, e.g. #20 = ORIENTED_EDGE('',*,*,#21,.T.).
 struct Step_entity {
   std::uint64_t id = 0;
-  std::string type;                      // of one that is composed of several: all of them, with blanks in between
+  // of one that is composed of several: all of them, with blanks in between
+  std::string type;
   std::vector<std::uint64_t> references; // the ids in it, in order
 };
 
