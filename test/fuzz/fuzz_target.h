@@ -5,8 +5,9 @@
 #ifndef GEOMETRIC_CONTINUITY_FUZZ_FUZZ_TARGET_H
 #define GEOMETRIC_CONTINUITY_FUZZ_FUZZ_TARGET_H
 
-// The fuzz targets have this in common. Each is one function of bytes, which libFuzzer or replay_main.cpp calls: typed
-// errors are expected, everything else that escapes is a mistake, and so is a property that does not hold.
+// The fuzz targets have this in common. Each is one function of bytes, which libFuzzer or
+// replay_main.cpp calls: typed errors are expected, everything else that escapes is a mistake, and
+// so is a property that does not hold.
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
@@ -34,7 +35,8 @@ inline void require(bool property, const char* what) {
   std::abort();
 }
 
-// Returns whether a text that was written holds a number longer than what is read: exact numbers can be.
+// Returns whether a text that was written holds a number longer than what is read: exact numbers
+// can be.
 inline bool has_long_number(const std::string& text) {
   std::istringstream is(text);
   for (std::string word; is >> word;)

@@ -2,9 +2,9 @@
 #   glyph NAME [CODE]     begins a glyph, the first one number 0, with the code of its character
 #   contour X,Y ...       a closed contour; behind a point, * says that it is a control point
 #   component N X Y [S]   glyph number N, moved, and scaled by S
-# Variables: em, the units per em, 1000 if not given; outlines=cff for cubic curves; container=ttc for a collection of the font
-# twice, container=woff; bearing, a left side bearing of all glyphs that is to be where x is 0; family and style; names=no to leave out the
-# names of the glyphs.
+# Variables: em, the units per em, 1000 if not given; outlines=cff for cubic curves; container=ttc
+# for a collection of the font twice, container=woff; bearing, a left side bearing of all glyphs
+# that is to be where x is 0; family and style; names=no to leave out the names of the glyphs.
 function byte(x) { out = out sprintf("\\%03o", x % 256) }
 function u16(x) { if (x < 0) x += 65536; byte(int(x / 256)); byte(x) }
 function u32(x) { u16(int(x / 65536)); u16(x % 65536) }

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# verify --all-instances: the largest kinks of variable fonts between the masters, what is undecided and what is not covered.
+# verify --all-instances: the largest kinks of variable fonts between the masters, what is undecided
+# and what is not covered.
 schemas=$(cd "$(dirname "$0")" && pwd)/schemas
 . "$(dirname "$0")/functions.sh"
 
@@ -11,9 +12,10 @@ valid() {
 }
 bytes() { printf '%b' "$(tr -d '\n' | sed 's/../\\x&/g')"; } # from hexadecimal digits
 
-# An axis wght from 100 to 900 whose upper half is stretched by 'avar'. Glyph 1 has the points (0, -50), (0, 0) off the curve,
-# (100, 0), (200, 0) off, (200, -50); at 900 the second moves by (0, -20) and the fourth by (200, 60): the handles at the third
-# are parallel at both ends, and in between their cross product is 4000 t (1 - t). Glyph 2 is composed of others.
+# An axis wght from 100 to 900 whose upper half is stretched by 'avar'. Glyph 1 has the points (0,
+# -50), (0, 0) off the curve, (100, 0), (200, 0) off, (200, -50); at 900 the second moves by (0,
+# -20) and the fourth by (200, 60): the handles at the third are parallel at both ends, and in
+# between their cross product is 4000 t (1 - t). Glyph 2 is composed of others.
 bytes >kink.ttf <<'HEX'
 00010000000900000000000068656164000000000000009c000000366868656100000000000000d200000024686d747800000000000000f60000
 00086d61787000000000000000fe000000206c6f6361000000000000011e00000010676c7966000000000000012e000000486676617200000000
@@ -25,14 +27,14 @@ bytes >kink.ttf <<'HEX'
 000000000001000000010000000000240003000100000024000000000000000000000018000000180001000a000da000400000824000c8848000
 ec80003c840000010000000000010004c000c000000000002000100040004000
 HEX
-# A kink in a baseline is known, and a larger kink is new: the fourth point moves by (200, 70).
+# A kink in a baseline is known, and a larger kink is new: the fourth point moves by (200, 70).
 LC_ALL=C sed 's/\xec\x80\x00\x3c\x84/\xec\x80\x00\x46\x84/' kink.ttf >larger.ttf && holds [ "$(cmp -l kink.ttf larger.ttf | wc -l)" -eq 1 ]
 kinks() { run "$1" verify known.ttf --all-instances --max-kink 2 "${@:2}"; }
 cp kink.ttf known.ttf && kinks 1 --format sarif && mv out base.sarif && says base.sarif '"measure":{"quantity":"angle_degrees","bounds":['
 kinks 0 --baseline base.sarif --json && says out '{"findings":[],'
 cp larger.ttf known.ttf && kinks 1 --baseline base.sarif --json && says out '{"rule":"kink"' && kinks 1 --format sarif && mv out base.sarif
 cp kink.ttf known.ttf && kinks 0 --baseline base.sarif
-# The next font has the same outline, which moves in a region of four axes.
+# The next font has the same outline, which moves in a region of four axes.
 bytes >four.ttf <<'HEX'
 00010000000800000000000068656164000000000000008c000000366868656100000000000000c200000024686d747800000000000000e60000
 00066d61787000000000000000ec000000206c6f6361000000000000010c0000000c676c79660000000000000118000000286676617200000000
@@ -44,8 +46,8 @@ bytes >four.ttf <<'HEX'
 00000000000000000000000100000004000000000020000200010000002000000000000000000000001e00010010000da000400040004000c000
 00824000c8848000ec80003c8400
 HEX
-# Glyph 1 as in kink.ttf; glyph 2 is that one half as wide, glyph 3 half as wide and high; in glyph 4 the handle before (100, 0) has
-# no length at 100. The same font packed as WOFF and WOFF2.
+# Glyph 1 as in kink.ttf; glyph 2 is that one half as wide, glyph 3 half as wide and high; in glyph
+# 4 the handle before (100, 0) has no length at 100. The same font packed as WOFF and WOFF2.
 bytes >parts.ttf <<'HEX'
 000100000009008000030010667661727bc56992000001c800000024676c7966348233e50000013000000056677661723d823c7e000001ec0000
 0044686561642e3332560000009c000000366868656100c900ca000000d400000024686d747800c80000000001180000000c6c6f6361002b0041
@@ -147,8 +149,9 @@ for file in parts.woff parts.woff2; do # WOFF2 where FreeType has brotli
   holds cmp -s packed unpacked
 done
 
-# A part that is stretched has other angles; one of the same shape has those of the glyph that it is, also when only the composite glyph
-# is asked for. A handle of no length at the default instance is in no class that is decided.
+# A part that is stretched has other angles; one of the same shape has those of the glyph that it
+# is, also when only the composite glyph is asked for. A handle of no length at the default instance
+# is in no class that is decided.
 says unpacked "5 glyphs (2 of them composed of other ones), 9 joins: 6 corners" "2 above it" "narrow, part kink" "[5.8" \
   "not covered: 1 join, a handle has no length at the default instance"
 run 1 verify parts.ttf --all-instances --glyphs narrow --max-kink 5
@@ -164,7 +167,8 @@ run 1 verify parts.ttf --all-instances --max-kink 10 --json
 valid out
 says out '"part":"kink"' '"met":false' '"not_covered":[{"what":"join","reason":"a handle has no length at the default instance","count":1}]'
 
-# More than three axes. Beyond the work that is allowed a join is undecided, and that is never called proved.
+# More than three axes. Beyond the work that is allowed a join is undecided, and that is never
+# called proved.
 run 0 verify four.ttf --all-instances --max-kink 3.5
 says out "1 in no instance above 3.5 degrees" "0 undecided" "every join that is no corner"
 run 1 verify four.ttf --all-instances --max-kink 2.5
@@ -175,7 +179,7 @@ run 1 verify four.ttf --all-instances --max-kink 3.06 --max-work 1 --format sari
 says out '"ruleId":"undecided"' '"level":"error"'
 run 0 verify four.ttf --all-instances --max-kink 3.06 --max-work 1 --allow-undecided
 
-# Things that are not covered are named.
+# Things that are not covered are named.
 run 2 verify not_variable.ttf --all-instances
 says out "not_variable.ttf: not covered, not a variable font" "no join, nothing was decided"
 run 0 verify not_variable.ttf --all-instances --allow-empty --allow-uncovered

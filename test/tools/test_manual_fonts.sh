@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The numbers of joins of fonts, and of kinks that are mended, on the page "Letters, Drawings and Reports" are those of the packages that it names.
+# The numbers of joins of fonts, and of kinks that are mended, on the page "Letters, Drawings and
+# Reports" are those of the packages that it names.
 page=$(cd "$(dirname "$0")/../../doc/Geometric_continuity" && pwd)/Letters_and_reports.txt
 . "$(dirname "$0")/functions.sh"
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Rational curves and surfaces in .g2 files: written and read without loss, and refused where the text or the type does not allow
-// them.
+// Rational curves and surfaces in .g2 files: written and read without loss, and refused where the
+// text or the type does not allow them.
 
 #include <boost/test/unit_test.hpp>
 
@@ -138,7 +138,8 @@ BOOST_AUTO_TEST_CASE(products_are_divided) {
   BOOST_CHECK(c.control_point(0) == Q2::Point(1, 0) && c.control_point(1) == Q2::Point(1, 1) &&
               c.weight(1) == Q(1) / Q(2));
   const auto d =
-      curves_in<D2>("100 1 0 0\n2 1\n2 2\n0 0 1 1\n.1 .3 .3\n1 0 1\n").front(); // divided before anything is rounded
+      // divided before anything is rounded
+      curves_in<D2>("100 1 0 0\n2 1\n2 2\n0 0 1 1\n.1 .3 .3\n1 0 1\n").front();
   BOOST_CHECK(d.control_point(0) == D2::Point(1. / 3, 1));
 }
 
@@ -163,7 +164,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
                     "malformed_input: f.g2:10: zero_weight: Ra");
 }
 
-// Elementary classes: lines with ends are curves of degree 1, all others are refused with their name and a way out.
+// Elementary classes: lines with ends are curves of degree 1, all others are refused with their
+// name and a way out.
 BOOST_AUTO_TEST_CASE(elementary_classes) {
   const std::string line = "120 1 0 0\n2\n1 2\n3 1/2\n1\n-1 4\n";
   for (const auto& c :
@@ -255,7 +257,8 @@ BOOST_AUTO_TEST_CASE(planes) {
                     "malformed_input: f.g2:7: the ends of the domain of a plane are the same floating-point number");
 }
 
-// (u-v)^2 + epsilon: that it costs too much to know whether this is positive is not an error of the text.
+// (u-v)^2 + epsilon: that it costs too much to know whether this is positive is not an error of the
+// text.
 BOOST_AUTO_TEST_CASE(denominators_close_to_zero) {
   const auto with = [](const Q& epsilon) {
     std::ostringstream os;

@@ -119,7 +119,8 @@ BOOST_AUTO_TEST_CASE(geometry_of_the_strategies, *boost::unit_test::enable_if<ex
   });
 }
 
-// The energy is a quadratic function of (s1, s2): at the minimum the values on both sides are equal, and larger.
+// The energy is a quadratic function of (s1, s2): at the minimum the values on both sides are
+// equal, and larger.
 template <int k, class Traits> void check_minimum(const Blend_input<Traits>& input) {
   const Blend<Traits> gamma = input(GC::Minimal_energy<k>());
   const FT least = gamma.energy(k), s1 = gamma.parameters.s1, s2 = gamma.parameters.s2;
@@ -195,12 +196,14 @@ BOOST_AUTO_TEST_CASE(reproduction) {
   with_random_input([](auto traits, int d, Random& random) {
     typedef decltype(traits) Traits;
     const auto check = [&](int degree, const auto& strategy) {
-      const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3)); // three parts of length 1
+      // three parts of length 1
+      const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3));
       const Jet<Traits> phi = whole.jet(FT(1), 2), psi = whole.jet(FT(2), 2);
       if (is_zero(phi[1]) || is_zero(psi[1])) return;
       const Blend<Traits> gamma = GC::blend(phi, psi, strategy, {});
       const Jet<Traits> expected = whole.jet(FT(1), 5), start = gamma.start_jet(5);
-      // whole numbers up to 2^9, conditions below 2^3, and differences that multiply errors by up to 5! 2^5 < 2^12
+      // whole numbers up to 2^9, conditions below 2^3, and differences that multiply errors by up
+      // to 5! 2^5 < 2^12
       for (int j = 0; j <= 5; ++j)
         for (int i = 0; i < d; ++i) BOOST_CHECK(close(start[j][i], expected[j][i], FT(1 << 24), 100));
     };
@@ -300,9 +303,10 @@ BOOST_AUTO_TEST_CASE(own_strategies_and_curves) {
 
 // ---------------------------------------------------------------- rounded numbers
 
-// With M the sum of the lengths of the six vectors that define the blend, the right sides of the linear systems are sums
-// of at most 42 M |u|, and the systems, scaled by |u| and |v|, have condition at most 2: 1000 roundings of M cover all. The
-// shift of Near_line divides by the squared sine of an angle, which multiplies its error by at most its inverse squared.
+// With M the sum of the lengths of the six vectors that define the blend, the right sides of the
+// linear systems are sums of at most 42 M |u|, and the systems, scaled by |u| and |v|, have
+// condition at most 2: 1000 roundings of M cover all. The shift of Near_line divides by the squared
+// sine of an angle, which multiplies its error by at most its inverse squared.
 BOOST_AUTO_TEST_CASE(rounded_blends, *boost::unit_test::enable_if<!exact>()) {
   with_random_input([](auto traits, int d, Random& random) {
     typedef decltype(traits) Traits;

@@ -16,8 +16,8 @@ template <class Traits> using Strategies = std::vector<Any_strategy<Traits, Blen
 typedef GC::Septic_end_parameters<FT> End_parameters;
 typedef GC::Given_end_parameters<FT> Given;
 
-// The given parameters are not geometric: they multiply derivatives of the given curves. Backwards, all derivatives of odd
-// order change sign on both sides, and so does beta_2.
+// The given parameters are not geometric: they multiply derivatives of the given curves. Backwards,
+// all derivatives of odd order change sign on both sides, and so does beta_2.
 template <class Traits> Strategies<Traits> all_strategies() {
   typedef typename Traits::FT Number;
   const GC::Septic_end_parameters<Number> p{Number(1), Number(2), Number(-3)}, q{Number(-1), Number(4), Number(5)};
@@ -40,8 +40,8 @@ template <class Traits> Strategies<Traits> all_strategies() {
 
 inline FT mu_of_g3(const FT& beta, const End_parameters& p) { return FT(FT(3) * beta * p.beta2); }
 
-// The join of x with the blend y, seen from x, at either end: gamma' = beta d1, gamma'' = beta^2 d2 + beta_2 d1,
-// gamma''' = beta^3 d3 + mu d2 + beta_3 d1.
+// The join of x with the blend y, seen from x, at either end: gamma' = beta d1, gamma'' = beta^2
+// d2 + beta_2 d1, gamma''' = beta^3 d3 + mu d2 + beta_3 d1.
 template <class Traits>
 void check_join(const Jet<Traits>& x, const Jet<Traits>& y, const FT& beta, const End_parameters& p) {
   BOOST_CHECK(y[0] == x[0]);
@@ -88,7 +88,8 @@ BOOST_AUTO_TEST_CASE(joins, *boost::unit_test::enable_if<exact>()) {
   });
 }
 
-// Checks the orthogonality that the sequential and the joint strategies produce, at an end with the given jet x and the blend y.
+// Checks the orthogonality that the sequential and the joint strategies produce, at an end with the
+// given jet x and the blend y.
 template <class Traits>
 void check_orthogonality(const Jet<Traits>& x, const Jet<Traits>& g3, const Jet<Traits>& f3, const Jet<Traits>& joint) {
   const Column<Traits> n = GC::orthogonal_component(x[2], x[1]);
@@ -198,7 +199,8 @@ BOOST_AUTO_TEST_CASE(reproduction, *boost::unit_test::enable_if<exact && cancels
   with_random_input([](auto traits, int d, Random& random) {
     typedef decltype(traits) Traits;
     const auto check = [&](int degree, const auto& strategy) {
-      const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3)); // three parts of length 1
+      // three parts of length 1
+      const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3));
       const Jet<Traits> phi = whole.jet(FT(1), 3), psi = whole.jet(FT(2), 3);
       if (is_zero(phi[1]) || is_zero(psi[1])) return;
       BOOST_CHECK(GC::blend(phi, psi, strategy, {}).start_jet(7) == whole.jet(FT(1), 7));
@@ -274,11 +276,13 @@ BOOST_AUTO_TEST_CASE(own_strategies_and_curves, *boost::unit_test::enable_if<exa
 
 // ---------------------------------------------------------------- rounded numbers
 
-// At an end with derivatives d1, d2, d3 (times beta, beta^2, beta^3) all terms of the closed formulas are at most
-// M = (|d1| + |d2| + |d3|)(1 + c)^2 with c = |d2|/|d1| + (|d1| + |d2| + |d3|) / |n|, n = d2 orthogonal to d1, and the
-// errors of their factors grow by c^2: 1000 roundings of M (1 + c)^2 cover all. Where a minimum is computed, an error of
-// the four scalars counts in second order only: elimination is backward stable, so the energy exceeds the least one by at
-// most (1000 * 2^-53 * K)^2 of that at zero, where K is the condition of the scaled system. 2^-40 admits K up to 2^23.
+// At an end with derivatives d1, d2, d3 (times beta, beta^2, beta^3) all terms of the closed
+// formulas are at most M = (|d1| + |d2| + |d3|)(1 + c)^2 with c = |d2|/|d1| + (|d1| + |d2| + |d3|)
+// / |n|, n = d2 orthogonal to d1, and the errors of their factors grow by c^2: 1000 roundings of M
+// (1 + c)^2 cover all. Where a minimum is computed, an error of the four scalars counts in second
+// order only: elimination is backward stable, so the energy exceeds the least one by at most
+// (1000 * 2^-53 * K)^2 of that at zero, where K is the condition of the scaled system. 2^-40 admits
+// K up to 2^23.
 BOOST_AUTO_TEST_CASE(rounded_blends, *boost::unit_test::enable_if<!exact>()) {
   with_random_input([](auto traits, int d, Random& random) {
     typedef decltype(traits) Traits;

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Rational Bezier and B-spline curves and arcs of conics: on random curves with big rational numbers, where an identity that holds
-// is one, on doubles within the bound of their roundings, and where weights are negative or zero.
+// Rational Bezier and B-spline curves and arcs of conics: on random curves with big rational
+// numbers, where an identity that holds is one, on doubles within the bound of their roundings, and
+// where weights are negative or zero.
 
 #include <boost/test/unit_test.hpp>
 
@@ -94,7 +95,8 @@ template <class Traits> GC::Rational_bspline_curve<Traits> spline(int p) {
   return {points, weights, GC::Knot_vector<FT>(p, knots)};
 }
 
-// Equal for exact numbers; doubles after `size` in units of 2^-44: a few hundred roundings of numbers up to this size.
+// Equal for exact numbers; doubles after `size` in units of 2^-44: a few hundred roundings of
+// numbers up to this size.
 template <class FT, int N>
 bool same(const GC::Coordinate_vector<FT, N>& x, const GC::Coordinate_vector<FT, N>& y, double size = 1) {
   if constexpr (std::is_floating_point_v<FT>) {
@@ -412,7 +414,8 @@ BOOST_AUTO_TEST_CASE(arcs_of_points_of_a_kernel) {
   BOOST_CHECK(GC::circular_arc_with_tangent(a, u, c) == GC::circular_arc_with_tangent<Q2>(a, u, c));
   BOOST_CHECK(GC::conic_arc(a, u, b, v, Q2::Point(3, 5)) == GC::conic_arc<Q2>(a, u, b, v, Q2::Point(3, 5)));
   BOOST_CHECK(GC::ellipse(a, u, v) == GC::ellipse<Q2>(a, u, v));
-  BOOST_CHECK(GC::ellipse<Q2>(CGAL::ORIGIN, u, v) == GC::ellipse(Q2::Point(0, 0), u, v)); // what converts to points
+  // what converts to points
+  BOOST_CHECK(GC::ellipse<Q2>(CGAL::ORIGIN, u, v) == GC::ellipse(Q2::Point(0, 0), u, v));
 }
 
 BOOST_AUTO_TEST_CASE(arcs_about_a_centre_and_an_axis) {
@@ -526,7 +529,8 @@ BOOST_AUTO_TEST_CASE(lines_and_arcs) {
   BOOST_CHECK(GC::knot_continuity(GC::Rational_bspline_curve<Q2>(arc).insert(Q(1) / Q(2)), Q(1) / Q(2)).c_order == 3);
 }
 
-// All vertices on the circle, and the middle of each chord no farther away than the tolerance; boxes that contain what they should.
+// All vertices on the circle, and the middle of each chord no farther away than the tolerance;
+// boxes that contain what they should.
 BOOST_AUTO_TEST_CASE_TEMPLATE(polylines_and_boxes, Traits, Planar) {
   typedef typename Traits::FT FT;
   typedef typename Traits::Point Point;

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The certificate of the order along an edge is checked: the polynomials vanish where it says so, and the factors are those of the construction.
+// The certificate of the order along an edge is checked: the polynomials vanish where it says so,
+// and the factors are those of the construction.
 
 #include "support/nets.h"
 
@@ -49,7 +50,8 @@ Certificate certificate(const Net& a, const Net& b, int order) {
 
 } // namespace
 
-// The second surface is S(u + alpha v + alpha2 v^2/2, beta v + delta v^2/2) up to second order, and then moved away from that.
+// The second surface is S(u + alpha v + alpha2 v^2/2, beta v + delta v^2/2) up to second order, and
+// then moved away from that.
 BOOST_AUTO_TEST_CASE(constructed_edges) {
   Random random;
   for (int i = 0; i < 10; ++i) {
@@ -88,7 +90,8 @@ BOOST_AUTO_TEST_CASE(constructed_edges) {
   }
 }
 
-// In each coordinate plane, where two coordinates of the normal are zero; and of a wrong verdict on surfaces without a normal.
+// In each coordinate plane, where two coordinates of the normal are zero; and of a wrong verdict on
+// surfaces without a normal.
 BOOST_AUTO_TEST_CASE(planes) {
   for (int x = 0; x < 3; ++x) {
     const auto patch = [&](int u, int v) {
@@ -111,11 +114,13 @@ BOOST_AUTO_TEST_CASE(planes) {
     BOOST_CHECK(value(c[0].factors[2], Q(0)) == Q(-2) * value(c[0].factors[0], Q(0)));
     const std::vector<Certificate> wrong = GC::edge_certificates(line, v0, line, v0, verdict);
     BOOST_REQUIRE(wrong.size() == 1 && wrong[0].factors.size() == 3);
-    BOOST_CHECK(wrong[0].side->is_zero() && wrong[0].factors[0].is_zero()); // which shows that it is wrong
+    // which shows that it is wrong
+    BOOST_CHECK(wrong[0].side->is_zero() && wrong[0].factors[0].is_zero());
   }
 }
 
-// A knot line at which the surface jumps has only rows; each span of the line has its own certificate.
+// A knot line at which the surface jumps has only rows; each span of the line has its own
+// certificate.
 BOOST_AUTO_TEST_CASE(knot_lines) {
   typedef GC::Bspline_surface<GC::Traits_3<Kernel>> Surface;
   typedef Kernel::Point_3 Point;

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Joins and edges that other programs are known to judge wrongly. Each test writes down the rule that is led astray, shows
-// that it is, and checks the exact answer.
+// Joins and edges that other programs are known to judge wrongly. Each test writes down the rule
+// that is led astray, shows that it is, and checks the exact answer.
 
 #include <boost/test/unit_test.hpp>
 
@@ -41,7 +41,8 @@ const double pi = std::acos(-1.0), tolerance = 1e-6; // what the rules use
 
 namespace {
 
-// The patch C(u) + v T(u) + v^2 W(u), where the coordinates are polynomials with coefficients that every kernel can represent.
+// The patch C(u) + v T(u) + v^2 W(u), where the coordinates are polynomials with coefficients that
+// every kernel can represent.
 typedef std::array<Polynomial, 3> Column;
 template <class K> Patch<K> patch(const Column& c, const Column& t, const Column& w) {
   typedef typename K::FT FT;
@@ -86,7 +87,8 @@ template <class K> double normal_angle(const Patch<K>& a, const Patch<K>& b, con
   return angle_of(a.normal(u, typename K::FT(0)), b.normal(u, typename K::FT(0)));
 }
 
-// Angles of lines: those beyond 90 degrees are folded back, which is right for lines and wrong for tangents and normals.
+// Angles of lines: those beyond 90 degrees are folded back, which is right for lines and wrong for
+// tangents and normals.
 double folded(double angle) { return std::min(angle, pi - angle); }
 
 } // namespace
@@ -111,7 +113,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_cusp_is_not_g1, K, Kernels) {
   BOOST_CHECK(smooth.g_order >= 1 && *smooth.tangent_equal);
 }
 
-// Along an edge the surfaces lie on one side, as the two halves of a folded sheet do.
+// Along an edge the surfaces lie on one side, as the two halves of a folded sheet do.
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_folded_sheet_is_not_g1, K, Kernels) {
   const Patch<K> a = patch<K>(x_axis, direction(0, 1, 0), zero), b = patch<K>(x_axis, direction(1, 2, 0), zero),
                  c = patch<K>(x_axis, direction(1, -2, 0), zero);
@@ -129,7 +131,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_folded_sheet_is_not_g1, K, Kernels) {
   BOOST_CHECK(fold.deviation->lower == 2 && fold.deviation->upper == 2);
   BOOST_CHECK_GT(fold.deviation->largest_angle(), 3.14159265358979);
   BOOST_CHECK_EQUAL(GC::edge_continuity(a, v0, c, v0).g_order, 2);
-  BOOST_CHECK_EQUAL(GC::edge_continuity(a, v0, a, v0).defect, Edge_defect::fold); // a patch with itself
+  // a patch with itself
+  BOOST_CHECK_EQUAL(GC::edge_continuity(a, v0, a, v0).defect, Edge_defect::fold);
 
   // on the other side on three quarters of the edge, then on the same side
   const Patch<K> mixed = patch<K>(x_axis, direction(constant(0), Polynomial{Q(-3), Q(1)}, constant(0)), zero);
@@ -146,7 +149,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_folded_sheet_is_not_g1, K, Kernels) {
 
 // ---------------------------------------------------------------- opposite normals
 
-// Wrong: "tangents agree, curvatures are equal". The curves bend to opposite sides, or in perpendicular planes.
+// Wrong: "tangents agree, curvatures are equal". The curves bend to opposite sides, or in
+// perpendicular planes.
 BOOST_AUTO_TEST_CASE_TEMPLATE(opposite_principal_normals_are_not_g2, K, Kernels) {
   typedef typename K::Point_3 P;
   const Curve3<K> in{P(-2, 2, 0), P(-1, 0, 0), P(0, 0, 0)}, up{P(0, 0, 0), P(1, 0, 0), P(2, 2, 0)},
@@ -164,8 +168,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(opposite_principal_normals_are_not_g2, K, Kernels)
   }
 }
 
-// Wrong: "second fundamental forms agree up to the sign of the normal". The sheet is folded flat, and each half is bent in
-// the same way.
+// Wrong: "second fundamental forms agree up to the sign of the normal". The sheet is folded flat,
+// and each half is bent in the same way.
 BOOST_AUTO_TEST_CASE_TEMPLATE(opposite_normals_are_not_g2, K, Kernels) {
   typedef GC::Edge_field<GC::Traits_3<K>> Field;
   const Column c{Polynomial{Q(0), Q(1)}, constant(0), Polynomial{Q(0), Q(0), Q(2)}}, bent = direction(0, 0, 3);
@@ -205,7 +209,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(differences_have_no_sign, K, Kernels) {
 
 // ---------------------------------------------------------------- cross derivatives that are not parallel
 
-// Wrong: "T1 and T2 are parallel", or the control points across the edge collinear. Both may have a part along the edge.
+// Wrong: "T1 and T2 are parallel", or the control points across the edge collinear. Both may have a
+// part along the edge.
 template <class K> bool parallel_cross_derivatives(const Patch<K>& a, const Patch<K>& b) {
   typedef typename K::FT FT;
   for (int k = 0; k <= 4; ++k) {
@@ -254,7 +259,8 @@ BOOST_AUTO_TEST_CASE(ribbons_with_a_part_along_the_edge_are_smooth) {
 
 // ---------------------------------------------------------------- samples
 
-// Wrong: "the normals agree at n + 1 parameters". The surfaces bend away from each other between them.
+// Wrong: "the normals agree at n + 1 parameters". The surfaces bend away from each other between
+// them.
 BOOST_AUTO_TEST_CASE_TEMPLATE(bumps_between_samples, K, Kernels) {
   typedef typename K::FT FT;
   for (int samples : {5, 21}) {

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The orders G^k are those of the points in projective space: they do not change under a projective map, which makes rational
-// patches from polynomial ones that are connected in all ways.
+// The orders G^k are those of the points in projective space: they do not change under a projective
+// map, which makes rational patches from polynomial ones that are connected in all ways.
 
 #include <boost/test/unit_test.hpp>
 
@@ -17,7 +17,8 @@ namespace {
 
 template <class K> using Rational_patch = GC::Rational_bezier_patch<GC::Traits_3<K>>;
 
-// The image under (x, y, z) -> (x, y, z) / (1 + (x + 2 y + 3 z) / 1000), which is defined near the origin.
+// The image under (x, y, z) -> (x, y, z) / (1 + (x + 2 y + 3 z) / 1000), which is defined near the
+// origin.
 template <class K> Rational_patch<K> projected(const Patch<K>& s) {
   typedef typename K::FT FT;
   typedef typename Rational_patch<K>::Homogeneous Homogeneous;

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Extensions refuse numbers that are not finite, wherever they enter, and degrees without alternatives. Their results are tested on every kernel, in typed_alternatives.h.
+// Extensions refuse numbers that are not finite, wherever they enter, and degrees without
+// alternatives. Their results are tested on every kernel, in typed_alternatives.h.
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

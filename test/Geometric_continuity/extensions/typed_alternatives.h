@@ -13,8 +13,8 @@
 
 BOOST_AUTO_TEST_SUITE(alternatives)
 
-// Exact kernels whose numbers cancel take rational numbers; the others take whole numbers and powers of two, with which all
-// but quotients is exact.
+// Exact kernels whose numbers cancel take rational numbers; the others take whole numbers and
+// powers of two, with which all but quotients is exact.
 constexpr bool rational_numbers = exact && cancels;
 
 typedef GC::Frenet_order Order;
@@ -60,7 +60,7 @@ template <class Traits> Curve<Traits> curve_on(const Points<Traits>& points, con
 }
 template <class Traits> Curve<Traits> unit(const Curve<Traits>& c) { return c.with_domain(FT(0), FT(1)); }
 
-// Makes a curve of degree m with a nonzero curvature at its end, on a random domain.
+// Makes a curve of degree m with a nonzero curvature at its end, on a random domain.
 template <class Traits> Curve<Traits> random_left(Random& random, int d, int m) {
   for (;;) {
     const FT a = value(random);
@@ -71,7 +71,8 @@ template <class Traits> Curve<Traits> random_left(Random& random, int d, int m) 
   }
 }
 
-// The next segment with these first points and random others, on a domain beta times as long as that of `left`.
+// The next segment with these first points and random others, on a domain beta times as long as
+// that of `left`.
 template <class Traits>
 Curve<Traits> next(const Curve<Traits>& left, const FT& beta, Points<Traits> first, Random& random) {
   first.insert(first.begin(), left.control_point(left.degree()));
@@ -267,7 +268,8 @@ BOOST_AUTO_TEST_CASE(nearest_member) {
   });
 }
 
-// The energy of the polygon has its least value: it is larger, and equally large, when a point is moved either way.
+// The energy of the polygon has its least value: it is larger, and equally large, when a point is
+// moved either way.
 template <class Traits> void check_stationary(const Curve<Traits>& c, int index, const Column<Traits>& direction) {
   const auto energy = [&](int sign) {
     Points<Traits> points(c.begin(), c.end());
@@ -420,7 +422,8 @@ BOOST_AUTO_TEST_CASE(planar_curve_in_space) {
 
 // ---------------------------------------------------------------- the source, corrected
 
-// The printed (3.2.3), b3 = C1 p + C2 r, does not move with the curve; the corrected one moves with it.
+// The printed (3.2.3), b3 = C1 p + C2 r, does not move with the curve; the corrected one moves with
+// it.
 BOOST_AUTO_TEST_CASE(printed_fourth_point) {
   const Column<Traits3> shift = column<Traits3>(3, {1, -2, 3});
   const GC::Torsion_parameters<FT> c{FT(2), FT(-1)};
@@ -466,8 +469,9 @@ BOOST_AUTO_TEST_CASE(similarity) {
   });
 }
 
-// Two planar projections with different C0 fit together where the tangent is orthogonal to the axis that they share, and
-// give a join in space that is not curvature-continuous; with the same C0 it is.
+// Two planar projections with different C0 fit together where the tangent is orthogonal to the axis
+// that they share, and give a join in space that is not curvature-continuous; with the same C0 it
+// is.
 BOOST_AUTO_TEST_CASE(two_projections) {
   const auto project = [](const Curve<Traits3>& c, int axis) {
     Points<Traits2> points;
@@ -554,7 +558,8 @@ BOOST_AUTO_TEST_CASE(polygon_tests) {
       Points<Traits> points;
       for (int j = 0; j <= m; ++j) points.push_back(point<Traits>(small()));
       const Curve<Traits> left = curve_on<Traits>(points, FT(0), FT(1));
-      // the right polygon follows the families up to some point, and is small and random from there on
+      // the right polygon follows the families up to some point, and is small and random from there
+      // on
       const int sign = random.integer(0, 4) == 0 ? -1 : 1;
       const FT beta(sign * random.integer(1, 2));
       std::vector<Column<Traits>> b{left.coordinates(m)};
@@ -715,7 +720,8 @@ BOOST_AUTO_TEST_CASE(close_a_chain) {
     const Curve<Traits> first = curve<Traits>(d, {{0, 0, 1}, {3, 0, -1, 2}, {6, 3, 2}, {6, 6, 1, 1, 3}}, 2, 3),
                         last = curve<Traits>(d, {{6, 6, 1, 1, 3}, {3, 7, 2}, {-3, 5}}, -1, 0);
     const GC::Shape_parameters<FT> shape{FT(2), FT(3)};
-    for (const Curve<Traits>& start : {first, last}) // the chain of both curves, and one curve alone
+    // the chain of both curves, and one curve alone
+    for (const Curve<Traits>& start : {first, last})
       for (Order order : all_orders) {
         const int k = static_cast<int>(order);
         if (!cancels && order == Order::torsion) continue;

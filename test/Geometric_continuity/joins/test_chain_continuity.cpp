@@ -25,7 +25,8 @@
 
 namespace {
 
-// Curves of which each starts where the one before it ends but for some gaps, with joins of all kinds.
+// Curves of which each starts where the one before it ends but for some gaps, with joins of all
+// kinds.
 template <class Traits> std::vector<Bezier<Traits>> random_chain(Random& random, int n) {
   typedef typename Traits::FT FT;
   std::vector<Bezier<Traits>> chain(1, random.curve<Traits>(3, 1).segment(0));
@@ -275,7 +276,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(every_join_is_that_of_two_curves, Traits, All_trai
 BOOST_AUTO_TEST_CASE_TEMPLATE(sides_of_a_join, Traits, All_traits) {
   typedef GC::Predicate_FT<Traits> Field;
   typedef GC::Signed_square<Field> Signed;
-  // a left turn before the join and a right turn after it; at the ends of parabolas kappa = |p x r| / (2 |p|^3)
+  // a left turn before the join and a right turn after it; at the ends of parabolas kappa = |p x r|
+  // / (2 |p|^3)
   const auto whole = GC::chain_continuity(composite<Traits>({{0, 0}, {2, 0}, {2, 2}, {2, 4}, {8, 4}}, {0, 1, 2}));
   const bool plane = test_dimension<Traits> == 2;
   BOOST_CHECK(whole.joins[0].left_side.curvature == (Signed{1, Field(Field(1) / Field(16))}));

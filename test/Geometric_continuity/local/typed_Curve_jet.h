@@ -76,7 +76,8 @@ BOOST_AUTO_TEST_CASE(access) {
 
 // ---------------------------------------------------------------- known curves
 
-// (r cos t, r sin t) at 0 and at pi/2, run through both ways, in the plane of the first two coordinates
+// (r cos t, r sin t) at 0 and at pi/2, run through both ways, in the plane of the first two
+// coordinates
 BOOST_AUTO_TEST_CASE(circle) {
   in_every_space([](auto traits, int d) {
     typedef decltype(traits) Traits;
@@ -206,7 +207,8 @@ BOOST_AUTO_TEST_CASE(signed_squares) {
 
 // ---------------------------------------------------------------- random jets over exact numbers
 
-// Curvatures do not change under t -> beta_1 t + beta_2 t^2/2 + ...; with beta_1 < 0 the signed ones may change sign.
+// Curvatures do not change under t -> beta_1 t + beta_2 t^2/2 + ...; with beta_1 < 0 the signed
+// ones may change sign.
 BOOST_AUTO_TEST_CASE(reparametrisation, *boost::unit_test::enable_if<exact>()) {
   with_random_input([](auto traits, int d, Random& random) {
     typedef decltype(traits) Traits;
@@ -311,14 +313,15 @@ BOOST_AUTO_TEST_CASE(unit_frame) {
     const auto unit = frame->normalized();
     const Column<Traits3> expected[] = {column<Traits3>(3, {2, 1, 2}), column<Traits3>(3, {1, 2, -2}),
                                         column<Traits3>(3, {-2, 2, 1})};
-    for (int i = 1; i <= 3; ++i) // root, division and comparison: 3 roundings of numbers of modulus at most 1
+    // root, division and comparison: 3 roundings of numbers of modulus at most 1
+    for (int i = 1; i <= 3; ++i)
       for (int j = 0; j < 3; ++j) BOOST_CHECK(close(unit.coordinates(i)[j], FT(expected[i - 1][j] / FT(3)), FT(1), 3));
   }
 }
 
-// d2 - (d2.d1 / d1.d1) d1 is off by at most (3n+4) u |d2|, as dot products of dimension n are off by n u |x| |y|; dividing
-// by d1.d1 adds (n+1) u. Here u = 2^-53, and 8n exceeds both. Determinants of order 3 are off by at most
-// 16 u |d1| |d2| |d3|, G_2 by 16 u |d1|^2 |d2|^2.
+// d2 - (d2.d1 / d1.d1) d1 is off by at most (3n+4) u |d2|, as dot products of dimension n are off
+// by n u |x| |y|; dividing by d1.d1 adds (n+1) u. Here u = 2^-53, and 8n exceeds both. Determinants
+// of order 3 are off by at most 16 u |d1| |d2| |d3|, G_2 by 16 u |d1|^2 |d2|^2.
 BOOST_AUTO_TEST_CASE(rounded_curvatures, *boost::unit_test::enable_if<!exact>()) {
   with_random_input([](auto traits, int d, Random& random) {
     typedef decltype(traits) Traits;

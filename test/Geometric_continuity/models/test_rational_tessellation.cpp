@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Triangles of rational surfaces: without cracks, on the surface, and nowhere farther from it than the tolerance.
+// Triangles of rational surfaces: without cracks, on the surface, and nowhere farther from it than
+// the tolerance.
 
 #include <boost/test/unit_test.hpp>
 
@@ -22,8 +23,8 @@ BOOST_AUTO_TEST_SUITE(rational_tessellation)
 
 namespace {
 
-// Returns whether the middle of each triangle and of each of its sides is within the distance of the point of the patch with the middle of
-// the parameters.
+// Returns whether the middle of each triangle and of each of its sides is within the distance of
+// the point of the patch with the middle of the parameters.
 void check_distance(const Patch<Exact>& s, double distance) {
   const GC::Tessellation<Exact> mesh = GC::tessellate(s, GC::Chord_tolerance{distance});
   const Q bound = Q(distance) * Q(distance);
@@ -67,7 +68,8 @@ BOOST_AUTO_TEST_CASE(triangles_are_within_the_tolerance) {
                               Exact::Point(1000, 0, 0), Exact::Vector(0, 0, 1), {Q(-2), Q(2)}));
   BOOST_CHECK(ring.weight(0, 1) == Q(-3));
   check_distance(ring, 0.5);
-  // a factor of all weights changes nothing, and the bound is not far from that of the polynomial patch where it is one
+  // a factor of all weights changes nothing, and the bound is not far from that of the polynomial
+  // patch where it is one
   const GC::Bezier_patch<Exact> saddle(
       {{Exact::Point(0, 0, 0), Exact::Point(0, 1, 0)}, {Exact::Point(1, 0, 0), Exact::Point(1, 1, 1)}});
   const double bound = GC::Patch_flatness(saddle).distance({2, 4});
@@ -81,7 +83,8 @@ BOOST_AUTO_TEST_CASE(weights_of_different_sizes) {
   typedef Exact::Point P;
   const Q large(1 << 20);
   const Patch<Exact> s({{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0)}}, {{Q(1), large}, {Q(1), large}});
-  // of the eighth by the eighth at the corner, where the denominators are smallest: x and w y are its sides, w y of weighted points
+  // of the eighth by the eighth at the corner, where the denominators are smallest: x and w y are
+  // its sides, w y of weighted points
   const double w = 1 + ((1 << 20) - 1) / 8., x = 0.125, y = (1 << 20) / 8. / w, r = std::hypot(x, y);
   const double sv = std::hypot((w - 1) * x, w * y) + (w - 1) * r, uv = (w - 1) * x + (w - 1) * w * x,
                vv = 2 * (w - 1) * sv;
@@ -161,7 +164,8 @@ Q volume(const GC::Tessellation<Exact>& mesh) {
 
 } // namespace
 
-// Closed surfaces are outside outwards, whatever the direction of their parameters; each part of a model by itself.
+// Closed surfaces are outside outwards, whatever the direction of their parameters; each part of a
+// model by itself.
 BOOST_AUTO_TEST_CASE(solids_are_turned_outwards) {
   typedef Exact::Point Point;
   typedef Exact::Vector Vector;
@@ -185,7 +189,8 @@ BOOST_AUTO_TEST_CASE(solids_are_turned_outwards) {
     }
   }
   BOOST_CHECK(volume(GC::tessellate(model, grid)) == sum);
-  // an open one stays as it is: its triangles turn from u to v, here about the axis, seen from inside
+  // an open one stays as it is: its triangles turn from u to v, here about the axis, seen from
+  // inside
   const GC::Tessellation<Exact> open =
       GC::tessellate(GC::cylinder<Exact>(Point(0, 0, 0), Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1)), grid);
   for (const auto& t : open.triangles) {

@@ -43,7 +43,7 @@ struct Random : Random_integers<std::mt19937_64> {
 
 } // namespace
 
-// The results are the same numbers in lowest terms, short or not.
+// The results are the same numbers in lowest terms, short or not.
 BOOST_AUTO_TEST_CASE(sums) {
   Random random;
   for (int i = 0; i < 20000; ++i) {
@@ -80,7 +80,8 @@ BOOST_AUTO_TEST_CASE(square_roots) {
   BOOST_CHECK(!GC::rational_square_root(-1.));
 }
 
-// The quarter turns of an angle, and the rest up to 45 degrees, also of negative angles and of many turns.
+// The quarter turns of an angle, and the rest up to 45 degrees, also of negative angles and of many
+// turns.
 BOOST_AUTO_TEST_CASE(quarter_turns) {
   for (int degrees = -1000; degrees <= 1000; ++degrees) {
     const GC::Quarter_turns<Q> turns(Q(degrees) + Q(1) / 3);

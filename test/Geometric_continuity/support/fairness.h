@@ -13,8 +13,9 @@
 #include <cstddef>
 #include <random>
 
-// The fairness E = L^3 int (d kappa/ds)^2 + kappa^2 tau^2 ds by the textbook formulas of curvature and torsion and a dense
-// quadrature, and pairs of curves to blend: what tests of fair blends share.
+// The fairness E = L^3 int (d kappa/ds)^2 + kappa^2 tau^2 ds by the textbook formulas of curvature
+// and torsion and a dense quadrature, and pairs of curves to blend: what tests of fair blends
+// share.
 
 namespace GC = CGAL::Geometric_continuity;
 

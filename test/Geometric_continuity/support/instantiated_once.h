@@ -18,7 +18,9 @@
 #include <iostream>
 #include <vector>
 
-// Most tests and examples instantiate this code. With the precompiled headers it is instantiated and compiled once for all of them; it is never called. Before you add to it, find out which functions many object files have (nm), and how much longer the headers then take.
+// Most tests and examples instantiate this code. With the precompiled headers it is instantiated
+// and compiled once for all of them; it is never called. Before you add to it, find out which
+// functions many object files have (nm), and how much longer the headers then take.
 namespace instantiated_once {
 
 namespace GC = CGAL::Geometric_continuity;

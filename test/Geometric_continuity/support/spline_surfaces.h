@@ -120,7 +120,7 @@ inline S part(const S& s, const Q& a, const Q& b) {
   return S(net, Knots(order - 1, u), r.knots_v());
 }
 
-// Returns the surface in another kernel; it must be represented exactly.
+// Returns the surface in another kernel; it must be represented exactly.
 template <class K> Surface<K> in(const S& s) {
   typedef typename K::FT FT;
   const auto number = [](const Q& x) {

@@ -25,13 +25,14 @@
 #include <type_traits>
 #include <vector>
 
-// The tests of splines have this in common. In exact kernels all identities hold with ==. In rounded kernels the bounds are
-// multiples of the unit roundoff u = 2^-53, times the largest coefficient:
-// - A weight of a value or a blossom is made in p levels of a triangle, each with 6 roundings, where all terms are
-//   nonnegative; the sum over p + 1 coefficients adds p + 2. So values and coefficients over finer knots are known to
-//   value_roundings(p) = 7 p + 2.
-// - Arguments of a blossom outside its span multiply the sum of the absolute weights by at most 2 s - 1 each, where s is the
-//   number of spans between the arguments.
+// The tests of splines have this in common. In exact kernels all identities hold with ==. In
+// rounded kernels the bounds are multiples of the unit roundoff u = 2^-53, times the largest
+// coefficient:
+// - A weight of a value or a blossom is made in p levels of a triangle, each with 6 roundings,
+//   where all terms are nonnegative; the sum over p + 1 coefficients adds p + 2. So values and
+//   coefficients over finer knots are known to value_roundings(p) = 7 p + 2.
+// - Arguments of a blossom outside its span multiply the sum of the absolute weights by at most 2
+//   s - 1 each, where s is the number of spans between the arguments.
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_rational Q;
@@ -70,7 +71,8 @@ public:
   // The lengths of neighbouring spans differ by factors up to 10^6.
   FT length() { return coin() ? ratio<FT>(integer(1, 9), 4) : ratio<FT>(integer(1, 9), 4000000); }
 
-  // Makes knots of degree p: inner knots have the multiplicity 1 to `highest`; sometimes not clamped, when that is allowed.
+  // Makes knots of degree p: inner knots have the multiplicity 1 to `highest`; sometimes not
+  // clamped, when that is allowed.
   GC::Knot_vector<FT> knots(int p, int highest, bool may_be_unclamped = true) {
     const FT a = ratio<FT>(integer(-9, 9), 4);
     FT b = a;
@@ -139,7 +141,8 @@ template <class FT> FT largest(const std::vector<FT>& x) {
   return m;
 }
 
-// N_i^p(u) by the recursion of Cox, de Boor and Mansfield. On the intervals [u_i, u_{i+1}), or (u_i, u_{i+1}] from the left.
+// N_i^p(u) by the recursion of Cox, de Boor and Mansfield. On the intervals [u_i, u_{i+1}), or
+// (u_i, u_{i+1}] from the left.
 template <class FT> FT basis_by_recursion(const GC::Knot_vector<FT>& u, int i, int p, const FT& t, bool from_left) {
   if (p == 0) return FT((from_left ? u[i] < t && !(u[i + 1] < t) : !(t < u[i]) && t < u[i + 1]) ? 1 : 0);
   FT sum(0);
@@ -159,7 +162,8 @@ template <class FT> FT value_by_recursion(const Function<FT>& f, const FT& t, bo
 // The values from both sides, where there are both.
 template <class FT> FT left_value(const Function<FT>& f, const FT& u) { return f.left_derivatives(u, 0)[0]; }
 
-// Checks that two functions are the same: at p + 1 parameters in each span, and from both sides at its ends.
+// Checks that two functions are the same: at p + 1 parameters in each span, and from both sides at
+// its ends.
 template <class FT> void check_same(const Function<FT>& f, const Function<FT>& g, double roundings) {
   const FT scale = largest(f.coefficients());
   BOOST_REQUIRE(f.knots().has_domain_of(g.knots()));

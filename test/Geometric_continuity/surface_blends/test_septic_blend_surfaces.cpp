@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blends of surfaces of degree 7: G3 along whole edges. is_g3_edge() decides it. It is compared with the Taylor expansion of a surface,
-// composed with that of the reparametrisation at more parameters than polynomials that agree there can have as zeros.
+// Blends of surfaces of degree 7: G3 along whole edges. is_g3_edge() decides it. It is compared
+// with the Taylor expansion of a surface, composed with that of the reparametrisation at more
+// parameters than polynomials that agree there can have as zeros.
 
 #include <boost/test/unit_test.hpp>
 
@@ -52,7 +53,8 @@ struct Numbers : Random_surfaces {
 
 template <class S> constexpr bool is_patch_v = std::is_same_v<S, Bezier<Exact>> || std::is_same_v<S, Patch<Exact>>;
 
-// Parameters in [0, 1] along the edges, more in each span of the blend than its rows of homogeneous points have degree.
+// Parameters in [0, 1] along the edges, more in each span of the blend than its rows of homogeneous
+// points have degree.
 template <class Surface> std::vector<Q> parameters(const Surface& s) {
   std::vector<Q> u;
   const std::pair<Q, Q> domain = s.domain_u();
@@ -68,7 +70,8 @@ template <class Surface> std::vector<Q> parameters(const Surface& s) {
   return u;
 }
 
-// Returns whether S has at its edge v = `at` the third-order expansion of the surface L in the parameters of the shape, everywhere.
+// Returns whether S has at its edge v = `at` the third-order expansion of the surface L in the
+// parameters of the shape, everywhere.
 template <class L, class S, class Reparametrisation>
 bool has_contact(const L& l, Patch_edge edge, Edge_direction direction, const S& s, int at,
                  const Reparametrisation& r) {
@@ -114,7 +117,8 @@ template <class A, class B> void check_random_blend(Numbers& random) {
   random.choose(shape.start, size);
   random.choose(shape.end, size);
   if constexpr (rational) shape.start.lambda = shape.end.lambda = Q(1);
-  if constexpr (!is_patch_v<A>) shape.start.alpha = Function{Q(0)}; // third derivatives jump at knots
+  // third derivatives jump at knots
+  if constexpr (!is_patch_v<A>) shape.start.alpha = Function{Q(0)};
   if constexpr (!is_patch_v<B>) shape.end.alpha = Function{Q(0)};
   const auto s = blend(a, ea, b, eb, shape, direction);
   BOOST_CHECK_EQUAL(s.degree_v(), 7);
@@ -140,7 +144,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   for_each_surface_type([&](auto b) { check_random_blend<A, typename decltype(b)::type>(random); });
 }
 
-// A shape of order 2 has third derivatives that are 0; the part between two parts of one surface is the blend of them.
+// A shape of order 2 has third derivatives that are 0; the part between two parts of one surface is
+// the blend of them.
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_part_of_one_surface, Traits, All_traits) {
   typedef typename Traits::FT FT;
   typedef typename Traits::Point P;
@@ -166,7 +171,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_part_of_one_surface, Traits, All_traits) {
   CHECK_ERROR(blend(lower, v1, upper, v0, GC::Septic_surface_blend_shape<Given>(shape)), nonpositive_beta);
 }
 
-// Parts of a spline are G3 along a parameter line that is no knot, and G2 along a simple knot of degree 3.
+// Parts of a spline are G3 along a parameter line that is no knot, and G2 along a simple knot of
+// degree 3.
 BOOST_AUTO_TEST_CASE(parts_of_a_spline) {
   Numbers random;
   const Knots u(3, Q(0), Q(1), {{fraction(1, 3), 1}}), v(3, Q(0), Q(1), {{fraction(1, 2), 1}});
@@ -253,7 +259,7 @@ BOOST_AUTO_TEST_CASE(automatic_factors) {
   BOOST_CHECK(is_g3_edge(a, v1, s, v0));
 }
 
-// A row that a shift along the edge multiplies must not jump.
+// A row that a shift along the edge multiplies must not jump.
 BOOST_AUTO_TEST_CASE(torn_blend) {
   Numbers random;
   const Knots u(3, Q(0), Q(1), {{fraction(1, 3), 1}}), v(3, Q(0), Q(1));

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Jets and knot insertion of rational B-spline surfaces of doubles, and those of SISL and OpenCASCADE where they were found: all
-// agree with the exact results up to roundings.
+// Jets and knot insertion of rational B-spline surfaces of doubles, and those of SISL and
+// OpenCASCADE where they were found: all agree with the exact results up to roundings.
 
 #define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE peers_of_rational_surfaces
@@ -97,7 +97,8 @@ BOOST_AUTO_TEST_CASE(knot_insertion) {
     const Surface<Double> s = random_surface(number);
     double u = random_parameter(s.domain_u()), v = random_parameter(s.domain_v());
     const Surface<Exact> e = exact(s).insert_u(Q(u)).insert_v(Q(v));
-    const Rounding_bound bound(s.degree_u(), 1, s.degree_v(), 1); // convex combinations, and their quotients
+    // convex combinations, and their quotients
+    const Rounding_bound bound(s.degree_u(), 1, s.degree_v(), 1);
     const auto compare = [&](Largest_error& error, int m, int n, auto point, auto weight) {
       BOOST_REQUIRE_EQUAL(m, e.number_of_points_u());
       BOOST_REQUIRE_EQUAL(n, e.number_of_points_v());

@@ -22,8 +22,8 @@ template <class FT> bool contains(const std::pair<FT, FT>& interval, const FT& x
   return interval.first <= x && x <= interval.second;
 }
 
-// z = (u - a)^2 over (u, v) with the place (a, b) of a vanishing normal: x = (u - a)^2, y = (v - b)^2, z = (u - a)(v - b) has there the
-// derivatives zero.
+// z = (u - a)^2 over (u, v) with the place (a, b) of a vanishing normal: x = (u - a)^2, y = (v -
+// b)^2, z = (u - a)(v - b) has there the derivatives zero.
 template <class Traits> Bezier<Traits> cusp(const typename Traits::FT& a, const typename Traits::FT& b) {
   typedef typename Traits::FT FT;
   typedef typename Traits::Point P;
@@ -78,8 +78,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(regular_and_folded, Traits, All_traits) {
   BOOST_CHECK(possible_fold(Bezier<Traits>({{P(0, 0, 0), P(0, 1, 0)}})));
 }
 
-// With different weights: an octant of a sphere has a pole; the rest, and a quarter of a cylinder, are regular.
-// A patch that is a curve, in u or in v, has no normal.
+// With different weights: an octant of a sphere has a pole; the rest, and a quarter of a cylinder,
+// are regular. A patch that is a curve, in u or in v, has no normal.
 BOOST_AUTO_TEST_CASE_TEMPLATE(curves, Traits, All_traits) {
   typedef typename Traits::Point P;
   const Bezier<Traits> curve({{P(0, 0, 0)}, {P(1, 0, 0)}, {P(2, 1, 0)}});
@@ -112,8 +112,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rational, Traits, All_traits) {
 }
 
 // Only in one span; the rectangle is in the parameters of the surface.
-// x' = (u - r)^2 - e along u, with two zeros next to r if e > 0 and none if e < 0, also with the weights 1, 2, 4, 8 along u and as the
-// v of a patch that is of degree 3 in both.
+// x' = (u - r)^2 - e along u, with two zeros next to r if e > 0 and none if e < 0, also with the
+// weights 1, 2, 4, 8 along u and as the v of a patch that is of degree 3 in both.
 BOOST_AUTO_TEST_CASE(narrow_folds) {
   typedef Exact::Point P;
   for (int k = 1; k < 10; ++k)
@@ -135,7 +135,8 @@ BOOST_AUTO_TEST_CASE(narrow_folds) {
       const auto is_near = [](const std::pair<Q, Q>& range, const Q& zero) {
         return abs(range.first - zero) < Q(1, 100);
       };
-      BOOST_CHECK(is_near(u->u, r) && is_near(v->v, r) && is_near(w->u, r / (2 - r))); // of 2 u / (1 + u) = r
+      // of 2 u / (1 + u) = r
+      BOOST_CHECK(is_near(u->u, r) && is_near(v->v, r) && is_near(w->u, r / (2 - r)));
     }
 }
 
@@ -154,7 +155,8 @@ BOOST_AUTO_TEST_CASE(spans) {
   CHECK_ERROR(possible_fold(surface(2)), work_limit);
 }
 
-// The random surfaces are graphs over the plane, nearly: what is decided is compared with normals at points.
+// The random surfaces are graphs over the plane, nearly: what is decided is compared with normals
+// at points.
 BOOST_AUTO_TEST_CASE(random_graphs) {
   Random_surfaces random;
   for (int i = 0; i < 4; ++i) {

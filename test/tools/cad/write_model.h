@@ -19,7 +19,7 @@
 #include <iostream>
 #include <string>
 
-// Programs that write CAD models with OpenCASCADE have this in common.
+// Programs that write CAD models with OpenCASCADE have this in common.
 
 inline void require(bool condition, const std::string& what) {
   if (condition) return;

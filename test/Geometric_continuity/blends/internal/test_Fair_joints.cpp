@@ -15,7 +15,7 @@ BOOST_AUTO_TEST_SUITE(fair_joints)
 
 namespace GC = CGAL::Geometric_continuity;
 
-// For points on a circle, tangents and curvatures are those of the circle, also at the ends.
+// For points on a circle, tangents and curvatures are those of the circle, also at the ends.
 BOOST_AUTO_TEST_CASE(circles_through_points) {
   for (const bool closed : {false, true}) {
     std::vector<GC::internal::Fair_joint<2>> joints;

@@ -2,10 +2,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The predicates of edge_predicates.h on double coordinates, on rational numbers and on spans of splines: every stage is
-// reached and agrees with the plain decision in rational numbers (Edge_conditions), on edges of every class.
+// The predicates of edge_predicates.h on double coordinates, on rational numbers and on spans of
+// splines: every stage is reached and agrees with the plain decision in rational numbers
+// (Edge_conditions), on edges of every class.
 //
-// Set GEOMETRIC_CONTINUITY_EDGES for the number of edges of each class and GEOMETRIC_CONTINUITY_SEED for other numbers.
+// Set GEOMETRIC_CONTINUITY_EDGES for the number of edges of each class and
+// GEOMETRIC_CONTINUITY_SEED for other numbers.
 
 #include <boost/test/unit_test.hpp>
 
@@ -110,7 +112,8 @@ void check_order(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge e
     BOOST_ERROR("order " << order << ", expected " << truth << "\n" << a << "\n" << b);
 }
 
-// The report on two patches is the same whether or not numbers of fixed length prove that the edge is smooth.
+// The report on two patches is the same whether or not numbers of fixed length prove that the edge
+// is smooth.
 void check_report(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge edge_b, int truth) {
   typedef GC::Spline_edge_continuity<Q> Report;
   const Report e = GC::edge_continuity(a, edge_a, b, edge_b);
@@ -188,7 +191,7 @@ public:
   }
 };
 
-// Describes two surfaces along an edge, see Edge_conditions.
+// Describes two surfaces along an edge, see Edge_conditions.
 struct Connection {
   int n, q1, q2; // degrees
   Curve c, t1, w1, t2, w2;
@@ -230,7 +233,8 @@ struct Connection {
          r.polynomial(1) * t1;
   }
 
-  // The common factor of all coordinates: what Bernstein coefficients and the layers of the control nets divide by.
+  // The common factor of all coordinates: what Bernstein coefficients and the layers of the control
+  // nets divide by.
   std::int64_t factor() const {
     std::int64_t f = 1, binomial = 1;
     for (int k = 0; k <= n; ++k) {
@@ -350,7 +354,7 @@ BOOST_AUTO_TEST_CASE(smooth_edges) {
     }
 }
 
-// The surfaces agree to first order only, and differ in curvature by a little or much.
+// The surfaces agree to first order only, and differ in curvature by a little or much.
 BOOST_AUTO_TEST_CASE(curvature_differs) {
   Random r;
   Counter counter;
@@ -410,7 +414,8 @@ BOOST_AUTO_TEST_CASE(grossly_off) {
   BOOST_CHECK_GT(counter.of(1, Edge_stage::floating_point), edges_of_a_class() * 9 / 10);
 }
 
-// Scaled by powers of two, the same for all coordinates or not; smoothness along an edge does not change under affine maps.
+// Scaled by powers of two, the same for all coordinates or not; smoothness along an edge does not
+// change under affine maps.
 BOOST_AUTO_TEST_CASE(tiny_huge_and_mixed) {
   Random r;
   Counter uniform, tiny_huge, mixed;
@@ -479,7 +484,8 @@ BOOST_AUTO_TEST_CASE(degenerate_edges) {
   BOOST_CHECK_GT(counter.of(1, Edge_stage::comparison), 0);
 }
 
-// Degrees that differ along the edge, or are too large for integers of fixed length, and surfaces that are not patches.
+// Degrees that differ along the edge, or are too large for integers of fixed length, and surfaces
+// that are not patches.
 BOOST_AUTO_TEST_CASE(other_degrees) {
   Random r;
   Counter counter;
@@ -536,7 +542,8 @@ BOOST_AUTO_TEST_CASE(not_finite) {
   }
 }
 
-// T2 = (gamma C' + beta T1) / alpha with numbers each of which is short, but not over one denominator: 7000 over 7.
+// T2 = (gamma C' + beta T1) / alpha with numbers each of which is short, but not over one
+// denominator: 7000 over 7.
 BOOST_AUTO_TEST_CASE(ratios_that_become_long) {
   const auto patch = [](double length, const std::array<double, 2>& start, const std::array<double, 2>& end) {
     return Patch({{Space::Point(0, 0, 0), Space::Point(start[0], start[1], 0)},
@@ -624,8 +631,9 @@ bool agree(const GC::Edge_continuity<Q>& x, const GC::Edge_continuity<Q>& y) {
          x.side == y.side && x.collapsed == y.collapsed && x.normal_vanishes == y.normal_vanishes;
 }
 
-// The report and the predicates on the same edge, in other numbers and over other knots, against `truth`, which the rational
-// road has found: that for rows, which has no stages. A single point is of the order 0 in any parametrisation.
+// The report and the predicates on the same edge, in other numbers and over other knots, against
+// `truth`, which the rational road has found: that for rows, which has no stages. A single point is
+// of the order 0 in any parametrisation.
 template <class Surface_a, class Surface_b>
 void check_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
                     const GC::Edge_continuity<Q>& truth, Counter& counter) {

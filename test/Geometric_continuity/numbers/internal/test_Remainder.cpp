@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Remainders by several moduli: the moduli are those that are documented and suffice for all joins, and the arithmetic is that of integers.
+// Remainders by several moduli: the moduli are those that are documented and suffice for all joins,
+// and the arithmetic is that of integers.
 
 #include <CGAL/Geometric_continuity/numbers/internal/Remainder.h>
 
@@ -49,8 +50,8 @@ std::vector<std::uint64_t> samples(std::uint64_t c, std::mt19937_64& random) {
 
 } // namespace
 
-// Each modulus is the largest below those before it that has no common divisor with any of them, so that their product is 2^28160 but for a
-// factor next to 1.
+// Each modulus is the largest below those before it that has no common divisor with any of them, so
+// that their product is 2^28160 but for a factor next to 1.
 BOOST_AUTO_TEST_CASE(moduli_have_no_common_divisors) {
   Integer product = 1;
   std::uint64_t c = 0;
@@ -94,7 +95,7 @@ BOOST_AUTO_TEST_CASE(remainders_of_long_numbers) {
     }
 }
 
-// The numbers are doubles in one unit, from the smallest one to the largest.
+// The numbers are doubles in one unit, from the smallest one to the largest.
 BOOST_AUTO_TEST_CASE(doubles_of_all_sizes) {
   std::mt19937_64 random(first_seed());
   for (const int range : {0, 8, 100, 2000}) {

@@ -87,7 +87,8 @@ BOOST_AUTO_TEST_CASE(arcs) {
   BOOST_CHECK_EQUAL(grade<Double>("M0 0a5 5 0 0 1 1 0h9"), "corner");
 }
 
-// Arcs of circles over one chord: half of the angle of the arc is that between the arc and its chord.
+// Arcs of circles over one chord: half of the angle of the arc is that between the arc and its
+// chord.
 BOOST_AUTO_TEST_CASE(random_arcs) {
   const unsigned seed = 12;
   std::cout << "seed " << seed << '\n';
