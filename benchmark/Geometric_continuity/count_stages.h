@@ -5,11 +5,13 @@
 #ifndef COUNT_STAGES_H
 #define COUNT_STAGES_H
 
-// Counts which stage decides each question about a join or an edge, in a program that is compiled with `-include count_stages.h`. At its end
-// it appends lines "join STAGE ANSWER NUMBER" and "edge STAGE ANSWER NUMBER" to the file that GEOMETRIC_CONTINUITY_STAGES names. In all
-// headers that are read behind this one, the names of what says which stages are taken become those of what counts.
+// Counts which stage decides each question about a join or an edge, in a program that is compiled
+// with `-include count_stages.h`. At its end it appends lines "join STAGE ANSWER NUMBER" and "edge
+// STAGE ANSWER NUMBER" to the file that GEOMETRIC_CONTINUITY_STAGES names. In all headers that are
+// read behind this one, the names of what says which stages are taken become those of what counts.
 
-#if __has_include(<CGAL/Geometric_continuity/joins/internal/Join_question.h>) // not where CMake tries the compiler
+// not where CMake tries the compiler
+#if __has_include(<CGAL/Geometric_continuity/joins/internal/Join_question.h>)
 
 #include <CGAL/Geometric_continuity/joins/internal/Join_question.h>
 
@@ -82,7 +84,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Jets decide the questions that the ladder leaves open, so the answer is not known here.
+// Jets decide the questions that the ladder leaves open, so the answer is not known here.
 template <class Questions, class Result>
 bool count_all_questions(const Questions& questions, int max_order, Result& join, bool only_orders) {
   const bool decided = decide_all_questions(questions, max_order, join, only_orders);
@@ -95,8 +97,9 @@ struct Counted_edge_stages {
   void decided(Edge_stage stage, bool answer) const { stage_counts.edge(static_cast<int>(stage), answer); }
 };
 
-// An edge that is not proved to be smooth is left to what finds out why: an enclosure of the crease, or the last stage. Edges that
-// are beyond fixed length for their degrees or coordinates do not come here and are not counted.
+// An edge that is not proved to be smooth is left to what finds out why: an enclosure of the
+// crease, or the last stage. Edges that are beyond fixed length for their degrees or coordinates do
+// not come here and are not counted.
 template <class Ladder> std::optional<int> count_smooth_order(Ladder& ladder) {
   struct {
     Edge_stage stage;
@@ -110,7 +113,8 @@ template <class Ladder> std::optional<int> count_smooth_order(Ladder& ladder) {
 }
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-// Edges of splines as a whole; where it is not proved that they are smooth, their spans are decided.
+// Edges of splines as a whole; where it is not proved that they are smooth, their spans are
+// decided.
 template <class Surface_a, class Surface_b>
 std::optional<Edge_direction> count_smooth_spline_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b,
                                                        Patch_edge edge_b) {
