@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The form of a package of CGAL: what package_info/ must have, and the manual built in a tree laid out as that of CGAL, whose CMakeLists
-# configure Doxyfile.in in the same way. References are checked where there is BibTeX. Usage: test_in_cgal.sh SOURCE DOC_FOLDER
+# The form of a package of CGAL: what package_info/ must have, and the manual built in a tree laid
+# out as that of CGAL, whose CMakeLists configure Doxyfile.in in the same way. References are
+# checked where there is BibTeX. Usage: test_in_cgal.sh SOURCE DOC_FOLDER
 set -eu
 source=$1 defaults=$2/Doxygen_defaults name=Geometric_continuity
 work=$(mktemp -d)
@@ -21,7 +22,8 @@ headers=$(grep -rL "SPDX-License-Identifier: LGPL-3.0-or-later" "$source/include
 [ -z "$headers" ] || fails "another license: $headers"
 [ "$(wc -l <"$info/description.txt")" -eq 1 ] || fails "description.txt has one line"
 
-# The tree of a branch of CGAL, CGAL_ROOT/PACKAGE/{doc,examples,include}, and what CGAL sets for each package.
+# The tree of a branch of CGAL, CGAL_ROOT/PACKAGE/{doc,examples,include}, and what CGAL sets for
+# each package.
 mkdir -p "$work/cgal/$name" "$work/tags" "$work/doc_output"
 for part in doc examples include; do ln -s "$source/$part" "$work/cgal/$name/$part"; done
 cat >"$work/configure.cmake" <<'CMAKE'

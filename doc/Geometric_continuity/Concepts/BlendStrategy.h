@@ -94,8 +94,8 @@ public:
   /// @}
 
   /// \name Operations
-  /// One of these two. `FT` is the number type of the traits class, `N` its dimension, or 0 if the dimension is known
-  /// at run time only.
+  /// One of these two. `FT` is the number type of the traits class, `N` its dimension, or 0 if the
+  /// dimension is known at run time only.
   /// @{
 
   /*!

@@ -117,7 +117,8 @@ public:
   /// @}
 
   /// \name Operations
-  /// The names of the four types of function objects are not used by the package, only these functions are.
+  /// The names of the four types of function objects are not used by the package, only these
+  /// functions are.
   /// @{
 
   /// The function object that counts coordinates.

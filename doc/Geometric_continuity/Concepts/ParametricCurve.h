@@ -63,9 +63,11 @@ public:
   /// @}
 
   /// \name Optional Operations
-  /// A curve may have both of these functions or none; `CGAL::Geometric_continuity::end_jet()` looks for them. They let a predicate read the curve in the field in which it
-  /// decides (`GeometricContinuityTraits::Predicate_FT`), before anything has been rounded. If a curve does not have
-  /// them, the result of `jet()` is converted: the decision is then exact for the derivatives as `jet()` returns them.
+  /// A curve may have both of these functions or none; `CGAL::Geometric_continuity::end_jet()`
+  /// looks for them. They let a predicate read the curve in the field in which it decides
+  /// (`GeometricContinuityTraits::Predicate_FT`), before anything has been rounded. If a curve does
+  /// not have them, the result of `jet()` is converted: the decision is then exact for the
+  /// derivatives as `jet()` returns them.
   /// @{
 
   /*!
