@@ -37,7 +37,7 @@ typedef GC::Bezier_patch<Traits> Patch;
 typedef Traits::Point Point;
 constexpr GC::Patch_edge v0 = GC::Patch_edge::v0;
 
-// ---------------------------------------------------------------- the test by hand, in any number type
+// ------------------------------------------------------------ the test by hand, in any number type
 
 template <class FT> using Vec = std::array<FT, 3>;
 template <class FT> Vec<FT> hand_minus(const Vec<FT>& x, const Vec<FT>& y) {

@@ -47,7 +47,7 @@ typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Traits
 typedef GC::Bezier_curve<Traits, 5> Curve;
 typedef Traits::Point Point;
 
-// ---------------------------------------------------------------- the test by hand, in any number type
+// ------------------------------------------------------------ the test by hand, in any number type
 
 template <class FT> using Vec = std::array<FT, 3>;
 template <class FT> Vec<FT> hand_minus(const Vec<FT>& x, const Vec<FT>& y) {

@@ -122,7 +122,7 @@ inline void curvature_and_torsion(const double* jets, std::size_t stride, std::s
   }
 }
 
-// ---------------------------------------------------------------- quintic blends with the least second derivatives
+// ------------------------------------------------ quintic blends with the least second derivatives
 
 struct Blend {
   double points[6][3];

@@ -347,7 +347,7 @@ BOOST_AUTO_TEST_CASE(names) {
   }
 }
 
-// ---------------------------------------------------------------- determinants, Bell polynomials, vectors
+// --------------------------------------------------------- determinants, Bell polynomials, vectors
 
 typedef std::vector<std::vector<FT>> Matrix;
 

@@ -254,7 +254,7 @@ BOOST_AUTO_TEST_CASE(refused_blends) {
   });
 }
 
-// ---------------------------------------------------------------- strategies and curves of the user's own
+// --------------------------------------------------------- strategies and curves of the user's own
 
 struct Half_way { // between two strategies of the package
   template <class Number, int N> GC::Quintic_parameters<Number> operator()(const GC::Quintic_ends<Number, N>& e) const {

@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(refused_blends) {
   });
 }
 
-// ---------------------------------------------------------------- strategies and curves of the user's own
+// --------------------------------------------------------- strategies and curves of the user's own
 
 struct Own_strategy {
   template <class Number, int N> GC::Septic_parameters<Number> operator()(const GC::Septic_ends<Number, N>& e) const {

@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-// --------------------------------------------------------------------------------------------- Hagen, definition 3.1
+// --------------------------------------------------------------------------- Hagen, definition 3.1
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(evaluation_by_the_definition, Traits, All_traits) {
   typedef typename Traits::FT FT;
@@ -107,7 +107,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(parameters_outside_the_domain, Traits, All_traits)
   CHECK_ERROR(c.segment_range(0, 3), parameter_outside_domain);
 }
 
-// ------------------------------------------------------------------------------------------------------ construction
+// ------------------------------------------------------------------------------------ construction
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(bad_points_and_knots, Traits, All_traits) {
   typedef typename Traits::FT FT;
@@ -209,7 +209,7 @@ BOOST_AUTO_TEST_CASE(adjacent_domains_are_not_rounded) {
   CHECK_ERROR(Composite<Double_2>(tiny.begin(), tiny.end()), empty_domain);
 }
 
-// --------------------------------------------------------------------------------------------------------- iteration
+// --------------------------------------------------------------------------------------- iteration
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(segments_and_joins, Traits, All_traits) {
   typedef typename Traits::FT FT;
@@ -239,7 +239,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(segments_and_joins, Traits, All_traits) {
     }
 }
 
-// ------------------------------------------------------------------------------------------------------ other curves
+// ------------------------------------------------------------------------------------ other curves
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_knot_is_inserted, Traits, All_traits) {
   typedef typename Traits::FT FT;

@@ -280,7 +280,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(tolerances_that_are_refused, Traits, All_traits) {
   BOOST_CHECK(out.empty());
 }
 
-// ---------------------------------------------------------------- polylines by number, and by a bound
+// ------------------------------------------------------------- polylines by number, and by a bound
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(equal_parts, Traits, All_traits) {
   typedef typename Traits::FT FT;

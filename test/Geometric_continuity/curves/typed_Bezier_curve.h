@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(energies) {
   });
 }
 
-// ---------------------------------------------------------------- what only the kernels of CGAL have
+// -------------------------------------------------------------- what only the kernels of CGAL have
 
 // The transformations of homogeneous kernels are not function objects.
 template <class C, class Map> C transformed(const C& c, const Map& map) {

@@ -207,7 +207,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(differences_have_no_sign, K, Kernels) {
   }
 }
 
-// ---------------------------------------------------------------- cross derivatives that are not parallel
+// --------------------------------------------------------- cross derivatives that are not parallel
 
 // Wrong: "T1 and T2 are parallel", or the control points across the edge collinear. Both may have a
 // part along the edge.

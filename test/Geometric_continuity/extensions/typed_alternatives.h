@@ -238,7 +238,7 @@ BOOST_AUTO_TEST_CASE(third_derivative) {
   });
 }
 
-// ---------------------------------------------------------------- the nearest member and that of least energy
+// ----------------------------------------------------- the nearest member and that of least energy
 
 // x.y = 0; in rounded kernels the terms are below 1000 and have gone through at most 100 roundings
 template <class Traits> bool orthogonal(const Column<Traits>& x, const Column<Traits>& y) {

@@ -66,7 +66,7 @@ struct Own_curve {
   GC::Curve_jet<Traits> jet(double u, int k) const { return curve.jet(u, k); }
 };
 
-// ---------------------------------------------------------------- the pieces at the ends, in an exact kernel
+// ------------------------------------------------------ the pieces at the ends, in an exact kernel
 
 template <class Curve> std::vector<Exact_traits::Point> exact_points(const Curve& c) {
   std::vector<Exact_traits::Point> points;

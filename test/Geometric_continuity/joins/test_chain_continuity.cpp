@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-// ------------------------------------------------------------------------------------------------------------ chains
+// ------------------------------------------------------------------------------------------ chains
 
 namespace {
 
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE(a_refused_curve_does_not_change_the_chain) {
   CHECK_ERROR(GC::Chain_accumulator<Bezier<Exact_d>>(-1), negative_count);
 }
 
-// ------------------------------------------------------------------------------------- analysis of a segmented curve
+// ------------------------------------------------------------------- analysis of a segmented curve
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(continuity_in_the_global_parameter, Traits, All_traits) {
   typedef typename Traits::FT FT;

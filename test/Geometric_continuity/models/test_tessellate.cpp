@@ -159,7 +159,7 @@ Exact_patch random_patch(std::mt19937& random, int p, int q) {
   return Exact_patch(net, {Q(-1), Q(3)}, {Q(2), Q(Q(5) / Q(2))});
 }
 
-// ---------------------------------------------------------------- what is checked of each tessellation
+// ------------------------------------------------------------ what is checked of each tessellation
 
 template <class K> double distance(const typename K::Point_3& p, const typename K::Point_3& q) {
   return std::sqrt(CGAL::to_double(CGAL::squared_distance(p, q)));

@@ -45,7 +45,7 @@ namespace {
 
 template <class FT> constexpr bool is_exact = !std::is_floating_point_v<FT>;
 
-// ---------------------------------------------------------------- space curves with polynomial coordinates
+// -------------------------------------------------------- space curves with polynomial coordinates
 
 typedef GC::Bernstein_polynomial<Q> Polynomial;
 typedef std::array<Polynomial, 3> Curve;

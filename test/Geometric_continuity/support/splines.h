@@ -123,7 +123,7 @@ template <class FT> std::vector<FT> parameters(const GC::Knot_vector<FT>& knots,
   return u;
 }
 
-// ---------------------------------------------------------------- bounds and an independent definition
+// ------------------------------------------------------------ bounds and an independent definition
 
 constexpr int value_roundings(int p) { return 7 * p + 2; }
 

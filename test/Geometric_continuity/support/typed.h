@@ -348,7 +348,7 @@ private:
   FT a_, b_;
 };
 
-// ---------------------------------------------------------------- the exact result, for rounded kernels
+// ----------------------------------------------------------- the exact result, for rounded kernels
 
 typedef GC::Traits_d<CGAL::Cartesian_d<CGAL::Exact_rational>> Reference;
 

@@ -320,7 +320,7 @@ BOOST_AUTO_TEST_CASE(folds_are_detected_exactly) {
   });
 }
 
-// ---------------------------------------------------------------- other parameters, orders and shapes
+// ------------------------------------------------------------- other parameters, orders and shapes
 
 // The domain [a, b] instead of [0, 1] does not change the surfaces: beta grows with its length.
 BOOST_AUTO_TEST_CASE(the_domain_does_not_matter) {

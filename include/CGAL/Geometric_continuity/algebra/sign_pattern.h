@@ -418,11 +418,11 @@ private:
 /// \param width the greatest length of an interval
 /// \param most_bisections the work that is allowed. Each bisection takes \f$ O(n^2) \f$ additions
 ///   of whole numbers that
-///        grow by `n` binary digits with each of those before it that led to the same interval. An interval of length
-///        \f$ 2^{-k} \f$ takes `k` bisections; roots that are close to each other take more, at most about \f$ n \f$
-///        times as many as the coefficients have digits. Where roots are multiple or less than about \f$ 2^{-48} \f$ apart,
-///        there are up to twice as many, and the square-free part and the multiplicities cost \f$ O(n^2) \f$ operations
-///        besides.
+///   grow by `n` binary digits with each of those before it that led to the same interval. An
+///   interval of length \f$ 2^{-k} \f$ takes `k` bisections; roots that are close to each other
+///   take more, at most about \f$ n \f$ times as many as the coefficients have digits. Where roots
+///   are multiple or less than about \f$ 2^{-48} \f$ apart, there are up to twice as many, and the
+///   square-free part and the multiplicities cost \f$ O(n^2) \f$ operations besides.
 /// \throws Error `empty_domain` unless `width > 0`, `not_finite` when a coefficient is infinite or
 ///   not a number
 /// \throws Error `work_limit` when more bisections or more work are needed, `negative_count` when

@@ -128,9 +128,9 @@ private:
 // Functions of the first three derivatives of a curve: the speed |d1|, and what is integrated.
 // Without a tangent it is infinite.
 
-// |(dK/ds)_perp|^2 |d1|, where (dK/ds)_perp = (d3_perp - 3 a d2_perp) / |d1|^3 and a = d1.d2 / d1.d1. The same formula for the
-// blends of one family, at fixed nodes and with its derivatives, is in
-// blends/internal/Fairness_quadrature.h.
+// |(dK/ds)_perp|^2 |d1|, where (dK/ds)_perp = (d3_perp - 3 a d2_perp) / |d1|^3 and a = d1.d2 /
+// d1.d1. The same formula for the blends of one family, at fixed nodes and with its derivatives, is
+// in blends/internal/Fairness_quadrature.h.
 struct Curvature_variation {
   template <int N> std::array<double, 2> operator()(const Double_derivatives<N>& d) const {
     const double g = dot(d[0], d[0]), speed = std::sqrt(g);
@@ -189,8 +189,8 @@ template <class Formula, class Curve> std::array<double, 2> curve_integrals(cons
 ///
 /// \param curve a model of `ParametricCurve`. Of a `Bezier_curve`, a `Composite_bezier_curve`, a
 ///   `Bspline_curve`, what is
-///        derived from them, and the rational ones the pieces are known; other curves are asked for jets of order 3 inside of the domain, which are
-///        expected to be smooth there.
+///   derived from them, and the rational ones the pieces are known; other curves are asked for jets
+///   of order 3 inside of the domain, which are expected to be smooth there.
 /// \throws Error `work_limit` when more intervals are needed, `jet_order_too_low` when the curve
 ///   has jets of a lower order
 /// \throws Error `not_finite` when differences of floating-point coordinates overflow

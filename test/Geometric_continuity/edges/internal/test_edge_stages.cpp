@@ -582,7 +582,7 @@ BOOST_AUTO_TEST_CASE(steep_second_layers) {
   BOOST_CHECK(GC::is_g3_edge(patch(1, 0), v0, patch(-1, 0), v0) && GC::is_g3_edge(spline(1, 0), v0, spline(-1, 0), v0));
 }
 
-// ---------------------------------------------------------------- rational numbers, and the spans of splines
+// ------------------------------------------------------ rational numbers, and the spans of splines
 
 namespace {
 

@@ -127,7 +127,8 @@ inline Interval Taylor_model::range() const {
   std::array<double, size> b{};
   for (int k = 0; k < size; ++k)
     for (int j = 0; j < size; ++j) b[j] += m[k][j] * c[k];
-  // |entries| <= 105: the sums of 8 products are wrong by at most 9 e 105 norm, the quotients by e norm more
+  // |entries| <= 105: the sums of 8 products are wrong by at most 9 e 105 norm, the quotients by e
+  // norm more
   lower = upper = b[0] / 105;
   for (double x : b) {
     lower = (std::min)(lower, x / 105);
@@ -164,7 +165,8 @@ public:
 
 // 1/x or 1/sqrt(x). The series p of the polynomial of x is computed without care; then with e = p
 // x - 1 or p^2 x - 1 and |e| <= 1/2
-// |1/x - p| = |p| |1/(1+e) - 1| <= 2 |p| |e| and |1/sqrt(x) - p| = |p| |1/sqrt(1+e) - 1| <= |p| |e|, as x > 0 where p^2 x > 0.
+// |1/x - p| = |p| |1/(1+e) - 1| <= 2 |p| |e| and |1/sqrt(x) - p| = |p| |1/sqrt(1+e) -
+// 1| <= |p| |e|, as x > 0 where p^2 x > 0.
 inline Taylor_model reciprocal(const Taylor_model& x) {
   constexpr int n = Taylor_model::size;
   if (!x.known() || x.c[0] == 0) return Taylor_model::unknown();

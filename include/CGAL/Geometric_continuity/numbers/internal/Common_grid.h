@@ -86,8 +86,8 @@ public:
 // Let 2^e <= |x| < 2^(e+1) for the largest coordinate and G = 2^(e-51), then |x| < 2^52 G for all
 // of them. Between 2^52 G and 2^53 G the doubles are the multiples of G: so 2^52 G + |x| is exact
 // if x is a multiple of G, and so is (2^52 G + |x|) - 2^52 G =
-// |x|; and otherwise, in every rounding mode, this is a multiple of G, so it is not |x|. The last 52 bits of the sum
-// are |x|/G: the zeros at the end that all of them have go into the unit.
+// |x|; and otherwise, in every rounding mode, this is a multiple of G, so it is not |x|. The last
+// 52 bits of the sum are |x|/G: the zeros at the end that all of them have go into the unit.
 //
 // One register has a coordinate of both ends.
 template <int k, std::size_t N> class Common_grid {
