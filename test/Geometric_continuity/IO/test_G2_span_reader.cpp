@@ -389,9 +389,8 @@ template <class Number> void check_enclosures() {
     BOOST_CHECK(is_enclosed(planar, next, 4, 1) && is_enclosed(next, planar, 1, 4));
     BOOST_CHECK(is_enclosed(spatial, spatial, 1, 1));
     BOOST_CHECK(!is_enclosed(of_four, of_four, 1, 1) && !is_enclosed(planar, spatial, 4, 1));
-    const std::string inner =
-        // has Bezier points with denominators
-        curve(2, "0 1 2 3 7 9 10 12\n", {12, 5, -7, 3, 9, 9, 31, -8});
+    // has Bezier points with denominators
+    const std::string inner = curve(2, "0 1 2 3 7 9 10 12\n", {12, 5, -7, 3, 9, 9, 31, -8});
     BOOST_CHECK_EQUAL(is_enclosed(inner, next, 4, 1), !rounded && end.size() < 5);
     const std::string weighted = "100 1 0 0 2 1\n2 2\n0 0 1 1 0 0 1 1 1 2\n";
     BOOST_CHECK(!is_enclosed(weighted, next, 1, 1) && !is_enclosed(next, weighted, 1, 1));

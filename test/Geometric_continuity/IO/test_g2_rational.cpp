@@ -137,9 +137,8 @@ BOOST_AUTO_TEST_CASE(products_are_divided) {
   const auto c = curves_in<Q2>("100 1 0 0\n2 1\n3 3\n0 0 0 1 1 1\n2 0 2\n.5 .5 .5\n0 4 4\n").front();
   BOOST_CHECK(c.control_point(0) == Q2::Point(1, 0) && c.control_point(1) == Q2::Point(1, 1) &&
               c.weight(1) == Q(1) / Q(2));
-  const auto d =
-      // divided before anything is rounded
-      curves_in<D2>("100 1 0 0\n2 1\n2 2\n0 0 1 1\n.1 .3 .3\n1 0 1\n").front();
+  // divided before anything is rounded
+  const auto d = curves_in<D2>("100 1 0 0\n2 1\n2 2\n0 0 1 1\n.1 .3 .3\n1 0 1\n").front();
   BOOST_CHECK(d.control_point(0) == D2::Point(1. / 3, 1));
 }
 

@@ -112,9 +112,8 @@ template <class Traits> void check_disturbed(const Jet<Traits>& x, const std::ve
 BOOST_AUTO_TEST_CASE(disturbed_joins) {
   with_random_input([](auto traits, int d, Random& random) {
     typedef decltype(traits) Traits;
-    const Jet<Traits> x =
-        // no coordinate of x' is 0: no e_i is parallel to it
-        random_jet<Traits>(random, d, max_order);
+    // no coordinate of x' is 0: no e_i is parallel to it
+    const Jet<Traits> x = random_jet<Traits>(random, d, max_order);
     std::vector<FT> betas(max_order, FT(0));
     betas[0] = FT(1);
     check_disturbed(x, betas);

@@ -540,11 +540,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, All_traits) {
     const Bezier<Traits> large = b.transform([](const P& p) { return P(1000 * p.x(), 1000 * p.y(), p.z()); });
     CHECK_ERROR(blend(a, v1, large, v0, shape), not_finite);
     shape.end.delta = Function{FT(1)};
-    const auto scaled =
-        // by a power of two: products of its numbers overflow, its numbers do not
-        [](const Bezier<Traits>& s) {
-          return s.transform([](const P& p) { return P(0x1p600 * p.x(), 0x1p600 * p.y(), 0x1p600 * p.z()); });
-        };
+    // by a power of two: products of its numbers overflow, its numbers do not
+    const auto scaled = [](const Bezier<Traits>& s) {
+      return s.transform([](const P& p) { return P(0x1p600 * p.x(), 0x1p600 * p.y(), 0x1p600 * p.z()); });
+    };
     BOOST_CHECK(blend(scaled(a), v1, scaled(b), v0, shape) == scaled(blend(a, v1, b, v0, shape)));
     CHECK_ERROR(Function{std::numeric_limits<FT>::quiet_NaN()}, not_finite);
   }

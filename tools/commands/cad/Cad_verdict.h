@@ -72,10 +72,9 @@ struct Cad_verdict {
   GC::Verdict is_corner = GC::Verdict::undecided; // of what is not smooth
   // of the curve in space from the side that is farther from it
   std::optional<GC::Edge_maximum> deviation;
-  bool computed =
-      // the curves in the parameter planes are foot points of that in space, which the program has
-      // computed
-      false;
+  // the curves in the parameter planes are foot points of that in space, which the program has
+  // computed
+  bool computed = false;
   // Ranges of parameters that belong to a pole within the tolerance of gaps: angle and curvature
   // jump leave them out.
   std::vector<std::pair<double, double>> poles;

@@ -97,10 +97,8 @@ void Path_decimals::add(std::string_view data, const GC::Svg_path_places& places
 void Path_text::forget() {
   if (places_.commands.empty()) return;
   const long long last = places_.first_command + static_cast<long long>(places_.commands.size()) - 1;
-  places_.forget_before(upper(places_.commands.back().letter) == 'M' ? last
-                                                                     // that ends a subpath begins
-                                                                     // the next
-                                                                     : last + 1);
+  // the M that ends a subpath begins the next
+  places_.forget_before(upper(places_.commands.back().letter) == 'M' ? last : last + 1);
 }
 
 bool Path_text::next() {

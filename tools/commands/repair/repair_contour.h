@@ -19,10 +19,9 @@
 // Options that tell what to repair, and how.
 struct Repair_options {
   GC::Corner_threshold bound; // kinks are angles up to this one
-  std::optional<CGAL::Exact_rational>
-      // in units; unless it is given, twice what the kink is off and one more, for curvatures a
-      // tenth of the shorter handle
-      max_move;
+  // in units; unless it is given, twice what the kink is off and one more, for curvatures a
+  // tenth of the shorter handle
+  std::optional<CGAL::Exact_rational> max_move;
   bool harmonise = false; // the curvatures, too
 };
 

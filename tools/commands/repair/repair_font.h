@@ -20,10 +20,9 @@ Grid_contour grid_contour(const Glyph_outline& outline, std::size_t contour);
 
 // The result of the repair of the fonts of a file.
 struct Font_repair {
-  std::string
-      // {"moves":[…],"not_repaired":[…],"before":{…},"after":{…}}, the moves of handles in units of
-      // the font
-      moves;
+  // {"moves":[…],"not_repaired":[…],"before":{…},"after":{…}}, the moves of handles in units of
+  // the font
+  std::string moves;
   std::string text; // the summary for people
   Claims claims;
 };

@@ -96,10 +96,9 @@ struct Cad_model {
   // faces whose surfaces could not be read, and why
   std::vector<std::pair<std::size_t, std::string>> not_covered;
   std::vector<Cad_label> labels; // of the faces
-  std::vector<std::string>
-      // the names of the placed parts, if there are several and a part is placed again or has a
-      // name
-      instances;
+  // the names of the placed parts, if there are several and a part is placed again or has a
+  // name
+  std::vector<std::string> instances;
   std::size_t shapes = 0;      // the different parts among them
   std::size_t loose_edges = 0; // that belong to no face, such as those of a wire
 };

@@ -16,10 +16,9 @@ struct Cad_reading {
   // boundary edges of two faces that are so near to each other become one, in mm
   std::optional<double> sewing;
   double time_limit = 60; // seconds
-  double gap =
-      // boundary edges that are so near to each other, in mm, would be edges of two sides if they
-      // were joined
-      0;
+  // boundary edges that are so near to each other, in mm, would be edges of two sides if they
+  // were joined
+  double gap = 0;
   // knot lines are those where a surface need not be continuously differentiable so many times
   int order = 1;
 };

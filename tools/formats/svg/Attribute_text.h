@@ -20,9 +20,8 @@ class Attribute_text {
   std::string_view raw_;  // what stands between the quotation marks
   std::size_t begin_ = 0; // in the file
   std::string refusal_;
-  std::vector<std::size_t>
-      // of each character in `raw_`, and of the end; none where they are those of the value
-      positions_;
+  // of each character in `raw_`, and of the end; none where they are those of the value
+  std::vector<std::size_t> positions_;
 
   static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 

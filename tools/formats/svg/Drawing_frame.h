@@ -55,9 +55,8 @@ inline Drawing_attributes styled_attributes(const Drawing_node& node, const Styl
     if (!sheets.changes(d, is_outermost ? std::string_view() : node.name, has_transforms)) continue;
     const std::string place = "style, " + d.name;
     const std::string name = d.name.compare(0, 8, "-webkit-") == 0 ? d.name.substr(8) : d.name;
-    const bool is_shape =
-        // others are read in many ways
-        node.name == "rect" || node.name == "circle" || node.name == "ellipse";
+    // others are read in many ways
+    const bool is_shape = node.name == "rect" || node.name == "circle" || node.name == "ellipse";
     const auto length = [&](const char* property) {
       if (name != property || !is_shape) return false;
       if (d.value != "auto") GC::parse_css_length<Drawing_number>(d.value, place, Drawing_number(1));

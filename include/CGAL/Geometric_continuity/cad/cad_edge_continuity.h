@@ -434,9 +434,8 @@ inline Edge_side projected_side(const Edge_side& side, const Edge_curve& curve, 
 /// What holds at one parameter of an edge that is a curve in space, whatever curves in parameter
 /// planes have been computed: lower bounds.
 struct Foot_comparison {
-  std::array<double, 2>
-      /// of the point of the curve and its foot points on both sides, in units of the coordinates
-      distances;
+  /// of the point of the curve and its foot points on both sides, in units of the coordinates
+  std::array<double, 2> distances;
   double gap;            ///< of the foot points
   double angle;          ///< of the oriented normals there, in radians
   double curvature_jump; ///< relative, see `Edge_enclosure::curvature_jump`

@@ -51,9 +51,8 @@ template <class FT> struct Edge_certificate {
   /// the scalar product of the normals; empty where the edges are different curves
   std::optional<Polynomial> side;
   std::vector<Polynomial> factors; ///< `d`, `m`, `n` for an order of 1 or 2
-  std::optional<Polynomial>
-      /// the difference of both sides of the identity of \f$ G^2 \f$, for an order of 1 or 2
-      second_order;
+  /// the difference of both sides of the identity of \f$ G^2 \f$, for an order of 1 or 2
+  std::optional<Polynomial> second_order;
 };
 
 namespace internal {

@@ -32,10 +32,9 @@ namespace Geometric_continuity {
 /// tolerance.
 struct Order_up_to_rounding {
   int g_order = 0; ///< the order, at most 2
-  double units =
-      /// by how much the control points at the join are off, in units in the last place of their
-      /// largest coordinate
-      0;
+  /// by how much the control points at the join are off, in units in the last place of their
+  /// largest coordinate
+  double units = 0;
 };
 
 namespace internal {

@@ -53,9 +53,8 @@ template <class A, class B> int order(const A& a, Patch_edge ea, const B& b, Pat
   const int found = answers[2] ? 2 : answers[1] ? 1 : answers[0] ? 0 : -1;
   const auto report = edge_continuity(a, ea, b, eb);
   if (answers[0] || report.whole_a) BOOST_CHECK_EQUAL(report.g_order, found);
-  const auto of_rows =
-      // converted to numbers of any length
-      edge_continuity(spline_edge_rows(a, ea), spline_edge_rows(b, eb));
+  // converted to numbers of any length
+  const auto of_rows = edge_continuity(spline_edge_rows(a, ea), spline_edge_rows(b, eb));
   BOOST_CHECK(of_rows.g_order == report.g_order && of_rows.defect == report.defect && of_rows.side == report.side &&
               of_rows.coplanar == report.coplanar && of_rows.reversed == report.reversed);
   return found;

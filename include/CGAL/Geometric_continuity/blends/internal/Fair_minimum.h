@@ -119,9 +119,8 @@ template <Blend_kind kind, int M> class Fair_minimum {
   const Family& family_;
   const Shape_choice shape_;
   const Unknowns automatic_; // the blend of least energy with the automatic shape
-  const std::array<double, 2>
-      // the logarithms of the changes that shorten the tangents to the diameters of curvature
-      short_;
+  // the logarithms of the changes that shorten the tangents to the diameters of curvature
+  const std::array<double, 2> short_;
 
 public:
   Unknowns x;                   // the blend that was found, rounded

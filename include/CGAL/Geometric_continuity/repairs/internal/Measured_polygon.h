@@ -34,10 +34,9 @@ template <int N> class Measured_polygon {
   typedef Coordinate_vector<double, N> Vector;
   typedef std::vector<Coordinate_vector<double, (N == 0 ? 0 : N + 1)>> Rows;
 
-  Rows
-      // homogeneous points from that end on, which is the origin; scaled so that the largest
-      // coordinate is near 1
-      rows_;
+  // homogeneous points from that end on, which is the origin; scaled so that the largest
+  // coordinate is near 1
+  Rows rows_;
   int exponent_ = 0; // of the scale
 
   static constexpr double precision = 0x1p-12; // relative, of a length
