@@ -161,14 +161,14 @@ export interface Module {
   /** Decides the continuity along whole edges of two patches. */
   edgeContinuity(patchA: Patch, edgeA: Edge, patchB: Patch, edgeB: Edge): EdgeContinuity;
   /**
-   * The nearest handles of one direction on the integers, as vectors to and from the node; null where
-   * there are none so near.
+   * Returns the nearest handles of one direction on the integers, as vectors to and from the node,
+   * or null where there are none so near.
    */
   alignHandles(left: readonly [number, number], right: readonly [number, number], maxMove?: number): { left: [number, number]; right: [number, number] } | null;
   /**
-   * Returns the joins of a chain of Bézier curves of one degree that do not have an order: numbers i,
-   * for the join between the curves i and i + 1. The control points stand one after the other. The
-   * answer is exact for the numbers as given, and fast.
+   * Returns the joins of a chain of Bézier curves of one degree that do not have an order: numbers
+   * i, for the join between the curves i and i + 1. The control points stand one after the other.
+   * The answer is exact for the numbers as given, and fast.
    */
   failingJoins(
     coordinates: Float64Array | ArrayLike<number>,
