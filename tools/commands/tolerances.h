@@ -31,8 +31,8 @@ namespace tolerances {
 
 namespace GC = CGAL::Geometric_continuity;
 
-// Rules that are published. Of the curvature they give no number, or one that is measured in
-// another way: who asks for G2 gets it exactly.
+// Rules that are published. For the curvature they give no number, or one that is measured in
+// another way, so G2 must hold exactly.
 struct Preset {
   const char *name, *bounds;
 };

@@ -29,8 +29,8 @@ namespace Geometric_continuity {
 /// Links are followed, also one that leads to a file which does not exist yet. A file that is
 /// replaced keeps its mode (without the bits that set a user or a group), its group and its owner,
 /// as far as the system allows, and until then nobody else can read the new content. Other names of
-/// the same file (hard links) keep the old content. What is no regular file, such as a device or a
-/// pipe, is written directly, and so is a descriptor by the name `/dev/stdout`, `/dev/stderr` or
+/// the same file (hard links) keep the old content. A device, a pipe, or any other file that is not
+/// regular is written directly, and so is a descriptor by the name `/dev/stdout`, `/dev/stderr` or
 /// `/dev/fd/N`.
 ///
 /// \tparam Writer a function object callable with a `std::ostream&`. Its own exceptions are passed

@@ -130,8 +130,8 @@ private:
 // Which findings of a report are those of a baseline: each that is known is one finding. A finding
 // is known if it is no worse: its rule is not, and its measure may still be what it was. First come
 // those with both fingerprints; then, of what is left, those that have moved and those that have
-// changed where they are. What is worse at its old place is new, also if another one like it is
-// gone.
+// changed where they are. A finding that is worse at its old place is new, also if another one like
+// it is gone.
 class Known_findings {
   const Baseline& baseline_;
   std::vector<bool> is_used_ = std::vector<bool>(baseline_.size());

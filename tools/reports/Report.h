@@ -69,8 +69,8 @@ private:
 };
 
 // The report of `verify`: it alone counts, says in the end what follows from the counts, and
-// returns the exit code. What it is about is said in rows, which a command makes; of what has no
-// row only findings tell, as SARIF and JUnit write them.
+// returns the exit code. Its content is in rows, which a command makes; of what has no row only
+// findings tell, as SARIF and JUnit write them.
 class Report {
 public:
   // Writes a report when all is decided.

@@ -34,7 +34,7 @@ struct Cad_demand {
 };
 
 // How two faces meet along an edge. A corner is sharp everywhere, a fading one in places only,
-// which may not be meant. At a fold a face comes back below the other. What is bent is one of kink,
+// which may not be meant. At a fold a face comes back below the other. A bent edge is one of kink,
 // corner and fading corner, and it is undecided which.
 enum class Cad_shape { smooth, kink, corner, fading_corner, bent, fold, inside_out, gap, undecided };
 

@@ -38,8 +38,8 @@ void decide_cad_files(const Arguments& files, const Cad_demand& demand, const Ca
 // have verdicts.
 struct Cad_summary {
   std::size_t faces = 0, inner = 0, seams = 0, boundary = 0, non_manifold = 0, degenerate = 0, knot_lines = 0;
-  // By the order that is proved. What is undecided here is what a report claims to be undecided,
-  // and what is not compared is not covered.
+  // By the order that is proved. A report claims the edges that are undecided here as undecided,
+  // and edges that are not compared as not covered.
   std::size_t g2 = 0, g1 = 0, g0 = 0, gaps = 0, undecided = 0, not_compared = 0;
   std::size_t kinks = 0, corners = 0, fading_corners = 0, bent = 0, folds = 0, inside_out = 0;
   // of those that are degenerate: it is not proved that they are points

@@ -19,7 +19,7 @@
 typedef GC::Path_join<Drawing_traits> Drawing_join;
 
 // Says how the joins of an element are drawn, e.g. "corner of 90 degrees" or "kink of 0.573
-// degrees, a handle is off by 0.2 (2 units of the last decimal)". Of each number four digits are
+// degrees, a handle is off by 0.2 (2 units of the last decimal)". Four digits of each number are
 // certain; where they are not, both bounds are given.
 class Drawing_kink_words {
   // From the drawing to the coordinates of the element in units of their last decimal; empty where

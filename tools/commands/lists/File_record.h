@@ -105,7 +105,7 @@ struct File_record {
     return text + '"';
   }
 
-  // Returns whether it answers a question about a file that is now in this state. What has no
+  // Returns whether it answers a question about a file that is now in this state. A file without an
   // answer is asked again where more is allowed.
   bool answers(const File_question& asked, const File_state& state, const File_limits& now) const {
     return question && *question == asked && state.is_told && size == state.size && sha256 == state.sha256 &&

@@ -67,7 +67,7 @@ struct Contour_repair {
 // join is not made: a smooth one stays smooth, a corner stays a corner, a kink does not grow,
 // neither its angle nor by how much a handle is off, and a direction next to an arc that is not
 // known stays as it is; a join that is G2 falls to G1 only where no other move does. Mirror images
-// are repaired to mirror images. What is said to be repaired is so by the exact predicates.
+// are repaired to mirror images. The exact predicates confirm all repairs that are reported.
 // Repairing again changes nothing.
 Contour_repair repair(Grid_contour& contour, const Repair_options& options);
 

@@ -18,7 +18,7 @@ struct Step_entity {
   std::vector<std::uint64_t> references; // the ids in it, in order
 };
 
-// Returns the entities of the text of a STEP file, in order. What is no entity is skipped.
+// Returns the entities of the text of a STEP file, in order. Text that is no entity is skipped.
 std::vector<Step_entity> step_entities(std::string_view text);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_STEP_ENTITIES_H

@@ -55,8 +55,8 @@ inline Style_effect style_effect(std::string_view property, std::string_view ele
 }
 
 // The style sheets of a drawing, as far as they may change outlines: which elements a rule may be
-// for, and what it sets. What depends on more than names, ids and classes, or on the device, may
-// be.
+// for, and what it sets. Selectors that depend on more than names, ids and classes, or on the
+// device, may match.
 class Style_sheets {
   enum class Relation { descendant, child, other };
   struct Step {
@@ -83,7 +83,7 @@ class Style_sheets {
            (c & 0x80) != 0;
   }
 
-  // Reads one selector. What is not read of it may be true.
+  // Reads one selector. Conditions that are not read may be true.
   static Selector selector(std::string_view text) {
     static const std::initializer_list<std::string_view> states{"hover",   "active",        "focus",        "visited",
                                                                 "checked", "focus-visible", "focus-within", "target"};

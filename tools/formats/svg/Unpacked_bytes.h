@@ -20,8 +20,8 @@
 
 namespace GC = CGAL::Geometric_continuity;
 
-// The bytes of a stream, unpacked while they are read when they are packed by gzip. That is told by
-// the first byte, which begins no text.
+// The bytes of a stream, unpacked while they are read when they are packed by gzip. The first byte,
+// which begins no text, shows this.
 class Unpacked_bytes {
   static constexpr int first_byte = 0x1F; // of what gzip has packed
 

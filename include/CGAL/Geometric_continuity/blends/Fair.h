@@ -257,15 +257,14 @@ private:
 /// nobody would draw, from the best four of a coarse grid of blends. Where the caller gives the
 /// shape parameters, over \f$ s_1, s_2 \f$ only.
 ///
-/// The search is made in floating-point numbers. What it finds is rounded to short binary
-/// fractions, with which the blend is constructed in the field of the kernel: with an exact kernel
-/// its joins are exactly \f$ G^2 \f$, whatever was found, and it is the same in every rounding
-/// mode. Before this
-/// rounding `E` is at most that of the blend of least energy with the automatic shape. Where both
-/// ends lie on one line, one after the other, the blend is a part of that line. Ends whose blends
-/// all have a cusp get the automatic shape, or one with tangents no longer than the diameters of
-/// the circles of curvature, which is reported as not converged. Exact derivatives that leave no
-/// doubles next to the chord are refused: `not_finite`.
+/// The search is made in floating-point numbers. The result is rounded to short binary fractions,
+/// and the blend is constructed with them in the field of the kernel. With an exact kernel its
+/// joins are exactly \f$ G^2 \f$, whatever was found, and the blend is the same in every rounding
+/// mode. Before this rounding `E` is at most that of the blend of least energy with the automatic
+/// shape. Where both ends lie on one line, one after the other, the blend is a part of that line.
+/// Ends whose blends all have a cusp get the automatic shape, or one with tangents no longer than
+/// the diameters of the circles of curvature, which is reported as not converged. Exact derivatives
+/// that leave no doubles next to the chord are refused: `not_finite`.
 ///
 /// About ten steps, at most 100 from each start, with 24 to 96 nodes of Gauss's quadrature; nothing
 /// is allocated in dimensions 2 and 3.

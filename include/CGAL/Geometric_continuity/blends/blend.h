@@ -374,7 +374,7 @@ CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
 /// \ingroup PkgGeometricContinuityConstruction
 /// Computes the quintic blends of many pairs of jets with the same shape parameters, as `blend()`
 /// does one by one. The formulas are those of the strategy, and the compiler computes several
-/// blends at a time. \f$ O(n) \f$. That the numbers are finite is the caller's duty: a blend of
+/// blends at a time. \f$ O(n) \f$. The caller must ensure that the numbers are finite: a blend of
 /// others is not finite either.
 ///
 /// \param phi,psi `n` jets of order at least 2 at the ends of the first and at the starts of the
@@ -396,8 +396,8 @@ void blend(const Jet_arrays<FT, N, k>& phi, const Jet_arrays<FT, N, k>& psi, con
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// Computes the quintic blends of many pairs of jets with the shape parameters of
-/// `automatic_shape()`, as `blend()` does one by one. \f$ O(n) \f$. That the numbers are finite is
-/// the caller's duty.
+/// `automatic_shape()`, as `blend()` does one by one. \f$ O(n) \f$. The caller must ensure that the
+/// numbers are finite.
 ///
 /// \param phi,psi `n` jets of order at least 2 at the ends of the first and at the starts of the
 ///   second curves

@@ -17,8 +17,8 @@
 #include <utility>
 
 /// \file blend_strategies.h
-/// The strategies of the package: how the free scalars of a blend are chosen. Of degree 5 these are
-/// \f$ s_1, s_2 \f$, by which the points \f$ C_1, C_2 \f$ slide along the end tangents: Portnov
+/// The strategies of the package: how the free scalars of a blend are chosen. For degree 5 these
+/// are \f$ s_1, s_2 \f$, by which the points \f$ C_1, C_2 \f$ slide along the end tangents: Portnov
 /// (6), (16), (23), corrected, and the least energies in closed form; of degree 7
 /// \f$ \beta_2, \mu, \beta_3 \f$ at each end. Each takes a constant number of field operations in a
 /// given dimension.

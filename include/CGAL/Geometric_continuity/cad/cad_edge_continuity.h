@@ -31,8 +31,8 @@
 #include <vector>
 
 /// \file cad_edge_continuity.h
-/// The edges of CAD models: two faces along curves in their parameter planes. What holds exactly is
-/// decided, and how far the faces are from it is enclosed, on whole edges.
+/// The edges of CAD models: two faces along curves in their parameter planes. The exact order is
+/// decided, and the distance of the faces from it is enclosed, on whole edges.
 ///
 /// Where a file gives an edge in space only, its curve in the parameter plane of a face is that of
 /// its foot points: the points of the surface that are next to it. One that a system has computed
@@ -326,9 +326,9 @@ inline Edge_maximum curve_deviation(const Edge_side& side, const Edge_curve& cur
 /// \ingroup PkgGeometricContinuityCadEdges
 /// Returns the range of parameters around `t` that belongs to a pole of one of the faces: on all of
 /// it both sides are proved to lie within the distance `bound` of one point, and a whole parameter
-/// line of a surface does, too. Such points are what an arc that reaches the axis is rotated to,
-/// the poles of spheres, the apices of cones, and sides of spline surfaces that are points: there
-/// is no normal, or what is computed of it depends on rounding.
+/// line of a surface does, too. Such points are the points of an arc on the axis about which it is
+/// rotated, the poles of spheres, the apices of cones, and sides of spline surfaces that are
+/// points. There is no normal there, or the computed normal depends on rounding.
 ///
 /// The parameter line of a surface that is rotated is within a sixteenth of the distance; that of a
 /// spline surface is a point up to rounding, because its normal may turn along a side that only

@@ -436,9 +436,9 @@ std::vector<typename Traits::Point> end_control_points(const Curve_jet<Traits>& 
 
 /// \ingroup PkgGeometricContinuityCurves
 /// Returns the Taylor polynomial of degree `m` of a curve at its end: the Bézier curve on the same
-/// domain that has the derivatives of order 0 to `m` of the curve there. What reads the end of a
-/// polynomial polygon, as the families of alternatives do, can read that of any curve by it.
-/// \f$ O(m^2) \f$, besides the jet
+/// domain that has the derivatives of order 0 to `m` of the curve there. Functions that read the
+/// end of a polynomial polygon, such as the families of alternatives, can read the end of any curve
+/// by it. \f$ O(m^2) \f$, besides the jet
 /// \tparam Curve a model of `ParametricCurve`
 /// \throws Error `negative_count` unless `m >= 0`, `not_finite` when a result is not finite
 template <class Curve> Bezier_curve<typename Curve::Traits> taylor_polynomial_at_end(const Curve& curve, int m) {

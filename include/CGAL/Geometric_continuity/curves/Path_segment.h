@@ -190,8 +190,8 @@ public:
     return Rational_bezier_curve<Traits, 2>(typename Rational_bezier_curve<Traits, 2>::Homogeneous(rows));
   }
 
-  /// Returns the image under an affine map of points, which is an arc of an ellipse again. That the
-  /// map is affine and invertible is not checked.
+  /// Returns the image under an affine map of points, which is an arc of an ellipse again. The map
+  /// must be affine and invertible; this is not checked.
   template <class Transformation> Elliptical_arc transform(const Transformation& map) const {
     const auto image = [&](const Coordinates& x) {
       return Geometric_continuity::coordinates<Traits>(map(Geometric_continuity::to_point<Traits>(x)));

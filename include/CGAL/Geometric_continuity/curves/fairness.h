@@ -420,7 +420,7 @@ template <class Curve, class Function> void for_each_exact_piece(const Curve& cu
 /// In the plane the curvature has a sign, positive in a left turn, and an inflection is a place
 /// where it changes. In other dimensions the curvature is not negative, and an inflection is a
 /// place where the curvature vector vanishes and has the opposite directions before and behind; it
-/// is a minimum there. Of a planar curve both have the same inflections.
+/// is a minimum there. For a planar curve both have the same inflections.
 ///
 /// A zero without a change of sign, such as a point of undulation, is not counted. Neither are the
 /// ends of the domain, also where they meet. A straight line has neither extrema nor inflections. A

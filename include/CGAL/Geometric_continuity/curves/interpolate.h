@@ -319,7 +319,7 @@ Bspline_curve<Traits> interpolate(InputIterator first, InputIterator last,
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns the \em clamped cubic spline through points at given parameters, \f$ C^2 \f$ inside,
-/// with the given first derivatives at both ends. Of the points of a cubic polynomial and its
+/// with the given first derivatives at both ends. For the points of a cubic polynomial and its
 /// derivatives, it is that polynomial. \f$ O(n) \f$
 /// \throws Error as for a natural spline
 template <class Traits, class InputIterator>

@@ -36,7 +36,7 @@ namespace Geometric_continuity {
 /// What a polynomial surface `S(u, v)` contributes to its continuity along the edge `v = 0`, `u` in
 /// [0, 1]: the edge \f$ C(u) = S(u, 0) \f$ and the cross derivatives \f$ T(u) = S_v(u, 0) \f$ and
 /// \f$ W(u) = S_{vv}(u, 0) \f$, where `v` grows into the surface. Each row holds Bernstein
-/// coefficients; the rows may differ in degree. Of a rational surface they are those of its
+/// coefficients; the rows may differ in degree. For a rational surface they are the rows of its
 /// homogeneous points. Only order 3 needs \f$ X(u) = S_{vvv}(u, 0) \f$, too.
 /// \tparam FT a field number type
 /// \tparam N the number of coordinates: 3, or 4 for homogeneous points

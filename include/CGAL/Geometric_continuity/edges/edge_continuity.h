@@ -192,10 +192,10 @@ Spline_edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Spl
 /// of the knots of both edges; see the function for `Spline_edge_rows`.
 ///
 /// All parameters in the result are those of the domain of the edge of `a`, without rounding. For
-/// two edges of one surface that closes up, `a` and `b` are the same surface. What happens at knots
-/// across the edge inside one of the surfaces is decided by `knot_line_continuity()`. For the two
-/// sides of a ribbon pass `G1_ribbon::side1` and `G1_ribbon::side2`; swept surfaces have
-/// `extrusion_continuity()` and `revolution_continuity()`.
+/// two edges of one surface that closes up, `a` and `b` are the same surface.
+/// `knot_line_continuity()` decides the continuity at knots across the edge inside one of the
+/// surfaces. For the two sides of a ribbon pass `G1_ribbon::side1` and `G1_ribbon::side2`; swept
+/// surfaces have `extrusion_continuity()` and `revolution_continuity()`.
 ///
 /// Smooth edges of degree 7 or less are proved with integers of fixed length where the coordinates
 /// are `double`, or rational numbers with short numerators over one denominator; see above. So are

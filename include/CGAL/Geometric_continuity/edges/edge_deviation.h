@@ -307,8 +307,9 @@ Edge_order_within order_within_or_exactly(const Spline_edge_continuity<FT>& exac
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Decides which order, 0 or 1, two piecewise polynomial surfaces have along an edge within a
-/// tolerance. What counts is `deviation()` along the whole edges; where these are farther apart
-/// than the tolerance but have a part exactly in common, see `edge_continuity()`, this part counts.
+/// tolerance. The order follows from `deviation()` along the whole edges; where these are farther
+/// apart than the tolerance but have a part exactly in common, see `edge_continuity()`, this part
+/// counts.
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number,
 ///   `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`
 template <class FT, int N>

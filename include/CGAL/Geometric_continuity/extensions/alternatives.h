@@ -24,9 +24,9 @@
 /// \f$ p = b_0 - b_{-1} \f$, \f$ r = b_{-2} - b_{-1} \f$, \f$ s = b_{-2} - b_{-3} \f$; the right
 /// one starts in \f$ b_0, b_1, b_2, b_3 \f$. The ratio \f$ \beta = |b_1 - b_0| / |p| \f$ is that of
 /// the parameter intervals, right by left, when the derivatives shall agree. Everything holds in
-/// any dimension. Of a torsion-continuous join there are the scalars that choose the points and
-/// those that connect the derivatives, and they determine each other. Hagen, theorem 3.2,
-/// corrected, with general \f$ \beta \f$ (Hagen: \f$ \beta = 1 \f$).
+/// any dimension. A torsion-continuous join has scalars that choose the points and scalars that
+/// connect the derivatives, and they determine each other. Hagen, theorem 3.2, corrected, with
+/// general \f$ \beta \f$ (Hagen: \f$ \beta = 1 \f$).
 ///
 /// `midpoint_construction()` is Hagen's constructions (3.3.1) and (3.3.2), corrected: first points
 /// of a polygon that continues another one with a continuous curvature vector and

@@ -28,7 +28,7 @@
 /// \file extend.h
 /// The next segment behind a curve, with chosen members of Hagen's families of alternatives (see
 /// `alternatives.h`), and the one that leads from the end of a chain of curves back to its start.
-/// Of a Bézier curve the segment is returned; a segmented curve and a B-spline curve are returned
+/// For a Bézier curve the segment is returned; a segmented curve and a B-spline curve are returned
 /// with the segment.
 ///
 /// `extend_toward()` leads to a wished point with the least energy among the members of Hagen's
@@ -62,9 +62,9 @@ template <class FT> struct Given_optional_number {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// The ratio and the members of the families of alternatives that a next segment takes. What is not
-/// given is that of the smoothest join: \f$ C_0 \f$ of the \f$ C^2 \f$ member, \f$ C_2 \f$ of the
-/// \f$ G^3 \f$ member and \f$ C_1 \f$ with \f$ \delta = 0 \f$.
+/// The ratio and the members of the families of alternatives that a next segment takes. Scalars
+/// that are not given are those of the smoothest join: \f$ C_0 \f$ of the \f$ C^2 \f$ member,
+/// \f$ C_2 \f$ of the \f$ G^3 \f$ member and \f$ C_1 \f$ with \f$ \delta = 0 \f$.
 template <class FT> struct Extension_parameters {
   /// the length of the domain of the next segment, that of the last one being 1
   FT beta = FT(1);

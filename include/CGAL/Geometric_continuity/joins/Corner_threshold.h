@@ -105,7 +105,7 @@ template <class NT> NT from_long_integer(const Rotation_bounds::Integer& x) {
 ///
 /// With \f$ B \f$ for the bound and \f$ c = |a \times b| \f$, \f$ d = a \cdot b \f$ of two vectors
 /// in the plane, their angle is larger than the bound if and only if
-/// \f$ c \cos B - d \sin B > 0 \f$. That is decided exactly: by floating-point numbers with a bound
+/// \f$ c \cos B - d \sin B > 0 \f$. This is decided exactly: by floating-point numbers with a bound
 /// of their error, otherwise by enclosures of \f$ \cos B \f$ and \f$ \sin B \f$ whose precision is
 /// doubled until they decide. They cannot where the angle is the bound. This is possible for few
 /// bounds only: the tangent of \f$ 180 m/n \f$ degrees, in lowest terms, is rational for `n <= 2`

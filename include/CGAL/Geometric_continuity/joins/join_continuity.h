@@ -32,7 +32,7 @@ namespace Geometric_continuity {
 namespace internal {
 
 // Multiplies two jets by their common denominator, which changes no answer, and makes rational
-// numbers integers. What is worth it is the many products of a high order.
+// numbers integers. The many products of a high order make it worthwhile.
 template <class Field, int N> void clear_denominators(Coordinate_jet<Field, N>& x, Coordinate_jet<Field, N>& y) {
   if constexpr (Common_denominator<Field>::clears) {
     Common_denominator<Field> denominator;

@@ -28,7 +28,7 @@
 /// The point and the first derivatives of a curve at one parameter, and those at the two ends of
 /// any curve, in any field: all that joins and blends read of a curve. A curve that offers
 /// `end_jet_over` and `start_jet_over` derives them in that field from its control points as they
-/// are, so that a predicate on curves with `double` coordinates is exact. Of any other model of
+/// are, so that a predicate on curves with `double` coordinates is exact. For any other model of
 /// `ParametricCurve`, the jet that it returns is converted. And the jets of homogeneous points
 /// \f$ (p, w) = (w x, w) \f$: from their derivatives to those of \f$ x = p / w \f$, and back.
 

@@ -319,7 +319,7 @@ public:
   typedef typename Traits::Vector Vector;                        ///< the vectors of the kernel
   typedef Geometric_continuity::Coordinates<Traits> Coordinates; ///< their coordinates
 
-  /// Takes the coordinates of `n` vectors of dimension `n`. That they are orthogonal is not
+  /// Takes the coordinates of `n` vectors of dimension `n`. They must be orthogonal; this is not
   /// checked.
   /// \throws Error `dimension_mismatch` when a vector does not have the dimension `n`
   explicit Frenet_frame(std::vector<Coordinates> e) : e_(std::move(e)) {

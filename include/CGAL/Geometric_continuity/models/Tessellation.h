@@ -131,8 +131,8 @@ struct Patch_cells {
 /// square, hence by Taylor's formula \f$ f(p_k) \f$ differs from \f$ f(x) + Df(x)(p_k - x) \f$ by
 /// at most
 /// \f$ \frac{1}{2} (M_{uu} \delta_k^2 + 2 M_{uv} |\delta_k \epsilon_k| + M_{vv} \epsilon_k^2) \f$.
-/// In the sum with the weights \f$ \lambda_k \f$ the linear terms cancel. What remains of \f$ u \f$
-/// is the variance \f$ \sum \lambda_k \delta_k^2 \f$ of numbers in an interval of length
+/// In the sum with the weights \f$ \lambda_k \f$ the linear terms cancel. The remaining part in
+/// \f$ u \f$ is the variance \f$ \sum \lambda_k \delta_k^2 \f$ of numbers in an interval of length
 /// \f$ h_u \f$, which is at most \f$ h_u^2 / 4 \f$; the same holds for \f$ v \f$; and by the
 /// inequality of Cauchy and Schwarz \f$ \sum \lambda_k |\delta_k \epsilon_k| \le h_u h_v / 4 \f$.
 /// \f$ \Box \f$

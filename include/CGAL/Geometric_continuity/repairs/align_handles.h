@@ -74,7 +74,7 @@ struct Octant {
 /// \ingroup PkgGeometricContinuityExtensions
 /// Returns handles of one direction, as vectors, as near as possible to those given: among all
 /// pairs of parallel whole vectors of one direction, the larger of both moves is the least, and of
-/// those pairs the smaller move is the least. That is proved, see the comments of the search; no
+/// those pairs the smaller move is the least. This is proved, see the comments of the search; no
 /// rounding decides. For handles of length `L` in a general direction the moves are about
 /// \f$ L^{1/3} \f$ units, even where the kink is much smaller.
 ///

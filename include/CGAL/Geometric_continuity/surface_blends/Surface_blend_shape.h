@@ -243,7 +243,7 @@ void set_third(Septic_edge_reparametrisation<Reparametrisation>& r, double delta
   r.lambda3 = short_constant<FT>(lambda3);
 }
 
-// Sets the constants of one end. Of rational surfaces the factor of the homogeneous points keeps
+// Sets the constants of one end. For rational surfaces the factor of the homogeneous points keeps
 // the denominator as constant as constants can: from the derivatives m of w_0 w(phi), divided by
 // those of order 0, as sums over all samples.
 template <class Reparametrisation>
@@ -308,7 +308,7 @@ Edge_direction nearer_direction(const Surface_a& a, Patch_edge edge_a, const Sur
 /// \f$ \delta \f$: with `Matching_second_derivative` it is 0, `Minimal_energy<3>` has the least sum
 /// of \f$ \int |S_{vvv}|^2 dv \f$, `Fair` the least variation of the curvature of the curve in many
 /// dimensions. A septic strategy gives \f$ \delta = \beta_2 \f$ and \f$ \delta_3 = \beta_3 \f$; for
-/// \f$ G^3 \f$, \f$ \mu \f$ is \f$ 3\beta\beta_2 \f$, whatever it chooses. Of rational surfaces,
+/// \f$ G^3 \f$, \f$ \mu \f$ is \f$ 3\beta\beta_2 \f$, whatever it chooses. For rational surfaces,
 /// the factors of the homogeneous points keep the denominator of the blend as constant as constants
 /// can.
 ///

@@ -38,7 +38,7 @@
 /// these equations give the slopes of the functions, where \f$ S_u \f$ is given along the side.
 /// Both ends together determine a side curve and a derivative of degree 5 as a whole. Homogeneous
 /// points have the vectors \f$ C', T, C \f$ and the functions \f$ \lambda_1, \lambda_2 \f$ as well.
-/// Of a blend of degree 7 the side curve must have the third derivative of the surface, too, and
+/// For a blend of degree 7 the side curve must have the third derivative of the surface, too, and
 /// the same follows for \f$ \alpha_3, \delta_3, \lambda_3 \f$.
 
 namespace CGAL {

@@ -352,7 +352,7 @@ part_below_within(const Bspline_surface<Traits>& s, const Bernstein_polynomial<t
 /// plane that crosses knot lines, up to a tolerance. Where `cut_back()` is exact the result is that
 /// of `cut_back()`. Elsewhere the surface is replaced by one without knots, in a strip that
 /// contains the curve, and the part of this one is exact: its degree across is the least with which
-/// the deviation is proved to be within the tolerance. What lies below the strip stays exactly as
+/// the deviation is proved to be within the tolerance. The surface below the strip stays exactly as
 /// it is, and is continued with the same derivatives.
 ///
 /// For the edge `v = d` of a surface on [a, b] x [c, d] the strip begins at a parameter

@@ -253,8 +253,7 @@ template <class Patch> std::optional<Parameter_rectangle<typename Patch::FT>> po
 /// Returns a rectangle of parameters in which the normal \f$ S_u \times S_v \f$ of a surface
 /// vanishes or is not proved not to; or nothing, when it is proved that the normal vanishes nowhere
 /// on the closed domain. Then the surface has neither folds nor cusps inside of its spans. (It may
-/// still meet itself in distant points. What happens at knots is decided by
-/// `knot_line_continuity()`.)
+/// still meet itself in distant points. `knot_line_continuity()` decides the continuity at knots.)
 ///
 /// A normal that vanishes is always found. Conversely, a rectangle is returned where the normal
 /// turns by a right angle, or nearly vanishes, within 1/1024 of a span in each parameter. Points

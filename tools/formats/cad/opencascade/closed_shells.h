@@ -27,7 +27,7 @@ typedef std::map<const TopoDS_TShape*, std::string> Shell_names;
 Shell_names closed_shell_names(XSControl_Reader& reader);
 
 // Returns the shells of a shape that are named or belong to a solid, and, of BREP, those that are
-// marked. What is placed again comes once.
+// marked. A shell that is placed again comes once.
 std::vector<Closed_shell> closed_shells(const TopoDS_Shape& shape, const Shell_names& names, bool with_marked);
 
 // Returns "#16 CLOSED_SHELL: said to be closed, but has 4 free edges" for each shell with edges of

@@ -26,7 +26,7 @@ struct Utf8_character {
 constexpr char32_t replacement_character = 0xFFFD;
 constexpr std::string_view replacement_bytes = "\xEF\xBF\xBD";
 
-// The first character of a text that is not empty. What is ill-formed is taken as far as it could
+// The first character of a text that is not empty. Ill-formed text is taken as far as it could
 // begin a character, at least one byte ("maximal subpart").
 inline Utf8_character first_utf8_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };

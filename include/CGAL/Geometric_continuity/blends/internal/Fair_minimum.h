@@ -200,8 +200,9 @@ private:
     return {{{a, 4, b, 2}, {a, -2, b, -4}, {a, -12, b, 2}, {a, -2, b, 12}}};
   }
 
-  // The automatic blend may be in the reach of a bad minimum only, as when it has a small loop. Of
-  // a coarse grid of blends, those with the least E, of different shapes, where the shape is free.
+  // The automatic blend may be in the reach of a bad minimum only, as when it has a small loop.
+  // Returns the blends of a coarse grid that have the least E, with different shapes where the
+  // shape is free.
   std::array<std::pair<double, Unknowns>, 4> starts_from_everywhere() const {
     Quadrature<24> quadrature(family_);
     std::array<std::pair<double, Unknowns>, 4> best; // in increasing order

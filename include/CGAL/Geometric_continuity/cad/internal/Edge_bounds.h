@@ -26,8 +26,8 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// Where the normal of a surface is proved to vanish on an edge. That it cannot be told from zero is
-// not enough: it may turn there.
+// Where the normal of a surface is proved to vanish on an edge. It is not enough that it cannot be
+// told from zero, because it may turn there.
 class Vanishing_normal {
   const Edge_side& side_;
   std::vector<std::pair<int, double>>

@@ -182,8 +182,8 @@ CGAL_GC_FORCEINLINE void rational_bezier_jet(int dimension, int degree, const FT
   project_order<k, FT>(p, dimension, order, jet);
 }
 
-// Calls f with the degree as a constant. Of a degree known at run time only, f is compiled for 0 to
-// 9; returns false, without a call, for higher ones.
+// Calls f with the degree as a constant. For a degree that is known at run time only, f is compiled
+// for 0 to 9; returns false, without a call, for higher ones.
 template <int Degree, class Function> CGAL_GC_FORCEINLINE bool with_constant_degree(int degree, const Function& f) {
   if constexpr (Degree >= 0)
     return f(std::integral_constant<int, Degree>()), true;

@@ -18,7 +18,7 @@
 #include <vector>
 
 // The first three derivatives of the pieces of a curve in floating-point numbers, by a parameter in
-// [0, 1] on each piece. What they are for depends neither on the scale nor on the parameter of the
+// [0, 1] on each piece. Their purpose depends neither on the scale nor on the parameter of the
 // curve.
 
 namespace CGAL {

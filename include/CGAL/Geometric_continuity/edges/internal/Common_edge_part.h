@@ -210,7 +210,7 @@ public:
 
   // The map with b(map(t)) = a(t), if there is only one and it is found without roots: the
   // exponents k > 0 that occur have no common divisor. Then scale = scale^gcd is a product of
-  // powers of the factors a_k / b_k = scale^k, by Euclid's algorithm. Of homogeneous points these
+  // powers of the factors a_k / b_k = scale^k, by Euclid's algorithm. For homogeneous points these
   // are (a_n / b_n) / (a_{n-k} / b_{n-k}).
   friend std::optional<Affine_parameter_map<Field>> unique_map(const Centred_curve& a, const Centred_curve& b) {
     if (a.degree() != b.degree()) return std::nullopt;

@@ -25,8 +25,8 @@
 /// The stages by which the order along an edge is found on the control points next to it
 /// (Edge_input.h), from the cheapest to the one that is left: control points are compared, rounded
 /// numbers refute at the ends, integers of fixed length decide, with a short ratio of the tangent
-/// planes or without. What they leave open, and why an edge is not smooth, is decided in numbers of
-/// any length (Edge_decision.h).
+/// planes or without. Numbers of any length decide everything that they leave open, and why an edge
+/// is not smooth (Edge_decision.h).
 
 namespace CGAL {
 namespace Geometric_continuity {

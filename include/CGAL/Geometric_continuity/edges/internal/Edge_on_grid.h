@@ -86,8 +86,8 @@ private:
     return true;
   }
 
-  // A fraction that is very near to x, by its continued fraction. Whether it is the right one is
-  // seen later.
+  // A fraction that is very near to x, by its continued fraction. A later check shows if it is the
+  // right one.
   static bool short_fraction(double x, std::int64_t& numerator, std::int64_t& denominator) {
     double h = 1, last_h = 0, k = 0, last_k = 1, y = x;
     for (int step = 0; step < 8; ++step) {

@@ -56,8 +56,8 @@ public:
 
   bool single_point() const { return numbers_.size() == 1 && numbers_[0].size() == N + 1; }
 
-  // Returns whether the numbers are those of the reversed edge. Of two edges with equal keys that
-  // differ in this, one is the other backwards. (An edge that is the same backwards is not turned.)
+  // Returns whether the numbers are those of the reversed edge. If two edges with equal keys differ
+  // in this, one is the reverse of the other. (An edge that is the same backwards is not turned.)
   bool turned() const { return turned_; }
 
   // Negative, zero or positive.
@@ -180,7 +180,7 @@ public:
     turn();
   }
 
-  // See Edge_key. Whether all points are one is left to it where some are infinite.
+  // See Edge_key. Where some points are infinite, it also decides if all points are one.
   bool turned() const { return turned_; }
   bool single_point() const {
     return !has_infinite_points_ &&

@@ -48,7 +48,7 @@ private:
 
 // Finds whole numbers m, n >= 1 and a whole vector d such that m d and n d are as near as possible
 // to the vectors a and b, with an angle of at most 45 degrees between them and |a| <= |b|,
-// b_x >= |b_y|. What counts is the larger distance, then the smaller one.
+// b_x >= |b_y|. The larger distance counts first, then the smaller one.
 //
 // For a given d, the best m and n are those of the nearest points on its ray, each by itself:
 // visit(). Let r be not less than the larger distance of the best so far, nor than the allowed one.
