@@ -4,7 +4,7 @@
 // The package compiled to WebAssembly: exact verdicts on joins, blends that are proved. See
 // geometric_continuity.d.ts for the functions.
 
-/** What a function throws on bad input; `code` is the code of the package, e.g. `malformed_input`. */
+/** Thrown by functions on bad input; `code` is the code of the package, e.g. `malformed_input`. */
 export class GeometricContinuityError extends Error {
   constructor(code, message) {
     super(`${code}: ${message}`);

@@ -78,7 +78,7 @@ class Output_file {
     if (now.st_gid != old_->st_gid && ::fchown(descriptor, static_cast<uid_t>(-1), old_->st_gid) != 0)
       mode &= ~static_cast<mode_t>(S_IRWXG) | ((mode & S_IRWXO) << 3);
     if (::fchmod(descriptor, mode) != 0) refuse_to_write(name_, errno);
-    // last, because who gives a file away has no say in it any more
+    // last, because the old owner may not change it any more
     if (now.st_uid != old_->st_uid && ::fchown(descriptor, old_->st_uid, static_cast<gid_t>(-1)) != 0) return;
   }
 

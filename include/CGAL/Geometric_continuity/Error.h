@@ -13,8 +13,8 @@
 #include <string>
 
 /// \file Error.h
-/// What the package refuses: bad input, by a typed exception, and compiler options with which it
-/// would decide wrongly.
+/// The package refuses bad input, by a typed exception, and compiler options with which it would
+/// decide wrongly.
 
 // The stages of a decision that are made in floating-point arithmetic rest on the rounding of each
 // operation, as IEEE 754 defines it, and on the recognition of infinite and undefined numbers.

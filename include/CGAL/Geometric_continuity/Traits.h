@@ -20,7 +20,7 @@
 #include <utility>
 
 /// \file Traits.h
-/// What a kernel calls its things: the traits classes for kernels of CGAL, models of
+/// The names of the types of a kernel: the traits classes for kernels of CGAL, models of
 /// `GeometricContinuityTraits`; the border between the points and vectors of a traits class and the
 /// columns of numbers (`Coordinate_vector`) on which all formulas are written; and homogeneous
 /// points \f$ (p, w) = (w x, w) \f$, of one dimension more: rational curves and surfaces are
@@ -133,8 +133,8 @@ struct Is_traits<Traits, std::void_t<typename Traits::Dimension,
                                      decltype(std::declval<const Traits&>().compute_coordinate_object())>>
     : std::true_type {};
 
-// In place of what is no traits class: it models all that is asked of one, so that the compiler has
-// nothing else to complain about.
+// Replaces an argument that is no traits class. It models all requirements on one, so that the
+// compiler has nothing else to complain about.
 struct No_traits {
   typedef double FT;
   struct Point {

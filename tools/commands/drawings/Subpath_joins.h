@@ -15,9 +15,9 @@
 //
 // Coordinates are rounded to the decimals with which a path is written. Two roundings of one point
 // differ by no more than one unit of the last decimal in each coordinate, and a line between them,
-// as a command Z draws it, turns to and fro although nobody meant it. So segments that fit together
-// into a square of one unit are *rounding*: they are looked through, and the join of their
-// neighbours is decided as if they were one point. This is done only
+// as a command Z draws it, turns to and fro unintentionally. So segments that fit together into a
+// square of one unit are *rounding*: they are looked through, and the join of their neighbours is
+// decided as if they were one point. This is done only
 // - between neighbours on which a unit turns a direction by no more than a degree, that are 57.3
 //   units long: of what is smaller a unit is a part that is drawn, such as a step of a drawing on a
 //   grid;

@@ -7,9 +7,9 @@
 
 /// \file IO/json.h
 /// Verdicts on joins as JSON. `write_json()` writes a value: a text, a flag, an enclosure, or an
-/// object for what was decided about a join. `write_json_members()` writes the members of such an
+/// object for the decision about a join. `write_json_members()` writes the members of such an
 /// object without the braces, so that a program can add members of its own. Exact numbers are
-/// strings, and what is undefined is null. Each function writes its text at once, or nothing when
+/// strings, and undefined values are null. Each function writes its text at once, or nothing when
 /// it throws; the locale, the width and the flags of the stream are ignored.
 
 #include <CGAL/Geometric_continuity/IO/internal/utf8.h>
@@ -144,8 +144,8 @@ inline void write_json_members(std::ostream& os, const Join_deviation& deviation
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes what was decided about the join of the curves number `left` and `right`, of two curves 0
-/// and 1, as a JSON object
+/// Writes the decision about the join of the curves number `left` and `right`, of two curves 0 and
+/// 1, as a JSON object
 /// `{"left":…,"right":…,"c_order":…,"g_order":…,"f_order":…,"betas":["p/q",…],"regular":…,"tangent_equal":…,
 /// "curvature_equal":…,"curvature_vector_equal":…,"torsion_equal":…}`. A gap between the end points
 /// is `c_order` -1.

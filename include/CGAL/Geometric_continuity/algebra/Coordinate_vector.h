@@ -22,8 +22,8 @@
 #include <vector>
 
 /// \file Coordinate_vector.h
-/// Columns of numbers, with which all formulas of the package are written, and what is linear about
-/// them: determinants, without divisions where that is cheap, so that numbers stay short, and
+/// Columns of numbers, with which all formulas of the package are written, and their linear
+/// algebra: determinants, without divisions where that is cheap, so that numbers stay short, and
 /// otherwise by elimination; Gram determinants; and the coordinates in the plane of two vectors,
 /// which are quotients of such. *Algebraic G1 connection*, (7) to (11).
 

@@ -287,8 +287,8 @@ template <class FT> struct Isolated_root {
 };
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// How many bisections `isolate_roots()` does unless another number is given: enough for about 100
-/// roots that are 2^-30 apart.
+/// The number of bisections that `isolate_roots()` allows by default: enough for about 100 roots
+/// that are 2^-30 apart.
 constexpr int default_bisections = 4096;
 
 namespace internal {

@@ -126,7 +126,7 @@ Fair_family<kind, fair_dimension<N, Fair_end<kind, 2>::order>> fair_family(const
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// What the search for a fair blend has done.
+/// A report of the search for a fair blend.
 struct Fair_report {
   int iterations = 0; ///< how many steps were tried
   /// `E` of the blend of least energy with the automatic shape, where the search starts; where that
@@ -136,7 +136,7 @@ struct Fair_report {
   bool converged = false; ///< whether the search ended in a local minimum
 
   /// Writes the fairness and the steps, e.g. `E = 158.925, from 176.371 in 7 steps`, and
-  /// `, not converged` where that is so.
+  /// `, not converged` if it has not converged.
   friend std::ostream& operator<<(std::ostream& os, const Fair_report& report) {
     return os << "E = " << report.fairness << ", from " << report.automatic_fairness << " in " << report.iterations
               << " steps" << (report.converged ? "" : ", not converged");

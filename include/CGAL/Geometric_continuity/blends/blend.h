@@ -65,8 +65,8 @@ template <class Traits> using Quintic_blend = Blend_curve<Traits, 5, Quintic_par
 template <class Traits> using Septic_blend = Blend_curve<Traits, 7, Septic_parameters<typename Traits::FT>>;
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// A blend by a strategy that chooses the shape parameters too, such as `Fair`, with what it
-/// reports.
+/// A blend by a strategy that also chooses the shape parameters, such as `Fair`, with the report of
+/// the strategy.
 /// \tparam Blend `Quintic_blend` or `Septic_blend` \tparam Report e.g. `Fair_report`
 template <class Blend, class Report> struct Shaped_blend : Blend {
   Report report; ///< what the strategy reports

@@ -21,11 +21,11 @@
 #include <utility>
 
 /// \file blend_ends.h
-/// What a strategy for blends reads, what it chooses, and how its kind is found: all that one's own
-/// model of `BlendStrategy` needs. The formulas of the control points are here, for blends of
-/// degree 5 (Portnov (5), (10), (15), corrected, with \f$ \beta \f$ and \f$ \eta \f$) and of degree
-/// 7, and the shape parameters for which the caller gives none: as long a tangent at both ends as
-/// the chord.
+/// The input and the choices of a strategy for blends, and how its kind is found: everything that
+/// your own model of `BlendStrategy` needs. The formulas of the control points are here, for blends
+/// of degree 5 (Portnov (5), (10), (15), corrected, with \f$ \beta \f$ and \f$ \eta \f$) and of
+/// degree 7, and the shape parameters for which the caller gives none: as long a tangent at both
+/// ends as the chord.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -63,7 +63,7 @@ template <class FT> struct Shape_parameters {
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a strategy chooses for a quintic blend.
+/// The choices of a strategy for a quintic blend.
 /// \tparam FT a field number type
 template <class FT> struct Quintic_parameters {
   FT s1 = FT(0); ///< \f$ \gamma''(0) = 20 (d n_1 + s_1 u) \f$
@@ -81,7 +81,7 @@ template <class FT> struct Quintic_parameters {
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a quintic strategy reads of a blend \f$ \gamma \f$ of degree 5: all but the two scalars
+/// The input of a quintic strategy for a blend \f$ \gamma \f$ of degree 5: all but the two scalars
 /// that it chooses.
 /// \tparam FT a field number type \tparam N the dimension, or 0 when it is known at run time only
 template <class FT, int N> struct Quintic_ends {
@@ -172,7 +172,7 @@ template <class FT> struct Septic_end_parameters {
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a strategy chooses for a septic blend.
+/// The choices of a strategy for a septic blend.
 /// \tparam FT a field number type
 template <class FT> struct Septic_parameters {
   Septic_end_parameters<FT> start; ///< the scalars at the start
@@ -224,8 +224,8 @@ template <class FT, int N> struct Septic_end {
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a septic strategy reads of a blend \f$ \gamma \f$ of degree 7: all but the three scalars at
-/// each end.
+/// The input of a septic strategy for a blend \f$ \gamma \f$ of degree 7: all but the three scalars
+/// at each end.
 /// \tparam FT a field number type \tparam N the dimension, or 0 when it is known at run time only
 template <class FT, int N> struct Septic_ends {
   typedef Coordinate_vector<FT, N> Vector;

@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a representable blend needed at one of its joins.
+/// The changes that a representable blend needed at one of its joins.
 template <class FT, int N> struct Representable_join {
   /// The shape parameter \f$ \beta_1 > 0 \f$ of the join, seen from the given curve.
   FT beta;

@@ -100,8 +100,8 @@ struct Edge_maximum {
 };
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// How far two faces are from being continuous along an edge: guaranteed enclosures of what is
-/// largest on the *whole* edge, where the points of both sides at equal parameters are compared.
+/// The distance of two faces from being continuous along an edge, as guaranteed enclosures of the
+/// maxima on the *whole* edge, where the points of both sides at equal parameters are compared.
 struct Edge_enclosure {
   /// the largest distance of the points of both sides, in units of the coordinates
   Edge_maximum gap;
@@ -431,7 +431,7 @@ inline Edge_side projected_side(const Edge_side& side, const Edge_curve& curve, 
 }
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// What holds at one parameter of an edge that is a curve in space, whatever curves in parameter
+/// Facts about one parameter of an edge that is a curve in space, whatever curves in parameter
 /// planes have been computed: lower bounds.
 struct Foot_comparison {
   /// of the point of the curve and its foot points on both sides, in units of the coordinates

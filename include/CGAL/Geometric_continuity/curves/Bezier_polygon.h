@@ -48,8 +48,8 @@ using Range_of_points = std::enable_if_t<
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// What a Bézier curve is given by: its control points \f$ b_0, \dots, b_m \f$ and its domain [a,
-/// b]. This base of `Bezier_curve` stores and checks them, and answers what needs no evaluation.
+/// The data of a Bézier curve: its control points \f$ b_0, \dots, b_m \f$ and its domain [a, b].
+/// This base of `Bezier_curve` stores and checks them, and answers what needs no evaluation.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Degree the degree `m >= 0`, or `dynamic_degree`

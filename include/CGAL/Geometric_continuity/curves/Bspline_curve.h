@@ -88,8 +88,8 @@ span_end_jets(const Knot_vector<FT>& knots, const std::vector<Coordinate_vector<
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// What a B-spline curve is given by: its control points \f$ b_0, \dots, b_{n-1} \f$ and its knots.
-/// This base of `Bspline_curve` stores and checks them, and answers what needs no evaluation.
+/// The data of a B-spline curve: its control points \f$ b_0, \dots, b_{n-1} \f$ and its knots. This
+/// base of `Bspline_curve` stores and checks them, and answers what needs no evaluation.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> class Bspline_polygon {

@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityCurves
-/// How a chain of curves, or a curve through or near many points, ends.
+/// The closure of a chain of curves, or of a curve through or near many points.
 enum class Closure {
   open,  ///< it ends at its last curve, or at the last point or near it
   closed ///< it returns to its first curve or point
@@ -37,9 +37,9 @@ enum class Closure {
 inline std::string to_string(Closure closure) { return closure == Closure::open ? "open" : "closed"; }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// What a segmented Bézier curve is given by: its control points \f$ b_0, \dots, b_{m(k+1)} \f$ and
-/// its knots \f$ u_0, \dots, u_{k+1} \f$. This base of `Composite_bezier_curve` stores and checks
-/// them, and answers what needs no evaluation.
+/// The data of a segmented Bézier curve: its control points \f$ b_0, \dots, b_{m(k+1)} \f$ and its
+/// knots \f$ u_0, \dots, u_{k+1} \f$. This base of `Composite_bezier_curve` stores and checks them,
+/// and answers what needs no evaluation.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> class Composite_bezier_polygon {

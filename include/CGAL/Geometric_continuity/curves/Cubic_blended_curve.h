@@ -351,8 +351,8 @@ Composite_bezier_curve<Traits, 3> piecewise_cubic(const Range& points, const Bas
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns the curve through the given points with the given first derivatives, at the knots 0, 1,
 /// 2, ...; a closed one returns to the first point. It is \f$ C^1 \f$, and \f$ G^1 \f$ where the
-/// derivative is not zero. A zero derivative is no error: `chain_continuity()` tells what it makes
-/// of the join.
+/// derivative is not zero. A zero derivative is no error: `chain_continuity()` tells its effect on
+/// the join.
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam PointIterator, VectorIterator their value types are `Traits::Point` and `Traits::Vector`
 /// \throws Error `wrong_number_of_points` for fewer than 2 points, and unless there are as many

@@ -28,8 +28,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityCurves
-/// What describes an arc of an ellipse beyond its start and end, as the command A of SVG's path
-/// data does.
+/// The description of an arc of an ellipse besides its start and end, as the command A of SVG's
+/// path data does.
 template <class FT> struct Elliptical_arc_parameters {
   FT rx;               ///< the first radius, not zero; its sign does not matter
   FT ry;               ///< the second radius, not zero; its sign does not matter

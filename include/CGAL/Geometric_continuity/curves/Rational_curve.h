@@ -363,7 +363,7 @@ public:
   }
 
   /// @}
-  /// \name Of a Bézier Curve
+  /// \name Functions of Bézier Curves
   /// @{
 
   /// Returns the same points in another rational parametrisation, with the weights \f$ w_i c^i \f$.
@@ -449,7 +449,7 @@ public:
   }
 
   /// @}
-  /// \name Of a B-spline Curve
+  /// \name Functions of B-spline Curves
   /// These functions cost and throw as those of `Bspline_curve`.
   /// @{
 

@@ -24,11 +24,10 @@
 #include <vector>
 
 /// \file bezier_properties.h
-/// What the control points tell about a curve: of a Bézier curve hull, line, variation, and
-/// curvature and torsion at the ends; and two tricks with them: points that pull, and polygons that
-/// close. Lecture slides, "Bézier curves III", "Bézier curve tricks". Basis_matrix.h has the
-/// properties of the Bernstein polynomials from which it follows. Of all curves whether they lie in
-/// a plane.
+/// Properties that the control points show: of a Bézier curve hull, line, variation, and curvature
+/// and torsion at the ends; and two tricks with them: points that pull, and polygons that close.
+/// Lecture slides, "Bézier curves III", "Bézier curve tricks". Basis_matrix.h has the properties of
+/// the Bernstein polynomials from which it follows. Of all curves whether they lie in a plane.
 ///
 /// Hagen 1.13: a curve is planar if and only if its torsion vanishes. This holds for one polynomial
 /// or rational piece, and for several only where the curvature does not vanish at their joins:
@@ -203,8 +202,8 @@ std::optional<typename Traits::Vector> end_tangent(const Bezier_curve<Traits, De
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// How often a curve and its control polygon meet a line in the plane, a plane in space, or a
-/// hyperplane.
+/// The numbers of times that a curve and its control polygon meet a line in the plane, a plane in
+/// space, or a hyperplane.
 struct Crossings {
   /// changes of side from control point to control point, those on the hyperplane left out
   int polygon = 0;
@@ -347,7 +346,7 @@ Bezier_curve<Traits> repeat_control_point(const Bezier_curve<Traits, Degree>& cu
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// How a single Bézier curve closes up.
+/// The ways in which a single Bézier curve closes up.
 enum class Closing {
   open,   ///< the end points differ
   smooth, ///< the tangents at the closing point have one direction

@@ -26,7 +26,7 @@
 #include <vector>
 
 /// \file fairness.h
-/// How fair a curve is.
+/// Measures of the fairness of a curve.
 ///
 /// As numbers that depend neither on its scale nor on its parameter: the variation of its
 /// curvature, which the strategy `Fair` makes small, and its bending energy. Moreton and Séquin.
@@ -125,8 +125,8 @@ private:
   }
 };
 
-// Functions of the first three derivatives of a curve: the speed |d1|, and what is integrated.
-// Without a tangent it is infinite.
+// Functions of the first three derivatives of a curve: the speed |d1|, and the integrand. Without a
+// tangent it is infinite.
 
 // |(dK/ds)_perp|^2 |d1|, where (dK/ds)_perp = (d3_perp - 3 a d2_perp) / |d1|^3 and a = d1.d2 /
 // d1.d1. The same formula for the blends of one family, at fixed nodes and with its derivatives, is

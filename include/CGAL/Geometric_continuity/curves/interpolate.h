@@ -40,7 +40,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// How the parameters of points are chosen through which a curve runs.
+/// The ways to choose the parameters of points through which a curve runs.
 enum class Parametrisation {
   uniform,    ///< at the distance 1
   chordal,    ///< at the distances of the points
@@ -105,7 +105,7 @@ namespace internal {
 template <class FT> struct Tridiagonal_row { FT a, b, c; };
 
 // Solves the equations row(i) of n unknowns, for each i in turn, in the place of the right sides:
-// get(i) returns one or the other, and set(i, x) takes what is found. In the first row a is not
+// get(i) returns one or the other, and set(i, x) takes the solution. In the first row a is not
 // read, in the last one c.
 template <class FT, class Row, class Get, class Set> void solve_tridiagonal(int n, Row row, Get get, Set set) {
   typedef std::decay_t<decltype(get(0))> Value;

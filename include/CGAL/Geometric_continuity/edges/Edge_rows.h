@@ -25,19 +25,19 @@
 #include <vector>
 
 /// \file Edge_rows.h
-/// What goes into a decision along an edge, and what comes out. All that continuity depends on are
-/// the edge and the first two derivatives across it, as rows of coefficients. The answer of
+/// The input and the result of a decision along an edge. All that continuity depends on are the
+/// edge and the first two derivatives across it, as rows of coefficients. The answer of
 /// `edge_continuity()` is the order of continuity, why it is not higher, and where.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What a polynomial surface `S(u, v)` contributes to its continuity along the edge `v = 0`, `u` in
-/// [0, 1]: the edge \f$ C(u) = S(u, 0) \f$ and the cross derivatives \f$ T(u) = S_v(u, 0) \f$ and
-/// \f$ W(u) = S_{vv}(u, 0) \f$, where `v` grows into the surface. Each row holds Bernstein
-/// coefficients; the rows may differ in degree. For a rational surface they are the rows of its
-/// homogeneous points. Only order 3 needs \f$ X(u) = S_{vvv}(u, 0) \f$, too.
+/// The data that a polynomial surface `S(u, v)` contributes to its continuity along the edge
+/// `v = 0`, `u` in [0, 1]: the edge \f$ C(u) = S(u, 0) \f$ and the cross derivatives
+/// \f$ T(u) = S_v(u, 0) \f$ and \f$ W(u) = S_{vv}(u, 0) \f$, where `v` grows into the surface. Each
+/// row holds Bernstein coefficients; the rows may differ in degree. For a rational surface they are
+/// the rows of its homogeneous points. Only order 3 needs \f$ X(u) = S_{vvv}(u, 0) \f$, too.
 /// \tparam FT a field number type
 /// \tparam N the number of coordinates: 3, or 4 for homogeneous points
 template <class FT_, int N = 3> struct Edge_rows {
@@ -58,7 +58,7 @@ template <class FT_, int N = 3> struct Edge_rows {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What a B-spline surface contributes to its continuity along an edge: `Edge_rows` whose
+/// The data that a B-spline surface contributes to its continuity along an edge: `Edge_rows` whose
 /// coefficients are those of splines over the knots of the edge.
 /// \tparam FT a field number type
 /// \tparam N the number of coordinates: 3, or 4 for homogeneous points
@@ -291,7 +291,7 @@ inline int severity(Edge_defect defect) {
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What is asked about creases. To find the largest angle takes most of the time of a crease.
+/// The questions about creases. Finding the largest angle takes most of the time of a crease.
 enum class Crease_angles {
   enclosed, ///< the largest angle, too
   omitted   ///< orders and defects only: `Edge_continuity::deviation` may be empty
@@ -335,7 +335,7 @@ template <class FT> struct Normal_deviation {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about two surfaces along an edge.
+/// The decision about two surfaces along an edge.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Edge_continuity {
   /// -1 when the edges differ, 0 when they are the same curve, 1 when the tangent planes agree
@@ -377,7 +377,7 @@ template <class FT> struct Edge_continuity {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about two surfaces along an interval of their common edge on which both are
+/// The decision about two surfaces along an interval of their common edge on which both are
 /// polynomials.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Edge_span {
@@ -388,7 +388,7 @@ template <class FT> struct Edge_span {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about two piecewise polynomial surfaces along the part that their edges have in
+/// The decision about two piecewise polynomial surfaces along the part that their edges have in
 /// common, on each span of the knots of both. The members of the base class hold for the whole
 /// part:
 ///

@@ -19,9 +19,9 @@
 
 /// \file edge_continuity.h
 /// The continuity of two surfaces along an edge of each, decided exactly on the whole closed edge;
-/// for every mix of surface types, and for rows of coefficients. See `Edge_conditions` for what is
-/// decided. `edge_continuity()` tells the order, the reason and the place, `is_g0_edge()`,
-/// `is_g1_edge()`, `is_g2_edge()` and `is_g3_edge()` answer one question each,
+/// for every mix of surface types, and for rows of coefficients. See `Edge_conditions` for the
+/// conditions that are decided. `edge_continuity()` tells the order, the reason and the place,
+/// `is_g0_edge()`, `is_g1_edge()`, `is_g2_edge()` and `is_g3_edge()` answer one question each,
 /// `knot_line_continuity()` looks inside a surface, and `common_edges()` finds the edges that two
 /// patches share.
 ///
@@ -130,8 +130,8 @@ private:
 /// \f$ n_i = C' \times T_i \f$ is enclosed by branch and bound on the Bernstein coefficients of
 /// \f$ \sin^2\theta = 1 - (n_1 \cdot n_2)^2 / (|n_1|^2 |n_2|^2) \f$, in integers of fixed length
 /// that are rounded outwards or, where these do not suffice, in exact arithmetic. Where the limit
-/// of the work does not suffice for a close enclosure, it is a wider one; what is decided is
-/// decided, or refused by an error.
+/// of the work does not suffice for a close enclosure, it is a wider one; the answer is exact, or
+/// refused by an error.
 ///
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
 /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`
@@ -266,8 +266,8 @@ bool is_g3_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// A line of a B-spline surface on which one parameter is an inner knot, and what was decided about
-/// the two parts of the surface along it.
+/// A line of a B-spline surface on which one parameter is an inner knot, and the decision about the
+/// two parts of the surface along it.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Knot_line {
   bool constant_u;  ///< the knot is one of `u`, and `v` varies on the line; otherwise the reverse

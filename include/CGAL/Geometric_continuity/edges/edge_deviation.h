@@ -24,8 +24,9 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// How far two surfaces are from being continuous along an edge of each: guaranteed enclosures of
-/// what is largest on the whole edges, where points at corresponding parameters are compared.
+/// The distance of two surfaces from being continuous along an edge of each, as guaranteed
+/// enclosures of the maxima on the whole edges, where points at corresponding parameters are
+/// compared.
 struct Edge_deviation {
   Enclosure gap; ///< the largest distance of the points of the edges, in units of the coordinates
   /// The largest angle between the normals, in radians, in \f$ [0, \pi] \f$: 0 where the surfaces
@@ -221,7 +222,7 @@ Edge_deviation deviation(const Surface_a& a, Patch_edge edge_a, const Surface_b&
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What is tolerated along an edge: the quantities of `Edge_deviation`, in their units.
+/// A tolerance along an edge: the quantities of `Edge_deviation`, in their units.
 struct Edge_tolerance {
   Bound normal_angle = 0; ///< in radians
   Bound gap = 0;          ///< in units of the coordinates

@@ -38,7 +38,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// What a join keeps continuous, each with all before it: \f$ F^1 \f$, \f$ F^2 \f$, \f$ F^3 \f$.
+/// The quantities that a join keeps continuous, each with all before it: \f$ F^1 \f$, \f$ F^2 \f$,
+/// \f$ F^3 \f$.
 enum class Frenet_order {
   tangent = 1,   ///< the direction of the tangent
   curvature = 2, ///< the curvature vector
@@ -76,8 +77,8 @@ template <class FT> struct Extension_parameters {
 
   /// Sets \f$ \beta = 1 \f$ and gives none of the others.
   Extension_parameters() = default;
-  /// Takes numbers of any type from which `FT` can be made; what is `{}` or `std::nullopt` is not
-  /// given.
+  /// Takes numbers of any type from which `FT` can be made; `{}` or `std::nullopt` stands for a
+  /// value that is not given.
   /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a
   ///   number
   Extension_parameters(internal::Convertible_number<FT> given_beta, internal::Given_optional_number<FT> given_c0 = {},

@@ -27,8 +27,8 @@
 #include <utility>
 
 /// \file Corner_threshold.h
-/// What a join of two plane curves looks like, and which angle is a corner that somebody meant:
-/// decided exactly, for any bound in degrees.
+/// The look of a join of two plane curves, and the angles that are intended corners: decided
+/// exactly, for any bound in degrees.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -100,8 +100,8 @@ template <class NT> NT from_long_integer(const Rotation_bounds::Integer& x) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The largest angle between two tangents that is a *kink*; what is larger is a *corner*, which
-/// somebody meant.
+/// The largest angle between two tangents that is a *kink*; a larger angle is a *corner*, which is
+/// intended.
 ///
 /// With \f$ B \f$ for the bound and \f$ c = |a \times b| \f$, \f$ d = a \cdot b \f$ of two vectors
 /// in the plane, their angle is larger than the bound if and only if
@@ -225,7 +225,7 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What a join of two plane curves looks like, from the roughest to the smoothest.
+/// The look of a join of two plane curves, from the roughest to the smoothest.
 enum class Visual_class {
   gap,    ///< the second curve does not start where the first one ends
   corner, ///< the angle between the tangents is larger than a `Corner_threshold`

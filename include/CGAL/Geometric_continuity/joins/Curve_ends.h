@@ -13,9 +13,9 @@
 #include <utility>
 
 /// \file Curve_ends.h
-/// How the ends of curves are read, for all decisions about joins: as the control points next to
-/// the end, where the curve has them as given numbers, and otherwise as jets. Control points are
-/// what the fast exact decisions on `double` coordinates read.
+/// Reads the ends of curves for all decisions about joins: as the control points next to the end,
+/// where the curve has them as given numbers, and otherwise as jets. Control points are what the
+/// fast exact decisions on `double` coordinates read.
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What lets anybody check the orders of a join by adding and multiplying: with the derivatives
-/// \f$ X^{(j)}, Y^{(j)} \f$ of the left and of the right curve at the join, for each order `j` the
-/// equation
+/// A certificate that lets anybody check the orders of a join by adding and multiplying: with the
+/// derivatives \f$ X^{(j)}, Y^{(j)} \f$ of the left and of the right curve at the join, for each
+/// order `j` the equation
 ///
 /// - C: \f$ Y^{(j)} = X^{(j)} + r \f$;
 /// - G: \f$ Y^{(j)} = \sum_{m=2}^{j} B_{j,m}(\beta_1, \beta_2, \dots) X^{(m)} + \beta_j X' + r \f$

@@ -13,14 +13,14 @@
 #include <ostream>
 
 /// \file Join_deviation.h
-/// What is said about how far a join is from being continuous, and what is tolerated.
+/// The distance of a join from being continuous, and tolerances for it.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// How far a join is from being continuous: guaranteed enclosures. With \f$ X \f$ for the curve
-/// that ends and \f$ Y \f$ for the curve that starts there:
+/// The distance of a join from being continuous, as guaranteed enclosures. With \f$ X \f$ for the
+/// curve that ends and \f$ Y \f$ for the curve that starts there:
 struct Join_deviation {
   Enclosure gap; ///< the distance \f$ |Y - X| \f$ of the ends, in units of the coordinates
   /// The angle between the tangents, in radians, in \f$ [0, \pi] \f$. Empty when a tangent is zero.
@@ -44,7 +44,7 @@ struct Join_deviation {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What is tolerated at a join: the quantities of `Join_deviation`, in their units.
+/// A tolerance at a join: the quantities of `Join_deviation`, in their units.
 struct Join_tolerance {
   Bound tangent_angle = 0;        ///< in radians
   Bound curvature_jump = 0;       ///< relative

@@ -22,8 +22,8 @@
 #include <type_traits>
 
 /// \file Visual_class.h
-/// What a designer sees of a join in the plane: a corner that is meant, a kink that nobody wants
-/// and how large it is, or a smooth join.
+/// The view of a designer on a join in the plane: a corner that is intended, a kink that nobody
+/// wants and how large it is, or a smooth join.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -105,7 +105,7 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// How large a kink is: guaranteed enclosures. With `a` and `b` for the handles at the node, from
+/// The size of a kink, as guaranteed enclosures. With `a` and `b` for the handles at the node, from
 /// the control point before it and to the one behind it:
 struct Kink_size {
   Enclosure angle; ///< the angle between `a` and `b`, in radians, in \f$ [0, \pi] \f$

@@ -39,7 +39,8 @@ template <class FT> int order_of(const Join_continuity<FT>& join, Continuity_kin
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// How many joins of a chain have which order. The size does not depend on the length of the chain.
+/// The numbers of joins of a chain that have each order. The size does not depend on the length of
+/// the chain.
 class Chain_summary {
   std::size_t joins_ = 0;
   std::array<std::vector<std::size_t>, 3> counts_; // of the orders -1, 0, 1, ...
@@ -299,7 +300,7 @@ template <class FT> struct Join_side {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about one join of a segmented curve, in its global parameter.
+/// The decision about one join of a segmented curve, in its global parameter.
 template <class Traits> struct Composite_join {
   typedef Predicate_FT<Traits> FT; ///< the field in which it was decided
   int left;                        ///< the number of the segment that ends here
@@ -312,7 +313,7 @@ template <class Traits> struct Composite_join {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about all joins of a segmented curve.
+/// The decisions about all joins of a segmented curve.
 template <class Traits> struct Composite_continuity {
   /// from left to right; that of a closed curve's end and start is the last
   std::vector<Composite_join<Traits>> joins;
@@ -390,7 +391,7 @@ template <class Curve> struct Split_view {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about a curve at one of its inner knots.
+/// The decision about a curve at one of its inner knots.
 template <class Traits> struct Knot_continuity {
   typename Traits::FT knot;                   ///< the parameter
   int multiplicity;                           ///< how often it is repeated

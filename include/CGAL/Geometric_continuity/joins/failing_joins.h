@@ -28,8 +28,8 @@
 ///
 /// The curves are read once, in order and where they are. Predicates are called concurrently unless
 /// the tag is `Sequential_tag`: those of join_predicates.h may be, on number types that may be
-/// copied concurrently, as those of all kernels with floating-point numbers and rational numbers
-/// may. An exception that a predicate throws leaves the function.
+/// copied concurrently, like the number types of all kernels with floating-point numbers and
+/// rational numbers. An exception that a predicate throws leaves the function.
 
 namespace CGAL {
 namespace Geometric_continuity {

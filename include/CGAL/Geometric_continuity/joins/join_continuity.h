@@ -19,7 +19,7 @@
 #include <utility>
 
 /// \file join_continuity.h
-/// What continuity a join has: everything that can be said about it. One single question is
+/// Decides the continuity of a join: everything that can be said about it. One single question is
 /// answered faster by join_predicates.h.
 ///
 /// There are two roads to one answer. Curves with `double` coordinates in the plane and in space,

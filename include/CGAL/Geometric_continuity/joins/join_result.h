@@ -20,8 +20,8 @@
 #include <vector>
 
 /// \file join_result.h
-/// What is said about a join: orders of continuity, what is equal, and the shape parameters, which
-/// are computed on request.
+/// The result of a decision about a join: orders of continuity, the quantities that are equal, and
+/// the shape parameters, which are computed on request.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -244,8 +244,8 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about the join of a curve that ends (left) and a curve that starts (right). It
-/// is a value that does not refer to the curves.
+/// The decision about the join of a curve that ends (left) and a curve that starts (right). It is a
+/// value that does not refer to the curves.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Join_continuity {
   typedef FT Number; ///< the numbers of the shape parameters

@@ -119,8 +119,8 @@ template <class Traits> std::optional<typename Traits::Vector> unit_normal(const
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The types of a surface, and what it tells at parameters by its jets: the base of patches and
-/// B-spline surfaces, rational or not.
+/// The types of a surface, and its functions that evaluate jets: the base of patches and B-spline
+/// surfaces, rational or not.
 /// \tparam Surface the surface, with `jet(u, v, k)`
 /// \tparam Traits_ a model of `GeometricContinuityTraits`
 template <class Surface, class Traits_> class Surface_evaluation {

@@ -54,7 +54,7 @@ template <class Traits_> struct Tessellation {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// How the triangles of a tessellation meet.
+/// The counts of edges at which the triangles of a tessellation meet.
 struct Mesh_edges {
   std::size_t inner = 0;    ///< edges of two triangles, which pass them in opposite directions
   std::size_t boundary = 0; ///< edges of one triangle only

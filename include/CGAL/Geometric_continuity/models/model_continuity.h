@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// What an edge of a model is.
+/// The kinds of edges of a model.
 enum class Model_edge_kind {
   shared,   ///< two patches have it
   boundary, ///< only one patch has it
@@ -84,7 +84,7 @@ template <class FT> struct Model_knot_line {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// How many edges of a model have which continuity.
+/// The numbers of edges of a model that have each continuity.
 struct Model_summary {
   std::size_t g2 = 0; ///< shared edges that are \f$ G^2 \f$
   std::size_t g1 = 0; ///< shared edges that are \f$ G^1 \f$ but not \f$ G^2 \f$
@@ -125,7 +125,7 @@ struct Model_summary {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// What was decided about all edges of a model, and about the knot lines of B-spline surfaces.
+/// The decisions about all edges of a model, and about the knot lines of B-spline surfaces.
 template <class FT> struct Model_continuity {
   /// by the number of the first patch, then by its edge
   std::vector<Model_edge<FT>> edges;

@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// What is to be rounded of a model.
+/// The edges of a model that are rounded, and how.
 struct Rounding_of_edges {
   /// the distance of the new edges from the old ones, see `set_back_parameter()`
   double set_back;
@@ -280,7 +280,7 @@ private:
 /// they meet, with \f$ G^1 \f$ where that is possible.
 /// \param surfaces a range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
 ///   `Rational_bspline_surface`
-/// \param rounding what is to be rounded
+/// \param rounding the edges that are rounded
 /// \param strategy chooses the shapes, see `automatic_surface_shape()`
 /// \throws Error `parameter_outside_domain` where a surface has no room for the distance;
 ///   `singular_frame`, and others of `round_edge()`, with the number of the surface and the edge;

@@ -47,7 +47,7 @@ struct Chord_tolerance {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// What `tessellate()` counts when it reports how far it is.
+/// The phases that `tessellate()` counts when it reports its progress.
 enum class Tessellation_stage {
   patches,  ///< the Bézier patches into which the surfaces have been cut
   triangles ///< the triangles that have been made

@@ -23,8 +23,8 @@
 
 /// \file Enclosure.h
 /// Guaranteed enclosures of numbers, of square roots and of angles by floating-point numbers, also
-/// in degrees and percent: what is reported about joins and edges that are nearly smooth, and what
-/// a comparison with a bound proves: a `Verdict`. Nothing else in the package takes a root.
+/// in degrees and percent. They are reported about joins and edges that are nearly smooth, and a
+/// comparison with a bound proves a `Verdict`. Nothing else in the package takes a root.
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -23,9 +23,9 @@
 #include <vector>
 
 /// \file Exact_field.h
-/// The numbers in which the package decides, and questions about rational numbers: how long their
-/// parts are, whether a square root is one of them, and the angles whose sines are, those of
-/// quarter turns.
+/// The numbers in which the package decides, and questions about rational numbers: the lengths of
+/// their parts, rational square roots, and the angles with rational sines, which are the quarter
+/// turns.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -48,8 +48,8 @@ template <class NT> constexpr bool is_quotient<CGAL::Quotient<NT>> = true;
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// Returns whether the numerator and the denominator of a number have at most `bits` bits. Numbers
-/// that are no fractions, such as those in floating point, do not grow: they always have. So have
-/// those of `CGAL::Quotient`, which may never be cancelled.
+/// that are no fractions, such as those in floating point, do not grow, so the answer is always
+/// true. So it is for numbers of `CGAL::Quotient`, which may never be cancelled.
 template <int bits, class FT> bool has_short_parts(const FT& x) {
   typedef typename internal::Exact_number<FT>::type Exact;
   typedef CGAL::Fraction_traits<Exact> Fraction;
@@ -168,7 +168,7 @@ template <class FT> struct Quarter_turns {
 
 /// \ingroup PkgGeometricContinuityAlgebra
 /// Returns \f$ x + y \f$. Rational numbers whose numerators and denominators are below
-/// \f$ 2^{30} \f$, as those of most drawings are, are added as integers of the machine.
+/// \f$ 2^{30} \f$, like the numbers of most drawings, are added as integers of the machine.
 template <class FT> FT short_sum(const FT& x, const FT& y) {
   typedef internal::Rational_parts<FT> Parts;
   if constexpr (Parts::value) {

@@ -19,8 +19,8 @@
 #include <utility>
 
 /// \file Work_limit.h
-/// How much work a decision or a construction in multi-precision may be: the size of exact numbers
-/// is that of the input, without a bound.
+/// Limits of the work of a decision or a construction in multi-precision, because the size of exact
+/// numbers depends on the input, without a bound.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -31,7 +31,7 @@ namespace Geometric_continuity {
 /// integers of `w` words, a sum counts as \f$ 4 + w \f$ steps and a product as \f$ 8 + w^2 \f$;
 /// with fractions, a product and a sum as \f$ 450 w + 5 w^2 \f$, most of it for greatest common
 /// divisors; above 512 words \f$ 512 w \f$ stands for \f$ w^2 \f$, for fast multiplication. The
-/// limit is checked in the stages that work in multi-precision only; those of fixed length are
+/// limit is only checked in the stages that work in multi-precision; stages of fixed length are
 /// short. A `Work_scope` sets it.
 class Work_limit {
   std::uint64_t steps_ = default_steps;
@@ -173,13 +173,13 @@ inline Work_meter& work_meter() {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Limits the work of this thread, and of those that work for it on several cores, while an object
-/// of this class lives: either that on *each* object (a join, an edge, a knot line, a spline) or,
-/// with a place, that on *all* that is done, in addition to the limit of each. The latter also
-/// bounds what is no such object: jets of rational curves, blends, energies, segments that lead to
-/// a point, triangles; it holds for this thread only. With a function, such a scope also calls that
-/// again and again while something long is at work, on numbers of any kind, so that it can be
-/// interrupted: an exception of that function ends the work.
+/// Limits the work of this thread, and of the threads that work for it on several cores, while an
+/// object of this class lives. It limits either the work on *each* object (a join, an edge, a knot
+/// line, a spline) or, with a place, *all* work, in addition to the limit of each object. The
+/// latter also bounds work on other things: jets of rational curves, blends, energies, segments
+/// that lead to a point, triangles; it holds for this thread only. A scope with a function also
+/// calls the function again and again during long work, on numbers of any kind, so that the work
+/// can be interrupted: an exception of the function ends the work.
 /// \code{.cpp}
 /// const GC::Work_scope each(GC::Work_limit(1000000));             // for each join
 /// const auto join = GC::continuity(phi, psi);                     // may throw Error_code::work_limit, "continuity: more than ..."

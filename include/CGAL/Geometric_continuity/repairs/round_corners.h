@@ -115,10 +115,10 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Rounds the corner in which the curve `left` ends and the curve `right` starts: cuts off of both
-/// what is nearer to it than `distance`, along the curve, and puts a blend into the gap. The corner
-/// may be a join of any kind, even a smooth one. Segmented curves and B-splines are rounded by
-/// `round_corners()`.
+/// Rounds the corner in which the curve `left` ends and the curve `right` starts: cuts the parts of
+/// both off that are nearer to it than `distance`, along the curve, and puts a blend into the gap.
+/// The corner may be a join of any kind, even a smooth one. Segmented curves and B-splines are
+/// rounded by `round_corners()`.
 ///
 /// A line is cut at `distance` exactly where an exact kernel is given and its length is rational;
 /// of other lines the parameter is as near to that as a floating-point number can be, and lines of

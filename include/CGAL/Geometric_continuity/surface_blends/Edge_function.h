@@ -19,8 +19,8 @@
 #include <vector>
 
 /// \file Edge_function.h
-/// A number, a polynomial or a spline that depends on the parameter along an edge: what is free in
-/// the shape of a blend surface.
+/// A number, a polynomial or a spline that depends on the parameter along an edge: the free
+/// functions in the shape of a blend surface.
 
 namespace CGAL {
 namespace Geometric_continuity {

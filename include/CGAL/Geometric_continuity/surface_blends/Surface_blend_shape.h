@@ -37,7 +37,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// How a blend runs out of the parameters of a surface along an edge, or into them:
+/// The way in which a blend leaves the parameters of a surface along an edge, or enters them:
 /// \f$ \varphi(u, v) = (u + \alpha v + \frac12 \alpha_2 v^2,\ \beta v + \frac12 \delta v^2) \f$ to
 /// second order, with functions of the parameter along the edge: numbers, polynomials or splines on
 /// the domain of the edge, which is mapped to [0, 1].
@@ -53,7 +53,7 @@ template <class FT_> struct Edge_reparametrisation {
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// How a blend runs out of the parameters of a rational surface:
+/// The way in which a blend leaves the parameters of a rational surface:
 /// \f$ S = \lambda \cdot L \circ \varphi \f$ in homogeneous points, to second order, with the
 /// factors \f$ \lambda_0 \f$ and \f$ 1 + \lambda_1 v + \frac12 \lambda_2 v^2 \f$.
 /// \tparam FT a field number type
@@ -88,7 +88,7 @@ template <class FT> struct Rational_surface_blend_shape {
 
   /// Sets all functions \f$ \beta \f$ to 1 and all others to 0.
   Rational_surface_blend_shape() = default;
-  /// Takes what is given at both ends.
+  /// Takes the reparametrisations of both ends.
   Rational_surface_blend_shape(const Rational_edge_reparametrisation<FT>& given_start,
                                const Rational_edge_reparametrisation<FT>& given_end)
       : start(given_start), end(given_end) {}
@@ -97,9 +97,9 @@ template <class FT> struct Rational_surface_blend_shape {
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What \f$ G^3 \f$ leaves free at an edge of a blend surface, in addition to a reparametrisation
-/// of order 2: the third derivatives of \f$ \varphi \f$, which are \f$ (\alpha_3, \delta_3) \f$,
-/// and that of the factor of homogeneous points.
+/// The functions that \f$ G^3 \f$ leaves free at an edge of a blend surface, in addition to a
+/// reparametrisation of order 2: the third derivatives of \f$ \varphi \f$, which are
+/// \f$ (\alpha_3, \delta_3) \f$, and that of the factor of homogeneous points.
 /// \tparam Reparametrisation `Edge_reparametrisation` or `Rational_edge_reparametrisation`
 template <class Reparametrisation> struct Septic_edge_reparametrisation : Reparametrisation {
   typedef typename Reparametrisation::FT FT;             ///< the number type

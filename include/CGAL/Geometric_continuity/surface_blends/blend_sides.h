@@ -45,7 +45,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a side edge of a blend surface of degree 5 or 7 is to be, from the first surface to the
+/// The required side edge of a blend surface of degree 5 or 7, from the first surface to the
 /// second.
 /// \tparam Traits_ the traits class of the points; for a blend with a rational surface
 ///   `Homogeneous_traits` of it

@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// What is asked of a ribbon at one end of its curve \f$ C \f$, and how well it can be met. With
-/// \f$ x = C_1 - C \f$ and \f$ D = \frac12 (C_1 - C_2) \f$, these are the demands (ii)
+/// The requirements on a ribbon at one end of its curve \f$ C \f$, and how well they can be met.
+/// With \f$ x = C_1 - C \f$ and \f$ D = \frac12 (C_1 - C_2) \f$, these are the demands (ii)
 /// \f$ T_1 = x \f$ and (iii) \f$ T_1' = x' \f$ of *Algebraic G1 connection retaining fixed twist
 /// vectors*; the same residuals belong to \f$ C_2 - C \f$ and \f$ T_2 \f$.
 /// \tparam FT the field in which it was decided

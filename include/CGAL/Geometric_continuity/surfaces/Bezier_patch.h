@@ -64,7 +64,7 @@ inline std::string to_string(Patch_edge edge) {
 inline std::ostream& operator<<(std::ostream& os, Patch_edge edge) { return os << to_string(edge); }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// How the second of two edges runs in comparison with the first one.
+/// The direction of the second of two edges compared with the first one.
 enum class Edge_direction {
   same,    ///< forwards
   opposite ///< backwards

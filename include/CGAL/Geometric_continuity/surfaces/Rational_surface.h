@@ -319,7 +319,7 @@ public:
   }
 
   /// @}
-  /// \name Of a Bézier Patch
+  /// \name Functions of Bézier Patches
   /// @{
 
   /// Returns the patch turned so that the edge is at `v = 0` and keeps its direction.
@@ -359,7 +359,7 @@ public:
   }
 
   /// @}
-  /// \name Of a B-spline Surface
+  /// \name Functions of B-spline Surfaces
   /// @{
 
   /// Returns a surface with the same points and `times` more copies of the knot `u`.

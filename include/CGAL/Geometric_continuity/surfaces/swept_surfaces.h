@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// What all surfaces have that a profile curve sweeps when it moves: the profile, whose parameter
-/// is `u`, and the domain of the parameter `v` of the motion. It is the base class of
+/// The common part of all surfaces that a profile curve sweeps when it moves: the profile, whose
+/// parameter is `u`, and the domain of the parameter `v` of the motion. It is the base class of
 /// `Extrusion_surface_3` and `Revolution_surface_3`.
 ///
 /// \tparam Curve a copyable model of `ParametricCurve` in dimension 3 that gives jets at all

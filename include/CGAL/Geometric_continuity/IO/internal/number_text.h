@@ -29,8 +29,8 @@
 #include <utility>
 
 /// \file number_text.h
-/// How numbers stand in texts. Nearly all numbers of files are decimals with few digits: integers
-/// times powers of ten, for which no numbers of any length are needed.
+/// Reads and writes numbers in texts. Nearly all numbers of files are decimals with few digits:
+/// integers times powers of ten, for which no numbers of any length are needed.
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -13,8 +13,8 @@
 #include <utility>
 
 /// \file Rotated_ellipse.h
-/// What an arc of an ellipse needs of a rotation by an angle \f$ \varphi \f$. Its quarter turn and
-/// \f$ \lambda \f$, see `Elliptical_arc`, are linear in \f$ \cos 2\varphi \f$ and
+/// The data that an arc of an ellipse needs of a rotation by an angle \f$ \varphi \f$. Its quarter
+/// turn and \f$ \lambda \f$, see `Elliptical_arc`, are linear in \f$ \cos 2\varphi \f$ and
 /// \f$ \sin 2\varphi \f$: with \f$ p, q = \frac12 (\frac{r_y}{r_x} \pm \frac{r_x}{r_y}) \f$
 /// \f[ k = p\,(-h_y, h_x) + q \cos 2\varphi\,(h_y, h_x) + q \sin 2\varphi\,(-h_x, h_y), \quad
 ///     \lambda r_x r_y = p\,(h_x^2 + h_y^2) + q \cos 2\varphi\,(h_x^2 - h_y^2) + q \sin 2\varphi\,2 h_x h_y. \f]

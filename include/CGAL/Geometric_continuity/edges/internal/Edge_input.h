@@ -26,8 +26,8 @@
 #include <vector>
 
 /// \file Edge_input.h
-/// What the stages of Edge_ladder.h are asked about: the control points next to an edge of each of
-/// two patches, or of rows, in numbers of fixed length; and those of B-spline surfaces over inner
+/// The input of the stages of Edge_ladder.h: the control points next to an edge of each of two
+/// patches, or of rows, in numbers of fixed length; and those of B-spline surfaces over inner
 /// knots, for all spans at once.
 
 namespace CGAL {

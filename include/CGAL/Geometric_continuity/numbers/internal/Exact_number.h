@@ -18,8 +18,7 @@
 #include <utility>
 
 /// \file Exact_number.h
-/// What is said of exact numbers without a header of theirs: those take longer to compile than a
-/// kernel.
+/// Facts about exact numbers without their headers, which take longer to compile than a kernel.
 
 namespace CGAL {
 

@@ -17,7 +17,7 @@
 #include <limits>
 
 /// \file Remainder.h
-/// Whether integers of any length are zero, without such integers: the remainders of a number
+/// Decides if integers of any length are zero, without such integers, by the remainders of a number
 /// modulo several moduli without common divisors are all zero if and only if their product divides
 /// it, so that it is zero when it is smaller than the product.
 

@@ -16,8 +16,8 @@
 #include <utility>
 
 /// \file checked_numbers.h
-/// What is refused of the numbers that callers give: negative counts, infinities and empty
-/// intervals, and their conversion and sign.
+/// Checks that refuse bad numbers of callers: negative counts, infinities and empty intervals, and
+/// their conversion and sign.
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -16,8 +16,8 @@
 #include <vector>
 
 /// \file check_spline.h
-/// Whether numbers are the knots of B-splines, and coefficients those of a spline over them; the
-/// reason if not.
+/// Decides if numbers are the knots of B-splines, and if coefficients are those of a spline over
+/// them; the reason if not.
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -23,8 +23,8 @@
 #include <vector>
 
 /// \file Blend_end.h
-/// What a surface gives to a blend that starts or ends at one of its edges, as splines along the
-/// edge; and splines over common knots.
+/// The data that a surface gives to a blend that starts or ends at one of its edges, as splines
+/// along the edge; and splines over common knots.
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// \file patch_sums.h
-/// What a point of a patch is a sum of: the control points, or the homogeneous points of a rational
+/// The summands of a point of a patch: the control points, or the homogeneous points of a rational
 /// patch.
 
 namespace CGAL {

@@ -17,7 +17,7 @@
 #include <vector>
 
 /// \file surface_denominator.h
-/// Whether the denominator of a rational surface is positive on the whole rectangle of its
+/// Decides if the denominator of a rational surface is positive on the whole rectangle of its
 /// parameters.
 
 namespace CGAL {

@@ -15,8 +15,8 @@
 #include <vector>
 
 /// \file zeros_on_square.h
-/// Whether a polynomial f(u, v) that is not zero on the boundary of the unit square is zero inside,
-/// also where it is nowhere negative and its zeros are no rational numbers.
+/// Decides if a polynomial f(u, v) that is not zero on the boundary of the unit square is zero
+/// inside, also where it is nowhere negative and its zeros are no rational numbers.
 ///
 /// The zeros inside are a closed set. Where one of them has the least u, a factor of f and its
 /// derivative are zero: otherwise the zero would go on to the left. So are f and f_v, divided by
