@@ -220,7 +220,7 @@ class Contour_mender {
     return (std::max)((std::abs)(v.x), (std::abs)(v.y)) <= GC::max_handle_coordinate;
   }
 
-  // How far a handle may move for a kink between these legs: twice what it is off and one unit.
+  // How far a handle may move for a kink between these handles: twice what it is off and one unit.
   CGAL::Exact_rational max_move(std::size_t join, const Vector& a, const Vector& b) const {
     if (options_.max_move) return *options_.max_move;
     const Grid_curve &left = contour_.curves[join], &right = contour_.curves[next(join)];
@@ -286,7 +286,7 @@ class Contour_mender {
   Move to_right(std::size_t join, const Vector& leg) const { return {next(join), 1, points(next(join))[0] + leg}; }
 
   // Legs that are mirror images of each other stay so: on a line of the grid at a right angle to
-  // the axis. Nothing for other legs.
+  // the axis. Nothing for other handles.
   std::optional<Moves> symmetric(std::size_t join, const Vector& a, const Vector& b) const {
     for (const Vector& d : {Vector{1, 0}, Vector{0, 1}, Vector{1, 1}, Vector{1, -1}}) {
       if (cross(d, a) != -cross(d, b) || dot(d, a) != dot(d, b)) continue;
@@ -298,7 +298,7 @@ class Contour_mender {
   }
 
   // align_handles() in coordinates in which mirror images are one: in the first octant with the
-  // longer leg first, seen from there to the left. So their handles move to mirror images, also
+  // longer handle first, seen from there to the left. So their handles move to mirror images, also
   // where several positions are equally near.
   static std::optional<GC::Aligned_handles> aligned(const Vector& a, const Vector& b,
                                                     const CGAL::Exact_rational& most) {

@@ -119,7 +119,8 @@ CGAL_GC_FORCEINLINE void check_blend_input(const Coordinate_jet<FT, N>& phi, con
   if (is_zero_tangent(psi[1])) refuse_blend(Error_code::zero_tangent, "start of the second curve");
 }
 
-// The one road of all blends: Ends is Quintic_ends or Septic_ends, Blend the type of the result.
+// All blends go through this function: Ends is Quintic_ends or Septic_ends, Blend the type of the
+// result.
 template <class Blend, template <class, int> class Ends, class FT, int N, class Strategy>
 CGAL_GC_FORCEINLINE Blend blend_of_jets(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
                                         const Strategy& strategy, const Shape_parameters<FT>& shape) {

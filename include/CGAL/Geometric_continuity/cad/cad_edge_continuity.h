@@ -134,13 +134,13 @@ struct Edge_enclosure {
 
 /// \ingroup PkgGeometricContinuityCadEdges
 /// When an enclosure of a largest value is narrow enough: when its width is at most `relative`
-/// times its upper end, or when its upper end is at most the floor of its kind. Where the work does
-/// not suffice it is wider, and still guaranteed.
+/// times its upper end, or when its upper end is at most the minimum of its kind. Where the work
+/// does not suffice it is wider, and still guaranteed.
 struct Edge_precision {
   double relative = 0.01;
-  double gap = 1e-9;            ///< floor of gaps, in units of the coordinates
-  double angle = 1e-8;          ///< floor of angles, in radians
-  double curvature_jump = 1e-4; ///< floor of relative jumps
+  double gap = 1e-9;            ///< minimum of gaps, in units of the coordinates
+  double angle = 1e-8;          ///< minimum of angles, in radians
+  double curvature_jump = 1e-4; ///< minimum of relative jumps
   double flat_curvature = 1e-6; ///< normal curvatures below it count as flat, in units of 1/length
   /// so many ranges are evaluated at most for each of the three, and 8 for each piece
   int boxes = 4000;

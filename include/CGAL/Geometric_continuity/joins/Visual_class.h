@@ -41,7 +41,7 @@ template <class NT> struct Leg_products {
   }
 };
 
-// The end of a plane Bézier curve as it is drawn: the direction is that of the first leg that is
+// The end of a plane Bézier curve as it is drawn: the direction is that of the first side that is
 // not zero.
 template <class Traits_, int Degree, Curve_end which> class Image_end {
   typedef Bezier_curve<Traits_, Degree> Curve;
@@ -66,7 +66,7 @@ public:
   // Returns whether the handle is at the node. \pre has_length()
   bool is_retracted() const { return leg_ > 1; }
 
-  // Returns whether all control points lie on the chord in order: the legs that are not zero have
+  // Returns whether all control points lie on the chord in order: the sides that are not zero have
   // one direction. \pre has_length()
   bool is_line() const {
     Line leg = line(leg_ - 1, leg_);
@@ -79,7 +79,7 @@ public:
     return true;
   }
 
-  // The first leg that is not zero, as a curve that ends, or starts, at the node.
+  // The first side that is not zero, as a curve that ends, or starts, at the node.
   Line curve() const { return which == Curve_end::end ? line(leg_, 0) : line(0, leg_); }
 
   // Returns the vector in the direction of the curve. The coordinates are subtracted in NT.
@@ -210,7 +210,7 @@ std::optional<Visual_class> visual_class(const Bezier_curve<Traits, Left>& left,
   if (const std::optional<bool> corner = internal::exceeds(a, b, bound))
     return *corner ? Visual_class::corner : Visual_class::kink;
   const bool left_line = a.is_retracted() && a.is_line(), right_line = b.is_retracted() && b.is_line();
-  // A zero first leg is never that of a G2 join.
+  // A zero first side is never that of a G2 join.
   const bool curvature_agrees = left_line && right_line ? true
                                 : left_line             ? is_g2_join(a.curve(), right)
                                 : right_line            ? is_g2_join(left, b.curve())

@@ -22,7 +22,7 @@
 /// Decides the continuity of a join: everything that can be said about it. One single question is
 /// answered faster by join_predicates.h.
 ///
-/// There are two roads to one answer. Curves with `double` coordinates in the plane and in space,
+/// There are two ways to one answer. Curves with `double` coordinates in the plane and in space,
 /// decided exactly up to order 3, take the stages of joins/internal/Join_ladder.h on their control
 /// points. All others are decided by jets, see joins/internal/Join_decision.h.
 

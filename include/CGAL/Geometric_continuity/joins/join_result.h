@@ -150,9 +150,10 @@ private:
 
 // The first three points on both sides of a join, from it inwards, from which it is told how far it
 // is from the order G that it misses: for a report, in floating-point numbers, and when someone
-// asks. With the legs a and b and the vectors h from the join to the next but one point,
+// asks. With the first differences a and b and the vectors h from the join to the next but one
+// point,
 //
-//   gap:  |q_0 - p_0|,   G1:  what of the shorter leg is orthogonal to the other,
+//   gap:  |q_0 - p_0|,   G1:  what of the shorter first difference is orthogonal to the other,
 //   G2:   |K_b - K_a| min(n/(n-1) |b|^2, m/(m-1) |a|^2),   K = (m-1)/m  (w_0 w_2 / w_1^2)  h^orthogonal / |a|^2.
 //
 // Coordinates and weights are divided by powers of two first, so that no square overflows or

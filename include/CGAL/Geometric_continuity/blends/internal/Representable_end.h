@@ -83,8 +83,8 @@ template <class Float> struct Inward_lengths {
 };
 
 // One end of a blend with control points that are numbers of type Float. With the end points A =
-// b_0, b_1, b_2 of a curve of degree m, read inward from the join, the leg p = +-(b_0 - b_1) and
-// q = (b_0 - b_1) - r (b_1 - b_2), r the ratio of the lengths,
+// b_0, b_1, b_2 of a curve of degree m, read inward from the join, the first difference p =
+// +-(b_0 - b_1) and q = (b_0 - b_1) - r (b_1 - b_2), r the ratio of the lengths,
 //
 //   B = A + c p,   C = 2B - A + c^2 f q + e p,   f = 5(m-1)/(4m),
 //
@@ -103,7 +103,8 @@ private:
   static constexpr int plenty = 5, plenty_e = 10;
 
   const std::array<Coordinate_vector<Float, N>, 3> given_; // b_0, b_1, b_2
-  const int sign_;                                         // of the leg p = sign (b_0 - b_1)
+  // of the first difference p = sign (b_0 - b_1)
+  const int sign_;
   const Inward_lengths<Float> lengths_;
   const char* place_;
   int exponent_;          // of beta / first length

@@ -25,8 +25,8 @@
 // A polyline by few Bezier curves, in floating-point numbers: all coordinates are multiples of one
 // unit, which is 1 here. See curves/fit.h.
 //
-// At a joint there are three vectors of integers: its point A, a short leg D along the tangent and
-// the second difference Q that a curve with this leg has. With integers b, f the control points
+// At a joint there are three vectors of integers: its point A, a short tangent D and the second
+// difference Q that a curve with this tangent has. With integers b, f the control points
 //
 //   A,   A + b D,   A + f D + b^2 Q     (the third one for G2 only)
 //
@@ -130,7 +130,7 @@ private:
 
   static double length(const Vector& v) { return Fit_path<N>::length(v); }
 
-  // The control points for multiples of the legs, b f at the start and at the end.
+  // The control points for multiples of the tangents, b f at the start and at the end.
   void set_points(Piece& piece, const Joint& start, const Joint& end, const std::array<double, unknowns>& x) const {
     const double b = x[0], a = x[free_points];
     piece.points[0] = start.point;
@@ -203,7 +203,7 @@ private:
     return piece;
   }
 
-  // One step of least squares: the multiples of the legs, with the curvature of those before.
+  // One step of least squares: the multiples of the tangents, with the curvature of those before.
   void solve(const Joint& start, const Joint& end, const std::array<Vector, most_samples + 1>& x,
              const std::array<double, most_samples + 1>& u, int samples, const std::array<double, unknowns>& natural,
              std::array<double, unknowns>& handles) const {

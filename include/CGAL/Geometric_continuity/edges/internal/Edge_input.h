@@ -368,8 +368,8 @@ bool edge_layers(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Edg
 }
 
 // The control points next to an edge over clamped knots, and the knots across it. With the
-// distances h1 and h2 of the first two that follow the edge, from there on, and the legs a = P1 -
-// P0 and c = P2 - P1, the rows of the derivatives across are
+// distances h1 and h2 of the first two that follow the edge, from there on, and the first
+// differences a = P1 - P0 and c = P2 - P1, the rows of the derivatives across are
 //   T = q a/h1,  W = q (q-1)/h1 (c/h2 - a/h1),
 // coefficient by coefficient, over the knots along the edge.
 template <class Field> struct Spline_side {

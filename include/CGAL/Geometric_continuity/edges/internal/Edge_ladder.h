@@ -250,7 +250,7 @@ public:
 
   bool is_smooth() const {
     if (!normal_is_nowhere_zero()) return false;
-    // a2 = -l a1, by the coordinate x of the first leg, which is not zero
+    // a2 = -l a1, by the coordinate x of the first difference, which is not zero
     const Point first = s1_.a(0), second = s2_.a(0);
     int x = std::abs(first[0]) < std::abs(first[1]) ? 1 : 0;
     if (std::abs(first[x]) < std::abs(first[2])) x = 2;
@@ -264,8 +264,8 @@ public:
   }
 
 private:
-  // By one coordinate of all products of first differences d of the edge and legs a whose basis
-  // functions overlap.
+  // By one coordinate of all products of first differences d of the edge and first differences a
+  // whose basis functions overlap.
   bool normal_is_nowhere_zero() const {
     const std::size_t m = s1_.size(), n = static_cast<std::size_t>(n_);
     for (int x = 0; x < 3; ++x) {

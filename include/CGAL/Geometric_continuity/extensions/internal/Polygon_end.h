@@ -113,7 +113,7 @@ protected:
     if (dot(p(), p()) == FT(0)) throw Error(Error_code::zero_tangent, place);
   }
 
-  // the point b_{-i} and the legs
+  // the point b_{-i} and the first differences
   template <class F = FT> Coordinates_over<F> b(int i) const { return convert<F>(points_[i]); }
   template <class F = FT> Coordinates_over<F> p() const { return b<F>(0) - b<F>(1); }
   template <class F = FT> Coordinates_over<F> r() const { return b<F>(2) - b<F>(1); }
