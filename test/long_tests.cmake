@@ -1,8 +1,10 @@
-# Most tests are short: test/run has them. A build that is not asked to leave the others out has all; .ci/run has them in two builds.
-# A test case with the label "long" is left out of a test that is short otherwise.
-# The target long_tests builds what the long ones need: other kernels and examples than the most common, many optima and samples, proofs by
-# Gappa. The target release_tests builds the program as it is released, with optimisation, and what its tests need, under limits of time
-# and memory or on many files; the exact cases on three kernels, and what optimisation could break, belong to it.
+# Most tests are short: test/run has them. A build that is not asked to leave the others out has
+# all; .ci/run has them in two builds. A test case with the label "long" is left out of a test that
+# is short otherwise. The target long_tests builds what the long ones need: other kernels and
+# examples than the most common, many optima and samples, proofs by Gappa. The target release_tests
+# builds the program as it is released, with optimisation, and what its tests need, under limits of
+# time and memory or on many files; the exact cases on three kernels, and what optimisation could
+# break, belong to it.
 option(GEOMETRIC_CONTINUITY_SHORT_TESTS_ONLY "Leave out tests that take long" OFF)
 option(GEOMETRIC_CONTINUITY_UNOPTIMISED_PROGRAM "Leave out the optimisation of the program, and the tests of what is released"
        ${GEOMETRIC_CONTINUITY_SHORT_TESTS_ONLY})
@@ -35,7 +37,8 @@ set(release_tests
 add_custom_target(long_tests)
 add_custom_target(release_tests)
 
-# label_long(TEST [TARGET...]): after add_test, for the tests that are listed above. The test needs the targets.
+# label_long(TEST [TARGET...]): after add_test, for the tests that are listed above. The test needs
+# the targets.
 function(label_long test)
   set(left_out ${GEOMETRIC_CONTINUITY_SHORT_TESTS_ONLY})
   if(test IN_LIST long_tests)

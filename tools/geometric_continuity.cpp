@@ -64,7 +64,8 @@ const std::vector<const Command*> commands = {
     &blend_command, &connect_command, &extend_command, &interpolate_command, &fit_command,        &verify_command,
     &merge_command, &repair_command,  &plot_command,   &report_command,      &tessellate_command, &round_edges_command};
 
-// Parses the arguments. Where the value of an option is missing that is one of some words, the error lists them.
+// Parses the arguments. Where the value of an option is missing that is one of some words, the
+// error lists them.
 Command_line parsed(const Command& command, const Arguments& arguments) try {
   return Command_line(command, arguments);
 } catch (const po::invalid_command_line_syntax& e) {

@@ -44,8 +44,8 @@ public:
   std::string operator/(const char* name) const { return (path_ / name).string(); }
 };
 
-// Arguments of the program, and its goal: at most so many times the limit; on two cores, so many times faster than the first
-// command of the file on one.
+// Arguments of the program, and its goal: at most so many times the limit; on two cores, so many
+// times faster than the first command of the file on one.
 struct Command {
   std::vector<std::string> arguments;
   double goal;
@@ -53,7 +53,8 @@ struct Command {
   int code = 0; // with which the program ends
 };
 
-// Runs a program on generated files, in turns with the reading limit, and prints what both cost, their ratios and the goals.
+// Runs a program on generated files, in turns with the reading limit, and prints what both cost,
+// their ratios and the goals.
 class Program_benchmark {
   static constexpr int runs = 5;
   static constexpr double memory_goal = 64; // MiB
@@ -131,7 +132,8 @@ class Program_benchmark {
 public:
   explicit Program_benchmark(const std::string& program) : program_(program) {}
 
-  // write(stream) writes the file and returns how many numbers it has at least; the first command must say the answer.
+  // write(stream) writes the file and returns how many numbers it has at least; the first command
+  // must say the answer.
   template <class Write>
   void measure(const char* name, Write write, const std::vector<Command>& commands, const std::string& answer) {
     const std::string path = folder_ / name;

@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
-// Benchmarks are named "work | method". Besides the usual table, prints for each work the ratio of each method to the first
-// one, which is the limit that instructions written by hand reach.
+// Benchmarks are named "work | method". Besides the usual table, prints for each work the ratio of
+// each method to the first one, which is the limit that instructions written by hand reach.
 class Ratio_table : public benchmark::ConsoleReporter {
   std::map<std::string, double> first_;
   std::vector<std::pair<std::string, double>> runs_;
@@ -55,7 +55,7 @@ inline void check(bool good, std::string_view what) {
   std::exit(1);
 }
 
-// What main() does after the answers have been compared and the benchmarks registered.
+// Runs the registered benchmarks, after main() has compared the answers.
 inline int run_benchmarks(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   Ratio_table table;

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Quintic blends in double, one at a time and in batches, against instructions written by hand, and against what SISL (G1 only)
-// and OpenCASCADE (in the plane, by iteration) offer for the purpose. Results are compared before anything is timed.
+// Quintic blends in double, one at a time and in batches, against instructions written by hand, and
+// against what SISL (G1 only) and OpenCASCADE (in the plane, by iteration) offer for the purpose.
+// Results are compared before anything is timed.
 
 #include "Ratio_table.h"
 #include "by_hand.h"

@@ -2,11 +2,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What guaranteed verdicts on all edges of CAD models cost, against those that OpenCASCADE takes from samples, and where they
-// differ or are wide.
+// Measures the cost of guaranteed verdicts on all edges of CAD models, against the verdicts that
+// OpenCASCADE takes from samples, and lists where both differ or where enclosures are wide.
 //   benchmark_cad MODEL...
-// Each model has a process of its own on one core, which reads it and decides its edges with the code of the program. Then, in the same
-// process, OpenCASCADE takes its samples. The tolerances are those of VDA 4955.
+// Each model has a process of its own on one core, which reads it and decides its edges with the
+// code of the program. Then, in the same process, OpenCASCADE takes its samples. The tolerances are
+// those of VDA 4955.
 
 #include "commands/cad/Cad_words.h"
 #include "commands/tolerances.h"
@@ -38,8 +39,9 @@
 
 namespace {
 
-// Of a model, or of all. What has two sides is decided, seams as well. Missed: the largest angle exceeds all those at the samples by
-// more than a tenth, and a thousandth of a degree. Seconds of the processor.
+// Holds the counts for one model, or for all. Edges with two sides are decided, seams as well. An
+// edge is missed if the largest angle exceeds all angles at the samples by more than a tenth, and
+// by a thousandth of a degree. Times are in seconds of the processor.
 struct Row {
   std::size_t edges, decided, proved, refuted, undecided, wide, exact, differing, missed;
   double reading, deciding, slowest, deciding_exactly, sampling;
@@ -97,7 +99,8 @@ bool is_wide(const GC::Edge_enclosure& e) {
          (e.curvature_jump && is_wide(e.curvature_jump->value, precision.curvature_jump));
 }
 
-// The largest angle of the normals that 21 samples show, in radians: those in the middle 98 % of the edge.
+// The largest angle of the normals that 21 samples show, in radians: those in the middle 98 % of
+// the edge.
 double angle_at_samples(const Cad_edge& edge) {
   double largest = 0;
   for (int i = 0; i <= 20; ++i) {
@@ -111,9 +114,10 @@ double angle_at_samples(const Cad_edge& edge) {
   return largest;
 }
 
-// Why samples and proof differ. OpenCASCADE compares derivatives of both surfaces: at each sample that orthogonal to the edge in the
-// parameter plane, hence along the tangent plane in a direction that depends on the parametrisation. They must be parallel there,
-// or else where the curve on the second surface is next to the point on the first one.
+// Why samples and proof differ. OpenCASCADE compares derivatives of both surfaces: at each sample
+// that orthogonal to the edge in the parameter plane, hence along the tangent plane in a direction
+// that depends on the parametrisation. They must be parallel there, or else where the curve on the
+// second surface is next to the point on the first one.
 const char* reason(bool sampled_g1, const Cad_verdict& verdict, double at_samples, const GC::Bound& angle) {
   if (!verdict.enclosure) return "not covered";
   if (verdict.within[1] == GC::Verdict::undecided) return "the enclosure holds the tolerance";
@@ -136,7 +140,8 @@ class Cad_benchmark {
   void decide(const Cad_model& model, std::vector<Cad_verdict>& verdicts) {
     for (const Cad_edge& edge : model.edges) {
       const double start = processor_seconds();
-      verdicts.push_back(cad_verdict(edge, demand_)); // also of knot lines, and of edges that are said to be points
+      // also of knot lines, and of edges that are said to be points
+      verdicts.push_back(cad_verdict(edge, demand_));
       const Cad_verdict& verdict = verdicts.back();
       const double seconds = processor_seconds() - start;
       row_.deciding += seconds;
@@ -169,7 +174,8 @@ class Cad_benchmark {
   void sample(const Cad_model& model, const std::vector<std::optional<Sampled_edge>>& edges,
               const std::vector<Cad_verdict>& verdicts) {
     const auto is_knot_line = [](const Cad_edge& edge) { return edge.kind == Cad_edge_kind::knot_line; };
-    const auto lines = std::count_if(model.edges.begin(), model.edges.end(), is_knot_line); // which come last
+    // which come last
+    const auto lines = std::count_if(model.edges.begin(), model.edges.end(), is_knot_line);
     if (edges.size() + static_cast<std::size_t>(lines) != model.edges.size())
       throw std::runtime_error(file_ + ": not the same edges");
     std::vector<char> g1(edges.size());

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Enclosures over whole edges of CAD models: for each edge, to the default precision, with the number of ranges that it takes.
+// Enclosures over whole edges of CAD models: for each edge, to the default precision, with the
+// number of ranges that it takes.
 
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Jets and curvature with torsion in double: one at a time and in batches, against instructions written by
-// hand and against OpenCASCADE, SISL and Eigen where they were found. Results are compared before anything is timed.
+// Jets and curvature with torsion in double: one at a time and in batches, against instructions
+// written by hand and against OpenCASCADE, SISL and Eigen where they were found. Results are
+// compared before anything is timed.
 
 #include "Ratio_table.h"
 #include "by_hand.h"

@@ -2,10 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Exact decisions about whole edges of bicubic patches with double coordinates, against the test at samples in
-// floating-point arithmetic that one writes by hand and is not certified, and against the same test in exact number types, with
-// so many samples that it is a proof; and whole models, against the decisions on their shared edges one by one in
-// multi-precision. All answers are compared before anything is timed.
+// Exact decisions about whole edges of bicubic patches with double coordinates, against the test at
+// samples in floating-point arithmetic that one writes by hand and is not certified, and against
+// the same test in exact number types, with so many samples that it is a proof; and whole models,
+// against the decisions on their shared edges one by one in multi-precision. All answers are
+// compared before anything is timed.
 
 #include "Ratio_table.h"
 
@@ -36,7 +37,7 @@ typedef GC::Bezier_patch<Traits> Patch;
 typedef Traits::Point Point;
 constexpr GC::Patch_edge v0 = GC::Patch_edge::v0;
 
-// ---------------------------------------------------------------- the test by hand, in any number type
+// ------------------------------------------------------------ the test by hand, in any number type
 
 template <class FT> using Vec = std::array<FT, 3>;
 template <class FT> Vec<FT> hand_minus(const Vec<FT>& x, const Vec<FT>& y) {
@@ -82,8 +83,9 @@ template <class FT> Vec<FT> coordinates(const Patch& s, int i, int j) {
   return {FT(p.x()), FT(p.y()), FT(p.z())};
 }
 
-// G1: n1 = C' x T1 and n2 = C' x T2 opposite. G2: T2 = p C' + q T1 and n1.W2 = p^2 n1.C'' + 2 p q n1.T1' + q^2 n1.W1.
-// The determinant has degree 8 and the identity, times the square of a coordinate of n1, degree 18.
+// G1: n1 = C' x T1 and n2 = C' x T2 opposite. G2: T2 = p C' + q T1 and n1.W2 = p^2 n1.C'' + 2 p q
+// n1.T1' + q^2 n1.W1. The determinant has degree 8 and the identity, times the square of a
+// coordinate of n1, degree 18.
 template <int order, class FT> bool by_hand(const Patch& a, const Patch& b) {
   constexpr bool certified = !std::is_floating_point_v<FT>;
   Vec<FT> c[4], d[3], e[2], t1[4], t2[4], f[3], w1[4], w2[4];
@@ -132,7 +134,8 @@ struct Input {
   std::array<std::vector<Patch>, 3> second[3]; // [order][class]
 };
 
-// Bicubic patches with whole coordinates of about 50 bits that are G2, with T2 = p C' + q T1 for a linear p.
+// Bicubic patches with whole coordinates of about 50 bits that are G2, with T2 = p C' + q T1 for a
+// linear p.
 const Input& input() {
   static const Input result = [] {
     Input in;
@@ -315,7 +318,8 @@ template <class Surface> auto in_patches(const std::vector<Surface>& model) {
   return patches;
 }
 
-// Each shared edge of patches in multi-precision, when they are known: not recognised, and without reasons.
+// Each shared edge of patches in multi-precision, when they are known: not recognised, and without
+// reasons.
 template <class Patches, class Model> std::size_t smooth_one_by_one(const Patches& patches, const Model& model) {
   std::size_t smooth = 0;
   for (const auto& e : model.edges) {

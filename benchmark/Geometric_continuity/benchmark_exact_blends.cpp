@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Exact blends: on rational numbers, against the same formulas with the operators of the number type and against integers
-// by hand; and as one lazy construction, against a lazy number for each operation. All results are compared before anything
-// is timed.
+// Exact blends: on rational numbers, against the same formulas with the operators of the number
+// type and against integers by hand; and as one lazy construction, against a lazy number for each
+// operation. All results are compared before anything is timed.
 
 #include "Ratio_table.h"
 
@@ -83,8 +83,9 @@ auto by_operators(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>&
 }
 
 #ifdef CGAL_USE_GMPXX
-// Integers by hand, for Minimal_second_derivative: one denominator D for each end, and with the integers x, x', x'' of the
-// jet, G = x'.x' and H = x'.x'' the points B = (5 x ± x') / (5 D), C = (20 G x ± (8 G ∓ H) x' + G x'') / (20 G D).
+// Integers by hand, for Minimal_second_derivative: one denominator D for each end, and with the
+// integers x, x', x'' of the jet, G = x'.x' and H = x'.x'' the points B = (5 x ± x') / (5 D), C =
+// (20 G x ± (8 G ∓ H) x' + G x'') / (20 G D).
 class By_hand {
   mpz_class x_[3][3], d_, g_, h_, t_;
 
@@ -203,7 +204,7 @@ template <class Strategy> void add_strategy(const std::string& name, const Strat
   }
 }
 
-// What it takes to get the jets of curves.
+// Measures the time to get the jets of curves.
 void add_curves() {
   typedef GC::Bezier_curve<Exact_traits, 5> Curve;
   std::mt19937_64 engine(5);

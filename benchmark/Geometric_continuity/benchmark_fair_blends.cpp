@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Fair blends between curves that lead from one to the other, in the plane and in space, against OpenCASCADE's curve of minimal
-// variation (in the plane, with the same tangents and curvatures at the ends) and against the same functional minimised by
-// Eigen's Levenberg-Marquardt with numeric differences. The values of E are compared and printed before anything is timed.
+// Fair blends between curves that lead from one to the other, in the plane and in space, against
+// OpenCASCADE's curve of minimal variation (in the plane, with the same tangents and curvatures at
+// the ends) and against the same functional minimised by Eigen's Levenberg-Marquardt with numeric
+// differences. The values of E are compared and printed before anything is timed.
 
 #include "Ratio_table.h"
 #include "measure.h"

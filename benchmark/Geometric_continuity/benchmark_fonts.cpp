@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What the built program costs on fonts, against reading them alone: a process in which FreeType loads the same glyphs, and the same
-// code takes them apart into segments. Both run on one core, in turns, several times; the least times of the processor count.
+// Measures the cost of the built program on fonts, against a process that only reads them: a
+// process in which FreeType loads the same glyphs, and the same code takes them apart into
+// segments. Both run on one core, in turns, several times; the least times of the processor count.
 //   benchmark_fonts PROGRAM FONT_OR_FOLDER...
 
 #include "measured_process.h"

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Corner, kink, G1 or G2: exact grades of joins of cubics whose coordinates are integers below 2^20, as in letters, against the
-// test with an arc tangent and a tolerance that one writes by hand. All answers are compared before anything is timed.
+// Corner, kink, G1 or G2: exact grades of joins of cubics whose coordinates are integers below
+// 2^20, as in letters, against the test with an arc tangent and a tolerance that one writes by
+// hand. All answers are compared before anything is timed.
 
 #include "Ratio_table.h"
 #include "measure.h"

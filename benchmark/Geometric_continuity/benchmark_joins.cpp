@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Exact decisions about joins with double coordinates, against the floating-point test that one writes by hand and is not
-// certified, and against the same test in other exact number types. All answers are compared before anything is timed.
+// Exact decisions about joins with double coordinates, against the floating-point test that one
+// writes by hand and is not certified, and against the same test in other exact number types. All
+// answers are compared before anything is timed.
 
 #include "Ratio_table.h"
 
@@ -45,7 +46,7 @@ typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Traits
 typedef GC::Bezier_curve<Traits, 5> Curve;
 typedef Traits::Point Point;
 
-// ---------------------------------------------------------------- the test by hand, in any number type
+// ------------------------------------------------------------ the test by hand, in any number type
 
 template <class FT> using Vec = std::array<FT, 3>;
 template <class FT> Vec<FT> hand_minus(const Vec<FT>& x, const Vec<FT>& y) {
@@ -255,8 +256,8 @@ void register_passes() {
 #endif
 }
 
-// Joins of each class for the same left curves: the right one continues the left one as C3, and then one control point is moved,
-// that of the first order that shall not hold.
+// Joins of each class for the same left curves: the right one continues the left one as C3, and
+// then one control point is moved, that of the first order that shall not hold.
 void register_all_orders() {
   static const char* const names[] = {"gap", "C0", "C1 G1", "C2 G2", "C3 G3 F3"};
   static std::array<std::vector<Curve>, 5> right;
@@ -334,7 +335,8 @@ void register_chains() {
 }
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
-// What OpenCASCADE offers for G2, with tolerances: it accepts the joins that are off by one unit as well.
+// OpenCASCADE offers these checks of G2, with tolerances: they accept the joins that are off by one
+// unit as well.
 struct Occt_curves {
   std::vector<Handle(Geom_BezierCurve)> left;
   std::array<std::vector<Handle(Geom_BezierCurve)>, 3> right;

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Curves through and near many points: natural cubic splines against elimination written by hand for just that, against FITPACK's method,
-// against Eigen and OpenCASCADE, where they were found; and fits of polylines against OpenCASCADE's. What the results are worth is printed
-// before anything is timed: how far they are from the points, and how smooth.
+// Curves through and near many points: natural cubic splines against elimination written by hand
+// for just that, against FITPACK's method, against Eigen and OpenCASCADE, where they were found;
+// and fits of polylines against OpenCASCADE's. What the results are worth is printed before
+// anything is timed: how far they are from the points, and how smooth.
 
 #include "Ratio_table.h"
 
@@ -54,7 +55,8 @@ std::vector<Point> points_of(int n) {
   return p;
 }
 
-// The equations of the control points of the natural spline: row(i, a, b, c, x, y, z) for a b_i-1 + b b_i + c b_i+1 = (x, y, z).
+// The equations of the control points of the natural spline: row(i, a, b, c, x, y, z) for a b_i-1 +
+// b b_i + c b_i+1 = (x, y, z).
 template <class Row> void for_equations(const std::vector<Point>& p, const std::vector<double>& u, Row row) {
   const int n = static_cast<int>(p.size());
   const auto knot = [&](int i) { return u[(std::min)((std::max)(i, 0), n - 1)]; };
@@ -88,8 +90,8 @@ std::vector<std::array<double, 3>> by_hand(const std::vector<Point>& p, const st
   return x;
 }
 
-// The same by rotations of rows of a band matrix, as FITPACK solves such systems (fpgivs, fprota, fpback): with two diagonals above the
-// first one.
+// Solves the system by rotations of rows of a band matrix, as FITPACK solves such systems (fpgivs,
+// fprota, fpback), with two diagonals above the first one.
 std::vector<std::array<double, 3>> by_rotations(const std::vector<Point>& p, const std::vector<double>& u) {
   const int n = static_cast<int>(p.size());
   std::vector<std::array<double, 3>> band(n + 2), x(n + 2); // of row i, the columns i, i + 1, i + 2
@@ -119,7 +121,7 @@ std::vector<std::array<double, 3>> by_rotations(const std::vector<Point>& p, con
 }
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_EIGEN
-// The same by a general solver for sparse matrices.
+// Solves the system by a general solver for sparse matrices.
 Eigen::MatrixXd by_eigen(const std::vector<Point>& p, const std::vector<double>& u) {
   const int n = static_cast<int>(p.size());
   std::vector<Eigen::Triplet<double>> entries;
@@ -151,7 +153,8 @@ Eigen::Array3Xd by_eigen_arrays(const std::vector<Point>& p, const std::vector<d
   for (int i = n; i >= 0; --i) x.col(i) -= upper[i] * x.col(i + 1);
   return x;
 }
-// Eigen's own splines: through the same points at the same parameters, with other knots, and with a matrix that is not sparse.
+// Eigen's own splines: through the same points at the same parameters, with other knots, and with a
+// matrix that is not sparse.
 Eigen::Spline3d eigen_spline(const std::vector<Point>& p, const std::vector<double>& u) {
   Eigen::Matrix3Xd points(3, p.size());
   Eigen::RowVectorXd parameters(p.size());
@@ -177,7 +180,8 @@ Handle(Geom_BSplineCurve) occt_fit(const std::vector<Point>& p, double tolerance
   for (std::size_t i = 0; i < p.size(); ++i) points(static_cast<int>(i) + 1) = gp_Pnt(p[i].x(), p[i].y(), p[i].z());
   return GeomAPI_PointsToBSpline(points, 3, 5, order, tolerance).Curve();
 }
-// The largest distance of the points from the chords between many points of a curve that runs by them in their order.
+// The largest distance of the points from the chords between many points of a curve that runs by
+// them in their order.
 double distance(const std::vector<Point>& p, const Handle(Geom_BSplineCurve) & curve) {
   const int samples = 40 * static_cast<int>(p.size());
   const double a = curve->FirstParameter(), b = curve->LastParameter();

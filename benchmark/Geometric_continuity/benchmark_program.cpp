@@ -2,11 +2,13 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What the built program costs on large files, against a reading limit: a process that maps the same file and calls
-// std::from_chars on every number. Both run on one core, in turns, several times; the least times count. A ratio is that of the
-// times of the processor, which depend less on what else the machine does; only on two cores the times that pass are compared.
+// Measures the cost of the built program on large files, against a reading limit: a process that
+// maps the same file and calls std::from_chars on every number. Both run on one core, in turns,
+// several times; the least times count. Ratios compare times of the processor, which depend less on
+// the load of the machine. Only on two cores wall-clock times are compared.
 //   benchmark_program PROGRAM [SCALE] [--long] [--json FILE]
-// SCALE makes the files smaller for a quick look; the goals are those of 1. --long adds ten million curves through a pipe.
+// SCALE makes the files smaller for a quick look; the goals are those of 1. --long adds ten million
+// curves through a pipe.
 
 #include "Program_benchmark.h"
 #include "generated_files.h"

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Rational curves and surfaces of doubles: jets, one at a time and in batches, and knot insertion, against OpenCASCADE and SISL
-// where they were found, and the price of exact decisions against those on polynomials. Results are compared before anything is
-// timed.
+// Rational curves and surfaces of doubles: jets, one at a time and in batches, and knot insertion,
+// against OpenCASCADE and SISL where they were found, and the price of exact decisions against
+// those on polynomials. Results are compared before anything is timed.
 
 #include "Ratio_table.h"
 #include "measure.h"
@@ -282,7 +282,8 @@ Filtered::Point grid_point() {
   return Filtered::Point(x, y, z);
 }
 
-// is_join(left, right) of polynomial curves, and of the same points in another rational parametrisation.
+// is_join(left, right) of polynomial curves, and of the same points in another rational
+// parametrisation.
 template <class Predicate> void register_join(const std::string& name, Predicate is_join) {
   typedef GC::Bezier_curve<Filtered, 5> Quintic;
   typedef GC::Rational_bezier_curve<Filtered, 5> Rational;
@@ -312,7 +313,8 @@ template <class Predicate> void register_join(const std::string& name, Predicate
                                                                      : ", common tangent, does not hold | ");
     time(title, left, right, Rational(left).reparametrised(2), Rational(right).reparametrised(4), holds);
   }
-  // With weights of 53 bits: one half, and the same turned by pi about an axis in its osculating plane, normal to its tangent.
+  // With weights of 53 bits: one half, and the same turned by pi about an axis in its osculating
+  // plane, normal to its tangent.
   std::array<double, 6> weights;
   for (double& w : weights) w = between(1, 2);
   for (Filtered::Point& p : points) p = grid_point();
@@ -329,8 +331,9 @@ template <class Predicate> void register_join(const std::string& name, Predicate
     time(name + ", symmetric, weights of 53 bits, holds | ", turned_half, half, long_turned_half, long_half, holds);
 }
 
-// is_g2_join of ends whose weights are short and do not cancel: w_0 w_2/w_1^2 is 3 on the left and 3/4 on the right. The differences D_2 of
-// both ends obey V_2 = 4 (3 W_2)/(3/4) up to a multiple of D_1, and V_2 = 4 W_2 for polynomials.
+// is_g2_join of ends whose weights are short and do not cancel: w_0 w_2/w_1^2 is 3 on the left and
+// 3/4 on the right. The differences D_2 of both ends obey V_2 = 4 (3 W_2)/(3/4) up to a multiple of
+// D_1, and V_2 = 4 W_2 for polynomials.
 void register_g2_join_of_other_weights() {
   typedef GC::Bezier_curve<Filtered, 5> Quintic;
   typedef GC::Rational_bezier_curve<Filtered, 5> Rational;

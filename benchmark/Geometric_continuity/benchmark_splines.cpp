@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Products of a cubic spline function and a cubic curve in space, and cubic curves elevated to degree 6, with 0 to 64 simple
-// inner knots: against instructions written by hand for just that, and against OpenCASCADE and SISL where they were found.
-// Results are compared before anything is timed.
+// Products of a cubic spline function and a cubic curve in space, and cubic curves elevated to
+// degree 6, with 0 to 64 simple inner knots: against instructions written by hand for just that,
+// and against OpenCASCADE and SISL where they were found. Results are compared before anything is
+// timed.
 
 #include "Ratio_table.h"
 
@@ -46,8 +47,9 @@ bool near(double x, double y) { return std::abs(x - y) <= 1e-12; }
 // ---------------------------------------------------------------- input
 
 struct Input {
-  int k;                                // inner knots
-  std::vector<double> knots, f;         // all knots, four times at the ends; the coefficients of the function
+  int k; // inner knots
+  // all knots, four times at the ends; the coefficients of the function
+  std::vector<double> knots, f;
   std::vector<std::array<double, 3>> g; // the control points of the curve
   Function function;
   Curve curve;
@@ -93,8 +95,9 @@ private:
 
 // ---------------------------------------------------------------- by hand
 
-// The Bernstein coefficients of a cubic on one span after the other, for simple inner knots: w holds the values
-// [u,u,u], [u,u,a], [u,a,b], [a,b,c] of the blossom at the start u of a span and the knots a, b, c that follow.
+// The Bernstein coefficients of a cubic on one span after the other, for simple inner knots: w
+// holds the values [u,u,u], [u,u,a], [u,a,b], [a,b,c] of the blossom at the start u of a span and
+// the knots a, b, c that follow.
 template <int Coordinates> struct Hand_spans {
   double w[4][Coordinates], b[4][Coordinates];
 
@@ -120,7 +123,8 @@ template <int Coordinates> struct Hand_spans {
   }
 };
 
-// The four coefficients in degree 6 of a span between simple knots: the first one straddles the knot u after the knot t.
+// The four coefficients in degree 6 of a span between simple knots: the first one straddles the
+// knot u after the knot t.
 template <class Coefficient> void hand_coefficients(double t, double u, double a, Coefficient c, double (*out)[3]) {
   const double q = (t - u) / (a - u);
   for (int x = 0; x < 3; ++x) {

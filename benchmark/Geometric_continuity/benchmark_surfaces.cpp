@@ -2,10 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Grids of points and unit normals of surfaces in double, against instructions written by hand for just that surface, and
-// against OpenCASCADE and SISL where they were found. Blends of two bicubic patches, on double against sums of control points by hand,
-// and on rational numbers against integers over one denominator, and against fillings and lofts of OpenCASCADE and SISL, of which is told how
-// smooth they are.
+// Grids of points and unit normals of surfaces in double, against instructions written by hand for
+// just that surface, and against OpenCASCADE and SISL where they were found. Blends of two bicubic
+// patches, on double against sums of control points by hand, and on rational numbers against
+// integers over one denominator, and against fillings and lofts of OpenCASCADE and SISL, of which
+// is told how smooth they are.
 // Results are compared before anything is timed.
 
 #include "Ratio_table.h"
@@ -70,7 +71,8 @@ const std::vector<double>& parameters() {
   return t;
 }
 
-// Along a line u = constant, points and normals S_u x S_v are linear in v: a + v b for each coordinate.
+// Along a line u = constant, points and normals S_u x S_v are linear in v: a + v b for each
+// coordinate.
 struct Hand_grid {
   double net[7][2][3];
   std::vector<double> numbers;

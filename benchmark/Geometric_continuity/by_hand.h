@@ -30,8 +30,8 @@ struct Jet {
   double d[4][3]; // the point and three derivatives
 };
 
-// De Casteljau's algorithm with differences, one coordinate after the other. The ends of the domain give the first and the
-// last control point exactly.
+// De Casteljau's algorithm with differences, one coordinate after the other. The ends of the domain
+// give the first and the last control point exactly.
 inline Jet jet(const Quintic& c, double u) {
   const double h = c.b - c.a, t = (u - c.a) / h, s = 1 - t, r = 1 / h, f1 = 5 * r, f2 = f1 * (4 * r), f3 = f2 * (3 * r);
   Jet out;
@@ -82,7 +82,7 @@ public:
     return out;
   }
 
-  // The same for many parameters; `out` has `stride` numbers for each derivative and coordinate.
+  // Evaluates many parameters; `out` has `stride` numbers for each derivative and coordinate.
   void batch(const double* u, std::size_t size, double* out, std::size_t stride) const {
     for (int x = 0; x < 3; ++x) {
       double p[4][6]; // of its own, and not changed by what is written
@@ -106,7 +106,8 @@ private:
   }
 };
 
-// Of many jets; `jets` are the first derivatives, then the second and the third, with `stride` numbers for each coordinate.
+// Takes many jets; `jets` are the first derivatives, then the second and the third, with `stride`
+// numbers for each coordinate.
 inline void curvature_and_torsion(const double* jets, std::size_t stride, std::size_t size, double* __restrict k,
                                   double* __restrict t) {
   const double *x1 = jets, *y1 = x1 + stride, *z1 = y1 + stride, *x2 = z1 + stride, *y2 = x2 + stride,
@@ -121,7 +122,7 @@ inline void curvature_and_torsion(const double* jets, std::size_t stride, std::s
   }
 }
 
-// ---------------------------------------------------------------- quintic blends with the least second derivatives
+// ------------------------------------------------ quintic blends with the least second derivatives
 
 struct Blend {
   double points[6][3];
@@ -145,8 +146,8 @@ inline Blend blend(const Jet& x, const Jet& y) {
   return g;
 }
 
-// The same with what the package promises: jets of a low order, zero tangents and results that overflow are refused, and the
-// curve has its domain and the parameters of the strategy with it.
+// A blend with the guarantees of the package: jets of a low order, zero tangents and results that
+// overflow are refused, and the curve has its domain and the parameters of the strategy with it.
 struct Checked_blend {
   Blend curve;
   double a, b;

@@ -1,10 +1,12 @@
 // Copyright (c) 2026 The Geometric_continuity developers
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Smooth corners, offsets, rounded numbers and letters of libraries of JavaScript beside the package for browsers: each result is decided by the
-// package, exactly for its numbers, and the time of an operation is that of the middle of many, in three runs in which the methods take turns.
-// The libraries come from the npm registry into a temporary folder. Writes rows as of measured/, on which see `measure`.
-// Usage: node compare_javascript.mjs PACKAGE.tgz FONT.ttf >OUTPUT, with the package that browser/build makes
+// Smooth corners, offsets, rounded numbers and letters of libraries of JavaScript beside the
+// package for browsers: each result is decided by the package, exactly for its numbers, and the
+// time of an operation is that of the middle of many, in three runs in which the methods take
+// turns. The libraries come from the npm registry into a temporary folder. Writes rows as of
+// measured/, on which see `measure`. Usage: node compare_javascript.mjs PACKAGE.tgz FONT.ttf
+// >OUTPUT, with the package that browser/build makes
 
 import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
@@ -35,7 +37,8 @@ try {
     const most = (key) => Math.max(0, ...joins.map((j) => j[key] ?? 0));
     return `${joins.length} joins${corners ? ` and ${corners} corners` : ''}, G1 ${joins.filter((j) => j.g >= 1).length}, G2 ${joins.filter((j) => j.g >= 2).length}, kinks to ${number(most('angle'))} degrees, curvature off by up to ${number(most('jump'))} %`;
   };
-  // What a path is: its orders exactly for its numbers; the bounds of arcs, which are rounded there, are those of their nearest doubles.
+  // Decides the orders of a path exactly, for its numbers. The bounds of arcs, which are rounded
+  // there, belong to their nearest doubles.
   const decided = async (d) => {
     const text = drawing(d), curves = (await gc.svgCurves(text)).subpaths.flatMap((p) => p.curves);
     return words((await gc.verifySvg(text)).joins.map(({ left, right, g_order }) => {

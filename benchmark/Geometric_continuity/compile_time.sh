@@ -3,8 +3,8 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
-# What minimal programs cost to compile, in seconds of the processor (the least of several runs) and bytes of the stripped
-# object file, against a program that includes its kernel alone.
+# Measures the compilation of minimal programs, in seconds of the processor (the least of several
+# runs) and bytes of the stripped object file, against a program that includes its kernel alone.
 #   compile_time.sh JSON REPETITIONS COMPILER FLAGS...
 set -euo pipefail
 json=$1 repetitions=$2

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What a kernel alone costs: see compile_time.sh.
+// This program includes a kernel alone, for comparison: see compile_time.sh.
 
 #ifdef WITH_FILTERED_KERNEL
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

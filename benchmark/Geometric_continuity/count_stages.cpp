@@ -2,9 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Asks is_g1_join(), is_g2_join() and is_g3_join() of all joins of a corpus whose coordinates are doubles; count_stages.h counts what decides.
+// Asks is_g1_join(), is_g2_join() and is_g3_join() of all joins of a corpus whose coordinates are
+// doubles; count_stages.h counts what decides.
 //   count_stages fonts FONT_OR_FOLDER...
-//   count_stages drawings FILE.svg...   their joins of Bezier curves; the doubles nearest to the coordinates in the drawing
+//   count_stages drawings FILE.svg...   their joins of Bezier curves; the doubles nearest to the
+//                                       coordinates in the drawing
 //   count_stages blends                 of random curves, rounded to doubles: G2 up to rounding
 //   count_stages representable_blends   of the same curves
 

@@ -5,11 +5,13 @@
 #ifndef COUNT_STAGES_H
 #define COUNT_STAGES_H
 
-// Counts which stage decides each question about a join or an edge, in a program that is compiled with `-include count_stages.h`. At its end
-// it appends lines "join STAGE ANSWER NUMBER" and "edge STAGE ANSWER NUMBER" to the file that GEOMETRIC_CONTINUITY_STAGES names. In all
-// headers that are read behind this one, the names of what says which stages are taken become those of what counts.
+// Counts which stage decides each question about a join or an edge, in a program that is compiled
+// with `-include count_stages.h`. At its end it appends lines "join STAGE ANSWER NUMBER" and "edge
+// STAGE ANSWER NUMBER" to the file that GEOMETRIC_CONTINUITY_STAGES names. In all headers that are
+// read behind this one, the names of what says which stages are taken become those of what counts.
 
-#if __has_include(<CGAL/Geometric_continuity/joins/internal/Join_question.h>) // not where CMake tries the compiler
+// not where CMake tries the compiler
+#if __has_include(<CGAL/Geometric_continuity/joins/internal/Join_question.h>)
 
 #include <CGAL/Geometric_continuity/joins/internal/Join_question.h>
 
@@ -85,7 +87,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// What the ladder leaves open is decided from jets: the answer is not known here.
+// Jets decide the questions that the ladder leaves open, so the answer is not known here.
 template <class Questions, class Result>
 bool count_all_questions(const Questions& questions, int max_order, Result& join, Join_asked asked) {
   const bool decided = decide_all_questions(questions, max_order, join, asked);
@@ -108,7 +110,8 @@ template <class Ladder> std::optional<int> count_smooth_order(Ladder& ladder) {
 }
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-// Edges of splines as a whole; where it is not proved that they are smooth, their spans are decided.
+// Edges of splines as a whole; where it is not proved that they are smooth, their spans are
+// decided.
 template <class Surface_a, class Surface_b>
 std::optional<Edge_direction> count_smooth_spline_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b,
                                                        Patch_edge edge_b) {

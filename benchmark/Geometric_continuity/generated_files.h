@@ -57,8 +57,9 @@ public:
   }
 };
 
-// A uniform bicubic B-spline surface in the form of its Bezier patches, a grid of rows x columns, which are twice continuously
-// differentiable but for every 20th, whose point b11 is lifted: its edges u0 and v0 are creases, and u1 and v1 are only G1.
+// A uniform bicubic B-spline surface in the form of its Bezier patches, a grid of rows x columns,
+// which are twice continuously differentiable but for every 20th, whose point b11 is lifted: its
+// edges u0 and v0 are creases, and u1 and v1 are only G1.
 class Patch_grid {
   // A jitter from 0 to 2^bits - 1 for each control point and coordinate.
   static std::int64_t jitter(int i, int j, int coordinate, int bits) {
@@ -71,7 +72,8 @@ class Patch_grid {
   static std::int64_t spline_coordinate(int i, int j, int coordinate) {
     constexpr std::int64_t one = 1000000000000 / 36;
     const std::int64_t place = coordinate == 0 ? i * one : coordinate == 1 ? j * one : 0;
-    return place + jitter(i, j, coordinate, 33); // less than a third of the distance between two of them
+    // less than a third of the distance between two of them
+    return place + jitter(i, j, coordinate, 33);
   }
 
 public:
@@ -88,7 +90,8 @@ public:
   }
 };
 
-// Writes rows x columns bicubic patches in the format `.g2`, with decimals of at most 15 digits for at most 900 rows and columns.
+// Writes rows x columns bicubic patches in the format `.g2`, with decimals of at most 15 digits for
+// at most 900 rows and columns.
 inline void write_patches(std::ostream& os, int rows, int columns) {
   Block_writer out(os);
   for (int row = 0; row < rows; ++row)
@@ -101,9 +104,10 @@ inline void write_patches(std::ostream& os, int rows, int columns) {
     }
 }
 
-// Writes the Bezier curves of a uniform cubic B-spline curve in space, which are twice continuously differentiable, in the format
-// `.g2`, with decimals of at most 15 digits, 13 of them after the point. From random points a, b, c, e of the spline they are
-// (a + 4b + c) / 6, (4b + 2c) / 6, (2b + 4c) / 6, (b + 4c + e) / 6.
+// Writes the Bezier curves of a uniform cubic B-spline curve in space, which are twice continuously
+// differentiable, in the format `.g2`, with decimals of at most 15 digits, 13 of them after the
+// point. From random points a, b, c, e of the spline they are (a + 4b + c) / 6, (4b + 2c) / 6,
+// (2b + 4c) / 6, (b + 4c + e) / 6.
 inline void write_cubics(std::ostream& os, int count) {
   typedef std::array<std::int64_t, 3> Point; // in units of 10^-13 / 6
   const auto spline_point = [](int i) {

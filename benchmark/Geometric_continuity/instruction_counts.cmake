@@ -1,5 +1,5 @@
-# Runs PROGRAM under VALGRIND's callgrind in WORK and prints the instructions of each operation, and the ratio of the generic code
-# to instructions written by hand.
+# Runs PROGRAM under VALGRIND's callgrind in WORK and prints the instructions of each operation, and
+# the ratio of the generic code to instructions written by hand.
 set(output ${WORK}/instruction_counts.callgrind)
 execute_process(COMMAND ${VALGRIND} --tool=callgrind --callgrind-out-file=${output} ${PROGRAM}
                 RESULT_VARIABLE failed ERROR_VARIABLE messages)

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Each operation a thousand times, in a function of its own: callgrind counts its instructions, see instruction_counts.cmake.
+// Each operation a thousand times, in a function of its own: callgrind counts its instructions, see
+// instruction_counts.cmake.
 
 #include "by_hand.h"
 #include "surface_blends_by_hand.h"

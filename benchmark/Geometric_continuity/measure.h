@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstddef>
 
-// What the benchmarks of curves and blends share.
+// The benchmarks of curves and blends share these functions.
 
 constexpr std::size_t n = 1024; // parameters, jets or blends of a batch
 

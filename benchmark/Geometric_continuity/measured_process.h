@@ -39,8 +39,8 @@ inline Cost best(const Cost& a, const Cost& b) {
   throw std::system_error(errno, std::generic_category(), what);
 }
 
-// As long as it lives, Ctrl-C and a request to end let wait() end the process it waits for and throw, so that what the benchmark
-// left is removed.
+// As long as it lives, Ctrl-C and a request to end let wait() end the process it waits for and
+// throw, so that what the benchmark left is removed.
 class Interruption {
   inline static volatile std::sig_atomic_t requested_ = 0;
 
@@ -118,7 +118,8 @@ inline void use_cores(int number) {
   if (::sched_setaffinity(0, sizeof some, &some) != 0) system_failure("sched_setaffinity");
 }
 
-// From now on, the file descriptor (1: standard output, 2: messages) of this process writes to the file.
+// From now on, the file descriptor (1: standard output, 2: messages) of this process writes to the
+// file.
 inline void write_to(const std::string& path, int descriptor) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   if (file < 0 || ::dup2(file, descriptor) < 0) system_failure(path);

@@ -1,4 +1,5 @@
-# The libraries that results and times are compared with, where they are on this machine: the target `peers`.
+# The libraries that results and times are compared with, where they are on this machine: the target
+# `peers`.
 add_library(peers INTERFACE)
 target_include_directories(peers INTERFACE ${CMAKE_CURRENT_LIST_DIR}) # peers.h
 

@@ -5,7 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_BENCHMARK_PEERS_H
 #define GEOMETRIC_CONTINUITY_BENCHMARK_PEERS_H
 
-// Rational B-spline curves and surfaces of doubles in space, as OpenCASCADE and SISL store them. The knots are clamped.
+// Rational B-spline curves and surfaces of doubles in space, as OpenCASCADE and SISL store them.
+// The knots are clamped.
 
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>

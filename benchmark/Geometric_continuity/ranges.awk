@@ -1,5 +1,6 @@
-# The least and the largest time of each row of several runs, and of its ratio to the first row of the same work within a run. Reads JSON
-# with one member a line; rows are named WORK | METHOD. Writes NAME, times, unit, ratios, separated by tabs.
+# The least and the largest time of each row of several runs, and of its ratio to the first row of
+# the same work within a run. Reads JSON with one member a line; rows are named WORK | METHOD.
+# Writes NAME, times, unit, ratios, separated by tabs.
 function row() {
   if (name ~ / \| / && !aggregate) {
     cut = match(name, / \| [^|]*$/)

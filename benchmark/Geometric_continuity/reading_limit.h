@@ -19,8 +19,9 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 
-// What any program must do that reads a file of numbers: maps it and calls std::from_chars on every number. There must be at least
-// `numbers`, or the limit has missed some. The process ends soon, so that nothing is unmapped.
+// Does the least that any program does to read a file of numbers: maps it and calls std::from_chars
+// on every number. There must be at least `numbers`, or the limit has missed some. The process ends
+// soon, so that nothing is unmapped.
 inline void read_numbers(const std::string& path, std::int64_t numbers) {
   const int file = ::open(path.c_str(), O_RDONLY);
   if (file < 0) system_failure(path);

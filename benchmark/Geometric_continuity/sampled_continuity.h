@@ -26,7 +26,8 @@ struct Sampled_edge {
   TopoDS_Face faces[2];
 };
 
-// Returns, for each edge of a shape that a face has, the edge and its faces if there are two sides: in the order of cad_model().
+// Returns, for each edge of a shape that a face has, the edge and its faces if there are two sides:
+// in the order of cad_model().
 inline std::vector<std::optional<Sampled_edge>> sampled_edges(const TopoDS_Shape& shape) {
   TopTools_IndexedDataMapOfShapeListOfShape faces;
   TopExp::MapShapesAndUniqueAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
@@ -42,8 +43,8 @@ inline std::vector<std::optional<Sampled_edge>> sampled_edges(const TopoDS_Shape
   return result;
 }
 
-// The verdict of OpenCASCADE on an edge: whether the tangent planes agree within an angle at 21 parameters, of which the first and the
-// last one leave out a hundredth of the edge.
+// The verdict of OpenCASCADE on an edge: whether the tangent planes agree within an angle at 21
+// parameters, of which the first and the last one leave out a hundredth of the edge.
 inline bool is_sampled_g1(const Sampled_edge& e, double angle) {
   try {
     return BRepLib::ContinuityOfFaces(e.edge, e.faces[0], e.faces[1], angle) != GeomAbs_C0;

@@ -13,7 +13,8 @@
 #include <random>
 #include <vector>
 
-// The blend of two bicubic patches with a given shape: by the package, and by instructions written by hand for just that.
+// The blend of two bicubic patches with a given shape: by the package, and by instructions written
+// by hand for just that.
 namespace by_hand {
 
 namespace GC = CGAL::Geometric_continuity;
@@ -80,7 +81,8 @@ struct Surface_blend {
 };
 
 #ifdef CGAL_USE_GMPXX
-// The same in integers: one denominator for each patch, beta and delta in eighths, and each result is reduced once.
+// The blend in integers: there is one denominator for each patch, beta and delta are in eighths,
+// and each result is reduced once.
 struct Exact_surface_blend {
   const Surface_blend_input<CGAL::Exact_rational>& x;
   mpz_class n[3][3], denominator, d, dd;
@@ -108,7 +110,8 @@ struct Exact_surface_blend {
         }
         for (int k = 0; k < 3; ++k) {
           mpq_class* const to = b[i][0] + k;
-          const int first = e == 0 ? 0 : 15, second = first + 3 * step, third = second + 3 * step; // 3 numbers a point
+          // 3 numbers a point
+          const int first = e == 0 ? 0 : 15, second = first + 3 * step, third = second + 3 * step;
           d = n[1][k] - n[0][k];
           dd = n[2][k] - n[1][k] - d;
           to[first].get_num() = n[0][k];

@@ -5,8 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_BENCHMARK_SURFACE_FILLINGS_H
 #define GEOMETRIC_CONTINUITY_BENCHMARK_SURFACE_FILLINGS_H
 
-// What OpenCASCADE and SISL put between the edge v1 of one patch and the edge v0 of another one, with given sides, and how far a surface is from
-// continuing both patches.
+// OpenCASCADE and SISL fill the gap between the edge v1 of one patch and the edge v0 of another
+// one, with given sides. A function measures how far a surface is from continuing both patches.
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
 
@@ -76,7 +76,8 @@ struct Filling_input {
   std::array<Handle(Geom_BezierCurve), 2> sides;
 };
 
-// By energies of a plate whose curvature is prescribed at points of the edges, and approximation by splines.
+// By energies of a plate whose curvature is prescribed at points of the edges, and approximation by
+// splines.
 inline Handle(Geom_Surface) occt_filling(const Filling_input& x) {
   BRepFill_Filling filling;
   for (const bool first : {true, false}) {
@@ -121,7 +122,8 @@ inline SISLCurve* sisl_curve(const std::vector<gp_XYZ>& points) {
   return newCurve(n, n, knots.data(), numbers.data(), 1, 3, 1);
 }
 
-// The edge of a patch, and its first two derivatives across the edge, with the sign that they are to have in SISL.
+// The edge of a patch, and its first two derivatives across the edge, with the sign that they are
+// to have in SISL.
 inline void add_edge(std::vector<SISLCurve*>& curves, const Handle(Geom_BezierSurface) & s, bool upper, int sign) {
   const int n = s->NbUPoles(), m = s->NbVPoles();
   std::array<std::vector<gp_XYZ>, 3> rows;
@@ -139,7 +141,8 @@ inline void add_side(std::vector<SISLCurve*>& curves, const Handle(Geom_BezierCu
   curves.push_back(sisl_curve(points));
 }
 
-// The surface of SISL, of which the control points of one row follow each other; frees it and what it was made of.
+// The surface of SISL, of which the control points of one row follow each other; frees it and what
+// it was made of.
 inline Handle(Geom_Surface) taken(SISLSurf* surface, int status, const std::vector<SISLCurve*>& curves) {
   for (SISLCurve* c : curves) freeCurve(c);
   if (status < 0) return Handle(Geom_Surface)();
@@ -171,8 +174,9 @@ inline Handle(Geom_Surface) taken(SISLSurf* surface, int status, const std::vect
   return r;
 }
 
-// Between the four curves, of which the two edges have derivatives across them. It turns those at the third curve, the second ones, too. What
-// length its parameter across them has is not told, so that derivatives and sides do not fit each other, and the sides are kept.
+// Between the four curves, of which the two edges have derivatives across them. It turns those at
+// the third curve, the second ones, too. What length its parameter across them has is not told, so
+// that derivatives and sides do not fit each other, and the sides are kept.
 inline Handle(Geom_Surface) sisl_blend(const Filling_input& x) {
   std::vector<SISLCurve*> curves;
   add_edge(curves, x.a, true, 1);
@@ -185,7 +189,8 @@ inline Handle(Geom_Surface) sisl_blend(const Filling_input& x) {
   return taken(surface, status, curves);
 }
 
-// Between the two edges, whatever the sides are: interpolation across them. The types say: a curve, its derivative, its second derivative.
+// Between the two edges, whatever the sides are: interpolation across them. The types say: a curve,
+// its derivative, its second derivative.
 inline Handle(Geom_Surface) sisl_loft(const Filling_input& x) {
   std::vector<SISLCurve*> curves;
   add_edge(curves, x.a, true, 1);
@@ -202,7 +207,8 @@ inline Handle(Geom_Surface) sisl_loft(const Filling_input& x) {
 // The largest differences along both edges, at a hundred points of each.
 struct Filling_error {
   double gap = 0, angle = 0,
-         curvature = 0; // in degrees; of curvature across the edges, relative to the largest one there
+         // in degrees; of curvature across the edges, relative to the largest one there
+      curvature = 0;
 
   friend std::ostream& operator<<(std::ostream& os, const Filling_error& e) {
     return os << "gap " << e.gap << ", angle " << e.angle << " degrees, jump of the curvature across "

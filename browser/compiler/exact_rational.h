@@ -8,8 +8,9 @@
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
 
 /// \file exact_rational.h
-/// `CGAL::Exact_rational` where there is no GMP: the rational numbers of Boost, in lowest terms. Without this header, which is included
-/// first by an option of the compiler, CGAL takes quotients that are never cancelled with the Boost of Debian.
+/// `CGAL::Exact_rational` where there is no GMP: the rational numbers of Boost, in lowest terms.
+/// Without this header, which is included first by an option of the compiler, CGAL takes quotients
+/// that are never cancelled with the Boost of Debian.
 
 #if !defined(CGAL_USE_GMP) && BOOST_VERSION <= 107800
 namespace CGAL {

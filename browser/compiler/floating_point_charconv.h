@@ -17,8 +17,9 @@
 #include <type_traits>
 
 /// \file floating_point_charconv.h
-/// The functions of <charconv> for floating-point numbers, which C++17 has and the library of Emscripten 3.1.6 has not. It is included
-/// first by an option of the compiler. The functions of C that do the work round correctly in Emscripten's library and know no locale.
+/// The functions of <charconv> for floating-point numbers, which C++17 has and the library of
+/// Emscripten 3.1.6 has not. It is included first by an option of the compiler. The functions of C
+/// that do the work round correctly in Emscripten's library and know no locale.
 
 #if defined __EMSCRIPTEN__ && _LIBCPP_VERSION < 14000
 _LIBCPP_BEGIN_NAMESPACE_STD
@@ -49,7 +50,8 @@ template <class T> string digits_of(T x, int n, int& exponent) {
   return digits;
 }
 
-// Returns whether the digits, with a last one that is larger by -1, 0 or 1, are read as the number x.
+// Returns whether the digits, with a last one that is larger by -1, 0 or 1, are read as the number
+// x.
 template <class T> bool is_read_as(string digits, int exponent, int more, T x, string& result) {
   for (size_t i = digits.size(); more != 0;) {
     if (i == 0) return false; // 99...9 or 10...0, which have fewer digits
@@ -70,8 +72,9 @@ template <class T> bool is_read_as(string digits, int exponent, int more, T x, s
   return true;
 }
 
-// The fewest digits that are read as x > 0, of these the nearest to x. Where x is a power of two the numbers below lie closer, and the
-// nearest number of so many digits may be read as another one while its neighbour is not.
+// The fewest digits that are read as x > 0, of these the nearest to x. Where x is a power of two
+// the numbers below lie closer, and the nearest number of so many digits may be read as another one
+// while its neighbour is not.
 template <class T> string shortest_digits(T x, int& exponent) {
   string result;
   for (int n = 1;; ++n) {

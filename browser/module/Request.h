@@ -31,8 +31,9 @@ typedef GC::Rational_bezier_curve<Module_traits> Module_curve;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Patch_traits;
 typedef GC::Bezier_patch<Patch_traits> Module_patch;
 
-// The arguments of a function of the module, as words with white space between them: names, numbers as people write them, and
-// floating-point numbers as '#' and the 16 hexadecimal digits of their bits, which are the numbers that they are.
+// The arguments of a function of the module, as words with white space between them: names, numbers
+// as people write them, and floating-point numbers as '#' and the 16 hexadecimal digits of their
+// bits, which are the numbers that they are.
 class Request {
   std::string_view rest_;
 
@@ -51,7 +52,7 @@ public:
     return result;
   }
 
-  // What follows the one character behind the last word.
+  // Returns the text after the one character behind the last word.
   std::string text() const { return std::string(rest_.substr(rest_.empty() ? 0 : 1)); }
 
   int count() {
@@ -84,7 +85,8 @@ public:
     return exact();
   }
 
-  // Dimension, number of points, whether there are weights, both ends of the domain, and for each point its weight and coordinates.
+  // Dimension, number of points, whether there are weights, both ends of the domain, and for each
+  // point its weight and coordinates.
   Module_curve curve() {
     const int dimension = count(), points = count();
     const bool weighted = count() != 0;

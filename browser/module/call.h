@@ -12,8 +12,8 @@
 
 class Request;
 
-// How geometric_continuity.mjs calls a module: by functions of C on texts in memory. Arguments are words (Request.h), results are JSON,
-// errors are the member `error` with the code of the package.
+// How geometric_continuity.mjs calls a module: by functions of C on texts in memory. Arguments are
+// words (Request.h), results are JSON, errors are the member `error` with the code of the package.
 
 // A function that is called by its name, writes JSON, and throws GC::Error on bad input.
 struct Module_function {

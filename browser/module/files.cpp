@@ -19,8 +19,9 @@
 #include <iostream>
 #include <sstream>
 
-// What geometric_continuity.mjs calls of files: the commands `verify` and `repair` of the program, which print their JSON on standard output,
-// and the curves of drawings and fonts. The text of the file follows the options.
+// geometric_continuity.mjs calls these functions on files: the commands `verify` and `repair` of
+// the program, which print their JSON on standard output, and the curves of drawings and fonts. The
+// text of the file follows the options.
 
 namespace {
 
@@ -166,7 +167,8 @@ public:
   Join_counts glyph(const Font_face& font, int glyph, const Glyph_outline& outline, const Font_result&) override {
     GC::write_json(os_ << separator_ << "{\"index\":" << glyph << ",\"name\":", font.glyph_name(glyph));
     os_ << ",\"contours\":[";
-    const double steps = static_cast<double>(outline.steps()); // a power of two: all numbers are exact
+    // a power of two: all numbers are exact
+    const double steps = static_cast<double>(outline.steps());
     for (std::size_t contour = 0; contour < outline.contours(); ++contour) {
       os_ << (contour == 0 ? "[" : ",[");
       for (const Glyph_segment* s = outline.begin(contour); s != outline.end(contour); ++s) {

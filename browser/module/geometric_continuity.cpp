@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What geometric_continuity.mjs calls of curves and patches.
+// geometric_continuity.mjs calls these functions on curves and patches.
 
 #include "Request.h"
 #include "array_joins.h"
@@ -98,7 +98,7 @@ void visual_class(Request& request, std::ostream& os) {
   os << '}';
 }
 
-// What the user gives of a blend besides the strategy.
+// The user gives these options of a blend besides the strategy.
 struct Blend_options {
   std::optional<Exact> beta, eta;
   std::vector<Exact> scalars; // s1, s2, or beta2, mu, beta3 of both ends
@@ -113,7 +113,8 @@ struct Blend_options {
   }
 };
 
-// Calls f(strategy) with the strategy of a name, one of those of `geometric_continuity blend --strategy`.
+// Calls f(strategy) with the strategy of a name, one of those of
+// `geometric_continuity blend --strategy`.
 template <class Function> void with_strategy(std::string_view name, const Blend_options& options, Function f) {
   const std::vector<Exact>& x = options.scalars;
   if (name == "free") {
@@ -264,7 +265,8 @@ const std::vector<Module_function> module_functions = {
     {"alignHandles", align_handles},
 };
 
-// The joins of a chain at which an order does not hold. Returns how many there are; -1 where the answer is an error.
+// The joins of a chain at which an order does not hold. Returns how many there are; -1 where the
+// answer is an error.
 extern "C" int gc_failing_joins(const double* points, std::size_t curves, int degree, int dimension, int question,
                                 int closed) {
   int n = -1;

@@ -5,7 +5,9 @@
 export type Exact = number | bigint | string;
 export type Point = ArrayLike<Exact>;
 
-/** The control points of a Bézier curve, of any degree and dimension; with weights a rational one. */
+/**
+ * The control points of a Bézier curve, of any degree and dimension; with weights a rational one.
+ */
 export type Curve = ReadonlyArray<Point> | {
   control_points?: ReadonlyArray<Point>;
   points?: ReadonlyArray<Point>;
@@ -21,7 +23,10 @@ export type Edge = 'u0' | 'u1' | 'v0' | 'v1';
 /** Guaranteed bounds; an upper bound of null is infinite. */
 export type Enclosure = [number, number | null];
 
-/** What is decided about the join of the end of one curve and the start of another one: the members of the C++ class Join_continuity. */
+/**
+ * The decision about the join of the end of one curve and the start of another one, with the
+ * members of the C++ class Join_continuity.
+ */
 export interface Join {
   /** The largest k such that all derivatives up to order k agree; -1 at a gap. */
   c_order: number;
@@ -141,19 +146,29 @@ export interface Module {
   continuity(left: Curve, right: Curve, options?: { maxOrder?: number }): Join;
   /** Encloses how far a join is from being continuous. */
   deviation(left: Curve, right: Curve): Deviation;
-  /** What a join in the plane looks like; angles up to kinkAngle, in degrees, are kinks, larger ones corners. */
+  /**
+   * Decides what a join in the plane looks like. Angles up to kinkAngle, in degrees, are kinks;
+   * larger ones are corners.
+   */
   joinGrade(left: Curve, right: Curve, options?: { kinkAngle?: Exact }): Grade;
-  /** A curve from the end of phi to the start of psi, exactly G2 with both, or G3 or F3 with the strategies of degree 7. */
+  /**
+   * A curve from the end of phi to the start of psi, exactly G2 with both, or G3 or F3 with the
+   * strategies of degree 7.
+   */
   blend(phi: Curve, psi: Curve, options?: BlendOptions): Blend;
   /** Cuts off a corner at a distance along both curves, and puts a blend in its place. */
   roundCorner(left: Curve, right: Curve, distance: number, options?: BlendOptions): RoundedCorner;
   /** Decides the continuity along whole edges of two patches. */
   edgeContinuity(patchA: Patch, edgeA: Edge, patchB: Patch, edgeB: Edge): EdgeContinuity;
-  /** The nearest handles of one direction on the integers, as vectors to and from the node; null where there are none so near. */
+  /**
+   * Returns the nearest handles of one direction on the integers, as vectors to and from the node,
+   * or null where there are none so near.
+   */
   alignHandles(left: readonly [number, number], right: readonly [number, number], maxMove?: number): { left: [number, number]; right: [number, number] } | null;
   /**
-   * The joins of a chain of Bézier curves of one degree that do not have an order: numbers i, of the join between the curves i and i + 1.
-   * The control points stand one after the other. Exact for the numbers as given, and fast.
+   * Returns the joins of a chain of Bézier curves of one degree that do not have an order: numbers
+   * i, for the join between the curves i and i + 1. The control points stand one after the other.
+   * The answer is exact for the numbers as given, and fast.
    */
   failingJoins(
     coordinates: Float64Array | ArrayLike<number>,
@@ -161,23 +176,35 @@ export interface Module {
   ): Uint32Array;
   /** The JSON of `geometric_continuity verify --json` of a drawing. */
   verifySvg(svg: string | Uint8Array | ArrayBuffer, options?: { maxOrder?: number; require?: string | null; kinkAngle?: Exact }): Promise<any>;
-  /** A drawing without kinks where handles can move on the grid of its decimals, and the JSON of `geometric_continuity repair --json`. */
+  /**
+   * A drawing without kinks where handles can move on the grid of its decimals, and the JSON of
+   * `geometric_continuity repair --json`.
+   */
   repairSvg(
     svg: string | Uint8Array | ArrayBuffer,
     options?: { kinkAngle?: Exact; maxMove?: Exact | null; harmonise?: boolean },
   ): Promise<{ svg: string; report: any }>;
-  /** The curves of a drawing: segment i is that which a join of `verifySvg` names by its number `left` or `right`. */
+  /**
+   * The curves of a drawing: segment i is that which a join of `verifySvg` names by its number
+   * `left` or `right`.
+   */
   svgCurves(svg: string | Uint8Array | ArrayBuffer): Promise<{
     subpaths: { element: string; id: string; line: number; subpath: number; closed: boolean; curves: DrawnCurve[] }[];
   }>;
-  /** The JSON of `geometric_continuity verify --json` of a font (TrueType, OpenType, Type 1, WOFF), with `worst` joins of each glyph; glyphs as of `--glyphs`. */
+  /**
+   * The JSON of `geometric_continuity verify --json` of a font (TrueType, OpenType, Type 1, WOFF),
+   * with `worst` joins of each glyph; glyphs as of `--glyphs`.
+   */
   verifyFont(
     font: Uint8Array | ArrayBuffer,
     options?: { glyphs?: string; require?: 'G1' | 'G2' | null; kinkAngle?: Exact; worst?: number },
   ): Promise<any>;
   /** The outlines of glyphs in units of the font: contours of curves. */
   fontCurves(font: Uint8Array | ArrayBuffer, options?: { glyphs?: string }): Promise<{ glyphs: { index: number; name: string; contours: DrawnCurve[][] }[] }>;
-  /** The JSON of `geometric_continuity verify --json` of curves or, with surfaces, of a model in SINTEF's format. */
+  /**
+   * The JSON of `geometric_continuity verify --json` of curves or, with surfaces, of a model in
+   * SINTEF's format.
+   */
   verifyG2(
     g2: string | Uint8Array | ArrayBuffer,
     options?: { maxOrder?: number; require?: string | null; closed?: boolean; surfaces?: boolean },
@@ -191,7 +218,10 @@ export class GeometricContinuityError extends Error {
   constructor(code: string, message: string);
 }
 
-/** Loads the module; the WebAssembly is taken from files next to it unless an address, its bytes or a compiled module is given. */
+/**
+ * Loads the module; the WebAssembly is taken from files next to it unless an address, its bytes or
+ * a compiled module is given.
+ */
 export default function load(options?: {
   wasm?: string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module;
   filesWasm?: string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module;

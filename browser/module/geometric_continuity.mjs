@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Geometric_continuity developers
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The package compiled to WebAssembly: exact verdicts on joins, blends that are proved. See geometric_continuity.d.ts for the functions.
+// The package compiled to WebAssembly: exact verdicts on joins, blends that are proved. See
+// geometric_continuity.d.ts for the functions.
 
-/** What a function throws on bad input; `code` is the code of the package, e.g. `malformed_input`. */
+/** Thrown by functions on bad input; `code` is the code of the package, e.g. `malformed_input`. */
 export class GeometricContinuityError extends Error {
   constructor(code, message) {
     super(`${code}: ${message}`);
@@ -139,7 +140,8 @@ class Instance {
     return this.functions.memory.buffer;
   }
 
-  // What the C library asks of a system: there are no variables and no standard streams.
+  // The functions of a system that the C library calls: there are no variables and no standard
+  // streams.
   #system() {
     const set = (address, x) => new DataView(this.memory).setUint32(address, x, true), success = 0;
     return {

@@ -7,8 +7,8 @@
 
 #include <string>
 
-// The one file that there is for the readers of the program, in memory: open() knows its name while this object exists. Precondition: there
-// is no other one.
+// The one file that there is for the readers of the program, in memory: open() knows its name while
+// this object exists. Precondition: there is no other one.
 class Memory_file {
   const std::string name_;
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The parts of the program that read and report drawings, fonts, chains and models: one translation unit, so that what they instantiate is compiled
-// once.
+// The parts of the program that read and report drawings, fonts, chains and models: one translation
+// unit, so that what they instantiate is compiled once.
 
 #include "commands/chains/decided_join.cpp"
 #include "commands/chains/join_report.cpp"

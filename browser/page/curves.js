@@ -16,7 +16,8 @@ function html(name, attributes = {}, ...children) {
   return e;
 }
 
-// The point and the first two derivatives of a Bezier curve, in the plane or in space, by de Casteljau; with weights those of a rational one.
+// The point and the first two derivatives of a Bezier curve, in the plane or in space, by de
+// Casteljau; with weights those of a rational one.
 function jet(points, t, weights = null) {
   if (weights) {
     const h = jet(points.map((p, i) => [...p, 1].map((x) => weights[i] * x)), t), [w, dw, ddw] = [h.x, h.d, h.dd].map((list) => list.pop());
@@ -58,7 +59,8 @@ function comb(list, scale) {
   const tips = list.map((p) => curvature_vector(p).map((x, k) => p.x[k] - scale * x));
   return `M${line(tips)}` + list.map((p, i) => (i % 2 ? '' : ` M${line([p.x, tips[i]])}`)).join('');
 }
-// The path of a curve: of degree 1 to 3 as SVG has it, otherwise as cubics within a thousandth of its size.
+// The path of a curve: of degree 1 to 3 as SVG has it, otherwise as cubics within a thousandth of
+// its size.
 function pathData(points, first = true) {
   const at = (p) => `${round(p[0])} ${round(-p[1])}`;
   const start = first ? `M${at(points[0])} ` : '';

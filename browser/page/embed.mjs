@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Geometric_continuity developers
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Makes one file of the page, the module and its WebAssembly. Usage: node embed.mjs PACKAGE_FOLDER OUTPUT
+// Makes one file of the page, the module and its WebAssembly. Usage: node embed.mjs PACKAGE_FOLDER
+// OUTPUT
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';

@@ -14,7 +14,8 @@ const colours = ['var(--left)', 'var(--right)', 'var(--good)', '#9a6700', '#8250
 
 const say = (...nodes) => verdict.replaceChildren(...nodes.map((n) => (typeof n === 'string' ? html('p', {}, n) : n)));
 const strong = (text, good) => html('p', {}, html('strong', { class: good ? 'good' : 'bad' }, text));
-// Shows what takes its time to compute, unless something else was asked for meanwhile, or another scene.
+// Shows what takes its time to compute, unless something else was asked for meanwhile, or another
+// scene.
 let asked = 0;
 const latest = async (compute, show, failed) => {
   const mine = ++asked;
@@ -50,12 +51,14 @@ const tableOf = (head, rows) =>
   html('table', {}, html('thead', {}, html('tr', {}, ...head.map((h) => html('th', { scope: 'col' }, h)))),
     html('tbody', {}, ...rows.map((row) => html('tr', {}, ...row.map((c) => (c instanceof Node ? html('td', {}, c) : html('td', { class: 'number' }, c)))))));
 
-// A point that moves: its numbers as they are (`world`: numbers, or texts of exact ones), and its place in the picture (`at`).
+// A point that moves: its numbers as they are (`world`: numbers, or texts of exact ones), and its
+// place in the picture (`at`).
 const valueOf = (x) => {
   const [p, q = 1] = String(x).split('/').map(Number);
   return p / q;
 };
-// The part of the plane, or of two coordinates of space, that all points are in; for points within [-12, 12] x [-8, 8] the picture as it is.
+// The part of the plane, or of two coordinates of space, that all points are in; for points within
+// [-12, 12] x [-8, 8] the picture as it is.
 class Frame {
   constructor(worlds) {
     const lists = worlds[0].map((_, k) => worlds.map((w) => valueOf(w[k]))), range = lists.map((list) => Math.max(...list) - Math.min(...list));
@@ -249,11 +252,14 @@ function joinScene(snap, defaults) {
       controls.append(html('button', { type: 'button', onclick: () => (align(false), update()) }, 'Make it smooth'),
         html('label', {}, magnet, ' while I drag'));
     } else if (!options[0].weights && !options[1].weights) {
-      // What is computed with doubles is exact where the points have few digits: others move to the grid of the picture.
+      // Computations with doubles are exact where the points have few digits, so other points move
+      // to the grid of the picture.
       const on_grid = (p) => set(p, p.world.map(valueOf).map((x) => (Number.isInteger((x / frame.unit) * 1024) ? x : Math.round(x / frame.unit) * frame.unit)));
-      // The numbers of the points from a handle over the node to the handle that moves: on the right, or on the left where the right curve has less than so many sides.
+      // The numbers of the points from a handle over the node to the handle that moves: on the
+      // right, or on the left where the right curve has less than so many sides.
       const across = (sides) => (m < sides && n >= sides ? [n + 2, n + 1, n, n - 1] : [n - 1, n, n + 1, n + 2]);
-      // Puts the handle behind the node on the line of the one before it, as long as it was but for a number of four bits times `odd`. Returns this line and the ratio of the lengths.
+      // Puts the handle behind the node on the line of the one before it, as long as it was but for
+      // a number of four bits times `odd`. Returns this line and the ratio of the lengths.
       const straighten = ([handle, node, other, moved], odd = 1) => {
         for (const i of [handle, node]) on_grid(points[i]);
         const d = points[node].world.map((x, k) => x - points[handle].world[k]), e = points[moved].world.map((x, k) => valueOf(x) - valueOf(points[other].world[k]));
@@ -266,7 +272,8 @@ function joinScene(snap, defaults) {
       controls.append(html('button', { type: 'button', onclick: () => straighten(across(2)) && update() }, 'Make it G1'));
       if (Math.max(n, m) > 2)
         controls.append(html('button', { type: 'button', onclick: () => {
-          // of points f0, f1, f2 of degree p before the node and g0 = f0, g1, g2 of degree q behind it: g2 - 2 g1 + g0 = ratio^2 top / bottom (f2 - 2 f1 + f0) + free (f0 - f1)
+          // of points f0, f1, f2 of degree p before the node and g0 = f0, g1, g2 of degree q behind
+          // it: g2 - 2 g1 + g0 = ratio^2 top / bottom (f2 - 2 f1 + f0) + free (f0 - f1)
           const numbers = across(3), step = numbers[3] - numbers[2], [p, q] = step > 0 ? [n, m] : [m, n], top = q * (p - 1), bottom = p * (q - 1);
           const divisor = (a, b) => (b ? divisor(b, a % b) : a), odd_part = (x) => (x % 2 ? x : odd_part(x / 2));
           if (p > 1) on_grid(points[numbers[0] - step]);
@@ -399,9 +406,11 @@ function cornerScene(parameters) {
 
 const svgText = (paths, attributes = {}) => new XMLSerializer().serializeToString(element('svg', attributes, ...paths.map((p) => element('path', { ...p, fill: 'none', stroke: 'currentColor' })))).replaceAll('<path', '\n<path').replace('</svg>', '\n</svg>\n');
 
-// The outlines of a drawing or of a glyph, its kinks marked. Points are dragged where there are no arcs; nothing but what moves is drawn anew.
+// The outlines of a drawing or of a glyph, its kinks marked. Points are dragged where there are no
+// arcs; nothing but what moves is drawn anew.
 class Outlines {
-  // subpaths: { closed, curves: [{ points: [[x, y], …], weights, exact }] }, y downwards unless `up`.
+  // subpaths: { closed, curves: [{ points: [[x, y], …], weights, exact }] }, y downwards unless
+  // `up`.
   constructor(subpaths, label, { up = false, dragged = null, edited = null }) {
     Object.assign(this, { subpaths, up, dragged });
     this.curves = subpaths.flatMap((p) => p.curves);
@@ -441,7 +450,8 @@ class Outlines {
     if (weights) return start + samples(points, weights, 24).slice(1).map((s) => `L${this.text(s.x)}`).join('');
     return start + ' LQC'[points.length - 1] + points.slice(1).map((p) => this.text(p)).join(' ');
   }
-  // Puts control points in the place of those of two curves that meet, and of the ends of their neighbours.
+  // Puts control points in the place of those of two curves that meet, and of the ends of their
+  // neighbours.
   replace(numbers, sides) {
     for (const [i, k] of numbers.entries()) this.curves[k].exact = texts(sides[i].map((p) => p.map(decimal)));
     const ends = ([k, i], [l, j]) => {
@@ -454,7 +464,8 @@ class Outlines {
     ends([this.curves[left].before, -1], [left, 0]);
     ends([this.curves[right].behind, 0], [right, -1]);
   }
-  // What the joins beside two curves are that get these control points: a second handle may be that of the next node.
+  // Returns the joins next to two curves that get these control points, since a second handle may
+  // belong to the next node.
   beside([left, right], [a, b]) {
     const { before } = this.curves[left], { behind } = this.curves[right], points = (k) => (k === left ? a : k === right ? b : numbersOf(this.curves[k].exact));
     const joins = [...(before < 0 ? [] : [[[...points(before).slice(0, -1), a[0]], a]]), ...(behind < 0 ? [] : [[b, [b.at(-1), ...points(behind).slice(1)]]])];
@@ -622,7 +633,7 @@ function drawingScene(parameters) {
       ...left.slice(0, 1).map((x) => `Not mended: ${left.length}. The first, at curve ${x.curve} of ${x.element}${x.id ? ` ${x.id}` : ''}: ${x.reason}. Drag the handles of what is left.`)]);
   }, failed);
   const exactly = (curve) => numbersOf(curve.exact);
-  // What was dragged: the drawing becomes its outlines.
+  // Puts the dragged points into the drawing, which becomes its outlines.
   const edited = () => {
     text.value = outlines.drawing();
     return show();
@@ -678,7 +689,8 @@ function drawingScene(parameters) {
   else show();
 }
 
-// The two nets of an address, `left=x,y,z;x,y,z:x,y,z;x,y,z&right=…`, a colon between rows; null where there are none. They meet along the last row of the left and the first of the right one.
+// The two nets of an address, `left=x,y,z;x,y,z:x,y,z;x,y,z&right=…`, a colon between rows; null
+// where there are none. They meet along the last row of the left and the first of the right one.
 function netsOf(parameters) {
   if (!parameters.has('left') && !parameters.has('right')) return null;
   return ['left', 'right'].map((key) => {
@@ -801,7 +813,8 @@ function surfaceScene(parameters) {
   changed();
 }
 
-// Two patches whose second and third rows of points move, by sliders and buttons; what they are now.
+// Two patches whose second and third rows of points move, by sliders and buttons; what they are
+// now.
 function slidingNets(parameters, changed) {
   const slider = (name, key) => {
     const number = html('output', {}), input = html('input', { type: 'range', min: -4, max: 4, step: 1, value: Number(parameters.get(key)) || 0, 'aria-label': name, oninput: () => changed(), onchange: () => remember() });

@@ -1,4 +1,5 @@
-# The page of the references from a file of BibTeX, one field a line, for a doxygen without BibTeX. Usage: awk -f bibliography.awk FILE.bib
+# The page of the references from a file of BibTeX, one field a line, for a doxygen without BibTeX.
+# Usage: awk -f bibliography.awk FILE.bib
 function add(before, what, after) { return what == "" ? "" : before what after }
 function entry() {
   where = f["journal"] f["booktitle"]

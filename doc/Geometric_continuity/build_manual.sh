@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Builds the manual in the current folder, which has the Doxyfile. Where one of the folders has the page geometric_continuity.html, which
-# browser/build makes, the manual gets it, and its figures have links to its scenes. Usage: build_manual.sh DOXYGEN FOLDER...
+# Builds the manual in the current folder, which has the Doxyfile. Where one of the folders has the
+# page geometric_continuity.html, which browser/build makes, the manual gets it, and its figures
+# have links to its scenes. Usage: build_manual.sh DOXYGEN FOLDER...
 set -eu
 doxygen=$1
 mkdir -p html

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Draws all figures of the manual and the README anew. Usage: make_figures.sh PROGRAM EXAMPLES DRAW_FIGURES: the path of
-# geometric_continuity, the folder of the examples' programs, and the path of the program in figures/. The picture of a CAD model's report
-# needs OpenCASCADE, the model linkrods.step of Debian's occt-misc and Chromium; it stays as it is where they are missing.
+# Draws all figures of the manual and the README anew. Usage: make_figures.sh PROGRAM EXAMPLES
+# DRAW_FIGURES: the path of geometric_continuity, the folder of the examples' programs, and the path
+# of the program in figures/. The picture of a CAD model's report needs OpenCASCADE, the model
+# linkrods.step of Debian's occt-misc and Chromium; it stays as it is where they are missing.
 set -eu
 program=$(realpath "$1") examples=$(realpath "$2") draw_figures=$(realpath "$3")
 here=$(cd "$(dirname "$0")" && pwd)
@@ -23,7 +24,8 @@ cp "$data/lmroman10-regular_S_0.g2" as_drawn.g2
 "$program" plot --surfaces "$data/teapot.g2" --title "The teapot: 32 bicubic patches, every edge decided exactly" -o teapot.svg
 "$program" round-edges "$data/box.g2" --set-back 2 --plot rounded_box.svg >/dev/null
 "$program" plot --surfaces "$data/fillet.g2" --title "Cylinder, fillet, plane" -o fillet.svg
-# from_python.svg is drawn by the page "From Python", where the module is built; PYTHON is an interpreter with matplotlib
+# from_python.svg is drawn by the page "From Python", where the module is built; PYTHON is an
+# interpreter with matplotlib
 module=$(dirname "$program")/../python
 if [ -d "$module/geometric_continuity" ]; then
   FIGURES=$work PYTHONPATH=$module GEOMETRIC_CONTINUITY_PROGRAM=$program "${PYTHON-/usr/bin/python3}" "$here/../../python/tests/test_manual.py"

@@ -1,6 +1,8 @@
-# What doxygen reads in place of the pages Performance and In the Browser: a line "\measured{PROGRAM}" becomes the table of measured/PROGRAM.txt, which the
-# script benchmark/Geometric_continuity/measure writes: WORK | METHOD, least and largest time, unit, least and largest ratio to the first
-# method of the same work. "\measured{PROGRAM,START}" has the works whose names start so. Usage: awk -v folder=... -f measured.awk PAGE
+# What doxygen reads in place of the pages Performance and In the Browser: a line
+# "\measured{PROGRAM}" becomes the table of measured/PROGRAM.txt, which the script
+# benchmark/Geometric_continuity/measure writes: WORK | METHOD, least and largest time, unit, least
+# and largest ratio to the first method of the same work. "\measured{PROGRAM,START}" has the works
+# whose names start so. Usage: awk -v folder=... -f measured.awk PAGE
 function digits(x) { return x < 1e3 ? sprintf("%.3g", x) : sprintf("%.0f", x) }
 function range(low, high,  a, b) { a = digits(low); b = digits(high); return a == b ? a : a " to " b }
 function time(low, high, unit) {

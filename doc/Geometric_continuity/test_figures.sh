@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The figures of the manual and the README: each one that is named is there, each one that is there is drawn by the target `figures`, and
-# small.
+# The figures of the manual and the README: each one that is named is there, each one that is there
+# is drawn by the target `figures`, and small.
 set -eu
 cd "$(dirname "$0")"
 failures=0

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The form of a package of CGAL: what package_info/ must have, and the manual built in a tree laid out as that of CGAL, whose CMakeLists
-# configure Doxyfile.in in the same way. References are checked where there is BibTeX. Usage: test_in_cgal.sh SOURCE DOC_FOLDER
+# The form of a package of CGAL: what package_info/ must have, and the manual built in a tree laid
+# out as that of CGAL, whose CMakeLists configure Doxyfile.in in the same way. References are
+# checked where there is BibTeX. Usage: test_in_cgal.sh SOURCE DOC_FOLDER
 set -eu
 source=$1 defaults=$2/Doxygen_defaults name=Geometric_continuity
 work=$(mktemp -d)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Opens the pages of the manual in a browser without a network: every formula is typeset, and no page but those of examples shows TeX.
-# Usage: test_manual.sh HTML_FOLDER
+# Opens the pages of the manual in a browser without a network: every formula is typeset, and no
+# page but those of examples shows TeX. Usage: test_manual.sh HTML_FOLDER
 set -eu
 cd "$1"
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || {
@@ -35,7 +35,8 @@ for page in index.html Geometric_continuity_[A-Z]*.html; do
   # a bar inside of a formula ends a cell, and with it the table
   rows=$(sed -e '/<div class="fragment"/,/<!-- fragment -->/d' -e '/<pre/,/<\/pre>/d' "$page" | grep -cE '^(<p>)?\| ' || true)
   [ "$rows" -eq 0 ] || fail "$page: $rows rows of a table are left as text"
-  # a quotation mark inside of backticks ends the code for doxygen, and all that follows is turned over
+  # a quotation mark inside of backticks ends the code for doxygen, and all that follows is turned
+  # over
   ticks=$(sed '/<div class="line">/d' "$page" | grep -c '`' || true)
   [ "$ticks" -eq 0 ] || fail "$page: $ticks lines with backticks"
   raw=$(sed -e '/<script/,/<\/script>/d' "$profile/dom" | grep -oE '\\\(|\\\[|\\f\$' | wc -l)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The times of the page Performance, and of libraries of JavaScript on the page In the Browser: each file of measured/ has rows of a name, times
-# and ratios in order, and becomes a table of a page; Performance has no times of its own.
+# The times of the page Performance, and of libraries of JavaScript on the page In the Browser: each
+# file of measured/ has rows of a name, times and ratios in order, and becomes a table of a page;
+# Performance has no times of its own.
 set -eu
 cd "$(dirname "$0")"
 failures=0

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Checks the reference: every public name of the headers stands on a page and in a group, and no signature shows what is internal.
-# Usage: test_names.sh DOC_FOLDER, in which the target doc has built the manual
+# Checks the reference: every public name of the headers stands on a page and in a group, and no
+# signature shows what is internal. Usage: test_names.sh DOC_FOLDER, in which the target doc has
+# built the manual
 set -eu
 cd "$1"
 work=$(mktemp -d)
@@ -30,7 +31,8 @@ names group manual.tag >"$work/groups"
 comm -23 "$work/all" "$work/pages" | report "A public name stands on a page (a comment with three strokes, or a place in internal/):"
 grep -v :: "$work/pages" | comm -23 - "$work/groups" | report "A public name stands in a group (\\ingroup):"
 
-# What pages call by name: `name()`, `Class::name()`. How_a_decision_is_made.txt follows calls through what is internal.
+# Pages call these names: `name()`, `Class::name()`. How_a_decision_is_made.txt follows calls
+# through internal functions.
 texts=$(sed -n 's/^ *"\(.*\/doc\/Geometric_continuity\)" .*/\1/p' Doxyfile)
 module=$texts/../../browser/module/geometric_continuity.d.ts # the functions of JavaScript
 {

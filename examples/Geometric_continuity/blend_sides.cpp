@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Fills a gap between two patches that has a neighbour on one side: the blend is G2 with both patches, and G1 with the neighbour, whose edge
-// and cross derivative it keeps. A side that does not fit is refused, with the corner and the condition.
+// Fills a gap between two patches that has a neighbour on one side: the blend is G2 with both
+// patches, and G1 with the neighbour, whose edge and cross derivative it keeps. A side that does
+// not fit is refused, with the corner and the condition.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>

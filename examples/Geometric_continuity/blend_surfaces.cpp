@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Leads from a quarter of a cylinder down to a plane, by surfaces that are G2 with both along the whole edges: with a shape that is
-// chosen, and with functions along the edges. What is proved is proved of the control points as they are: when one of them moves
-// by a billionth, the order falls.
+// Leads from a quarter of a cylinder down to a plane, by surfaces that are G2 with both along the
+// whole edges: with a shape that is chosen, and with functions along the edges. What is proved is
+// proved of the control points as they are: when one of them moves by a billionth, the order falls.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Leads from one bent patch to another: by a surface of degree 5 across, which is G2 with both along the whole edges, and by one of
-// degree 7, which is G3. Both are proved. The picture shows the second one: isophotes, which depend on first derivatives, cross
-// the edges with the same curvature.
+// Leads from one bent patch to another: by a surface of degree 5 across, which is G2 with both
+// along the whole edges, and by one of degree 7, which is G3. Both are proved. The picture shows
+// the second one: isophotes, which depend on first derivatives, cross the edges with the same
+// curvature.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
@@ -29,7 +30,7 @@ const Patch left({{Point(0, 0, 0), Point(0, 2, 2), Point(0, 4, 3), Point(0, 6, 3
            {Point(3, 11, 1), Point(3, 13, 0), Point(3, 15, 3)},
            {Point(6, 11, 3), Point(6, 13, 2), Point(6, 15, 3)}});
 
-// Whether the blend is G3 along both edges.
+// Is the blend G3 along both edges?
 template <class Strategy> bool is_g3(const Strategy& strategy) {
   const Patch s = GC::blend(left, Patch_edge::v1, right, Patch_edge::v0, strategy);
   const bool g2 = is_g2_edge(left, Patch_edge::v1, s, Patch_edge::v0) &&

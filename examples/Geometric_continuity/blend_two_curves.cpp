@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blends two planar cubics by the quintic of least energy and proves that both joins have continuous curvature.
+// Blends two planar cubics by the quintic of least energy and proves that both joins have
+// continuous curvature.
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Tells how far a join is from smooth: guaranteed bounds, and orders of continuity within a tolerance. The curves
-// resemble quarters of a circle; their coordinates have been rounded when they were turned.
+// Tells how far a join is from smooth: guaranteed bounds, and orders of continuity within a
+// tolerance. The curves resemble quarters of a circle; their coordinates have been rounded when
+// they were turned.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>

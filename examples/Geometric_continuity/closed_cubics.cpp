@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Makes closed curves through points (Catmull-Rom) and near them (uniform B-spline), and proves how smooth they are.
-// Points may coincide; the proof shows what that does to the curve.
+// Makes closed curves through points (Catmull-Rom) and near them (uniform B-spline), and proves how
+// smooth they are. Points may coincide; the proof shows what that does to the curve.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>

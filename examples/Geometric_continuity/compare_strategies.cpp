@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blends the same two curves by each strategy, and compares energy and orders of continuity. Every quintic strategy
-// gives G2 joins; they differ in two scalars. The septic strategies give G3 or F3 joins: torsion is continuous as well.
+// Blends the same two curves by each strategy, and compares energy and orders of continuity. Every
+// quintic strategy gives G2 joins; they differ in two scalars. The septic strategies give G3 or F3
+// joins: torsion is continuous as well.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>

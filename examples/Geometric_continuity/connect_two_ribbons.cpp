@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Makes two surfaces, one on each side of a cubic spline, with given cross derivatives and twists at its ends. They
-// meet with G1 continuity, which is proved for the whole edge. With other twists the surfaces fold, and the report says
-// where.
+// Makes two surfaces, one on each side of a cubic spline, with given cross derivatives and twists
+// at its ends. They meet with G1 continuity, which is proved for the whole edge. With other twists
+// the surfaces fold, and the report says where.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
@@ -24,7 +24,8 @@ Curve spline(const std::vector<Point>& points) {
   return Curve(points.begin(), points.end(), GC::Knot_vector<FT>(3, FT(0), FT(4), {{FT(2), 2}}));
 }
 
-// Connects two surfaces along c, prints a report, and returns whether they are G1 along the whole edge.
+// Connects two surfaces along c, prints a report, and returns whether they are G1 along the whole
+// edge.
 bool connect(const Curve& c, const Curve& c1, const Curve& c2) {
   const GC::G1_ribbon<Traits> ribbon = GC::connect_g1(c, c1, c2);
   std::cout << ribbon << '\n';
@@ -41,7 +42,8 @@ bool connect(const Curve& c, const Curve& c1, const Curve& c2) {
 int main() {
   const Curve c =
       spline({Point(0, 0, 0), Point(2, 0, 0), Point(4, 0, 3), Point(6, 0, 3), Point(8, 0, 0), Point(10, 0, 0)});
-  // The cross derivatives C1 - C, C2 - C and the twists C1' - C', C2' - C' at the ends can be attained.
+  // The cross derivatives C1 - C, C2 - C and the twists C1' - C', C2' - C' at the ends can be
+  // attained.
   const Curve left =
       spline({Point(1, 3, 0), Point(3, 4, 1), Point(4, 5, 4), Point(6, 5, 4), Point(9, 4, -1), Point(11, 3, 0)});
   const Curve right =

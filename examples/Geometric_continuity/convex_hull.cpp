@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A Bezier curve stays in the convex hull of its control points. The hull itself comes from CGAL (that part is under
-// the GPL); whether a point is inside is decided by this package as well, in any dimension, and proved by weights.
+// A Bezier curve stays in the convex hull of its control points. The hull itself comes from CGAL
+// (that part is under the GPL); whether a point is inside is decided by this package as well, in
+// any dimension, and proved by weights.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A cylinder on a plane, with a fillet between them: surfaces of revolution as rational patches, exact along whole edges. The fillet is
-// tangent to both, and not smoother: its curvature across the edges is that of its own circle. Then a profile with a G2 blend in
-// place of the circle: now every edge is G2. Writes the models fillet.g2 and smooth_fillet.g2, and a picture of each.
+// A cylinder on a plane, with a fillet between them: surfaces of revolution as rational patches,
+// exact along whole edges. The fillet is tangent to both, and not smoother: its curvature across
+// the edges is that of its own circle. Then a profile with a G2 blend in place of the circle: now
+// every edge is G2. Writes the models fillet.g2 and smooth_fillet.g2, and a picture of each.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>

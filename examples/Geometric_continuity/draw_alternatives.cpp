@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Hagen's line of alternatives: all third points of the next segment that keep the curvature continuous. One member makes
-// the join C2; the others are as smooth to the eye. Writes the picture alternatives.svg.
+// Hagen's line of alternatives: all third points of the next segment that keep the curvature
+// continuous. One member makes the join C2; the others are as smooth to the eye. Writes the picture
+// alternatives.svg.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>

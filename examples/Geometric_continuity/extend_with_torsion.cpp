@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Extends a space curve several times so that the Frenet frame, the curvature and the torsion are continuous, while
-// each new segment heads for a given point. The plane of alternatives leaves room for that; C3 would not.
+// Extends a space curve several times so that the Frenet frame, the curvature and the torsion are
+// continuous, while each new segment heads for a given point. The plane of alternatives leaves room
+// for that; C3 would not.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -18,7 +19,7 @@ typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
 
 int main() {
-  // Of degree 5: three points serve the torsion, and the last one is free.
+  // The degree is 5: three points serve the torsion, and the last one is free.
   std::vector<Curve> chain{
       Curve{Point(0, 0, 0), Point(1, 0, 0), Point(2, 1, 0), Point(3, 2, 1), Point(3, 3, 2), Point(2, 4, 4)}};
   for (const Point& target : {Point(-3, 4, 5), Point(-4, -2, 7), Point(3, -3, 9)})

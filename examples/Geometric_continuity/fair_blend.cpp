@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blends of the same curves, of degree 5 with exactly G2 joins and of degree 7 with exactly G3 joins: with the speed of the given
-// curves, with the automatic shape, and the fair one, whose curvature varies least. Writes the picture fair_blend.svg.
+// Blends of the same curves, of degree 5 with exactly G2 joins and of degree 7 with exactly G3
+// joins: with the speed of the given curves, with the automatic shape, and the fair one, whose
+// curvature varies least. Writes the picture fair_blend.svg.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>

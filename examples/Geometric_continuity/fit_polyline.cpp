@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Few curves near a polyline with many vertices, in floating-point numbers: the joins are exactly G1 or G2 nevertheless, and the distance
-// is proved.
+// Few curves near a polyline with many vertices, in floating-point numbers: the joins are exactly
+// G1 or G2 nevertheless, and the distance is proved.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>

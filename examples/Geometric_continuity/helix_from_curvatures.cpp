@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The fundamental theorem of curves: curvature and torsion determine a curve up to its position. Here a helix is
-// rebuilt from its two constant curvatures, as a composite Bezier curve with continuous curvature, and compared with
-// the formula.
+// The fundamental theorem of curves: curvature and torsion determine a curve up to its position.
+// Here a helix is rebuilt from its two constant curvatures, as a composite Bezier curve with
+// continuous curvature, and compared with the formula.
 
 #include <CGAL/Geometric_continuity/curves/curve_from_curvatures.h>
 #include <CGAL/Simple_cartesian.h>

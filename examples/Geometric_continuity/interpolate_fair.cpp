@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Splines of fair quintics through points, beside cubic splines: their curvature varies less, and their joins are exactly G2, with
-// floating-point numbers and a given tangent, too. Writes the picture interpolate_fair.svg.
+// Splines of fair quintics through points, beside cubic splines: their curvature varies less, and
+// their joins are exactly G2, with floating-point numbers and a given tangent, too. Writes the
+// picture interpolate_fair.svg.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Cubic splines through given points, open and closed, with continuous curvature: what is interpolated and how smooth the joins
-// are is decided exactly.
+// Cubic splines through given points, open and closed, with continuous curvature: what is
+// interpolated and how smooth the joins are is decided exactly.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>

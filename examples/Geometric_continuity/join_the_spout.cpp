@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The spout of the Utah teapot runs into the body, but has no edge in common with it. A loop is cut out of the four patches of the body around
-// that place, exactly; the spout is trimmed back; and eight blends lead from the one to the other.
+// The spout of the Utah teapot runs into the body, but has no edge in common with it. A loop is cut
+// out of the four patches of the body around that place, exactly; the spout is trimmed back; and
+// eight blends lead from the one to the other.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
@@ -30,8 +31,9 @@ typedef GC::Bernstein_polynomial<FT> Polynomial;
 constexpr GC::Patch_edge u0 = GC::Patch_edge::u0, u1 = GC::Patch_edge::u1, v0 = GC::Patch_edge::v0,
                          v1 = GC::Patch_edge::v1;
 
-// From an edge of the body to the edge v0 of the spout, with an automatic shape, leaning to one side the more the farther along the edge;
-// sides that are given are kept, and the derivatives across them.
+// From an edge of the body to the edge v0 of the spout, with an automatic shape, leaning to one
+// side the more the farther along the edge; sides that are given are kept, and the derivatives
+// across them.
 Patch blend(const Patch& body, GC::Patch_edge edge, const Patch& spout, const FT& lean,
             const std::optional<Side>& at_start = {}, const std::optional<Side>& at_end = {}) {
   const GC::Edge_direction direction = nearer_direction(body, edge, spout, v0);
@@ -52,12 +54,14 @@ Patch mirrored(const Patch& s) {
 int main() {
   std::ifstream stream(GEOMETRIC_CONTINUITY_DATA "/teapot.g2");
   const std::vector<Patch> teapot = GC::read_g2_surfaces<Traits>(stream, "teapot.g2");
-  const Patch &above = teapot[4], &below = teapot[8]; // the body where y < 0, with the corner (2, 0, 0.9) in common
+  // the body where y < 0, with the corner (2, 0, 0.9) in common
+  const Patch &above = teapot[4], &below = teapot[8];
 
   bool as_expected = mirrored(above) == teapot[7].reverse_u() && mirrored(below) == teapot[11].reverse_u() &&
                      mirrored(teapot[16]) == teapot[17].reverse_u();
 
-  // The loop around the corner, in both patches: up to (1/6, 1/3) from it by y = 1/2 - 6 x^2, from there on by x = 1/4 - 3/4 y^2.
+  // The loop around the corner, in both patches: up to (1/6, 1/3) from it by y = 1/2 - 6 x^2, from
+  // there on by x = 1/4 - 3/4 y^2.
   const FT x = FT(1) / 6, y = FT(1) / 3;
   const Polynomial height{FT(1) / 2, FT(1) / 2, y}, width{FT(1) / 4, FT(1) / 4, x}, rising{x, FT(1) / 4, FT(1) / 4};
   const Patch top = cut_back(above.split_u(x).first, v1, height),

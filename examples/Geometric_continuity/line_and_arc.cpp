@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A line runs into an arc of a circle. Where both have one tangent the curvature jumps, exactly by 1/r. A fair blend in place of the
-// last part of the line and the first part of the arc makes the curvature continuous, as in the easement of a railway. Writes
-// the picture line_and_arc.svg.
+// A line runs into an arc of a circle. Where both have one tangent the curvature jumps, exactly by
+// 1/r. A fair blend in place of the last part of the line and the first part of the arc makes the
+// curvature continuous, as in the easement of a railway. Writes the picture line_and_arc.svg.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -22,7 +22,8 @@ typedef GC::Rational_bezier_curve<Traits> Curve;
 
 int main() {
   const Curve line = GC::Bezier_curve<Traits>{Point(-8, 0), Point(0, 0)};
-  const Curve arc = GC::circular_arc(Point(0, 4), Point(0, 0), FT(FT(1) / FT(2))); // 106 degrees of the radius 4
+  // 106 degrees of the radius 4
+  const Curve arc = GC::circular_arc(Point(0, 4), Point(0, 0), FT(FT(1) / FT(2)));
   std::cout << "line and arc: " << GC::continuity(line, arc)
             << "\ncurvature of the arc, squared: " << *GC::curvature_squared(arc.start_jet(2)) << '\n';
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Finds a kink in the outline of a letter and mends it on the grid of integers: of the pairs of handles that lie on one line through
-// the node, the one with the least moves.
+// Finds a kink in the outline of a letter and mends it on the grid of integers: of the pairs of
+// handles that lie on one line through the node, the one with the least moves.
 
 #include <CGAL/Geometric_continuity.h>
 #include <CGAL/Simple_cartesian.h>

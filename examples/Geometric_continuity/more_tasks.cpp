@@ -55,7 +55,8 @@ int main() {
   std::cout << "4. " << GC::continuity(corner.left, corner.blend) << ", " << GC::continuity(corner.blend, corner.right)
             << '\n';
 
-  // 5. from a line to an arc: r = 1/2 is the tangent of a quarter of the angle, which is 106 degrees
+  // 5. from a line to an arc: r = 1/2 is the tangent of a quarter of the angle, which is 106
+  //    degrees
   const GC::Bezier_curve<Plane> line{Point(-5, 0), Point(-2, 0)};
   const auto arc = GC::circular_arc(Point(0, 2), Point(0, 0), FT(1) / 2);
   const auto transition = GC::blend(line, arc, GC::Fair());

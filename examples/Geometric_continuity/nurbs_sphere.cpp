@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A sphere of rational patches: all its points lie on it exactly, and along whole edges it is G2, but for the poles, where whole edges
-// are single points and the normals of the patches vanish.
+// A sphere of rational patches: all its points lie on it exactly, and along whole edges it is G2,
+// but for the poles, where whole edges are single points and the normals of the patches vanish.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// One curve and five ways to go on from its end: a corner, a kink, G1, G2, and G3. Writes the picture orders_of_continuity.svg, where
-// the curvature combs show what the curves alone hide.
+// One curve and five ways to go on from its end: a corner, a kink, G1, G2, and G3. Writes the
+// picture orders_of_continuity.svg, where the curvature combs show what the curves alone hide.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -24,7 +24,8 @@ Point point(int x, int y) { return Point(Q(Q(x) / Q(10)), Q(Q(y) / Q(10))); }
 
 int main() {
   const Curve left{point(0, 0), point(10, 10), point(22, 16), point(35, 16)};
-  const Point end = point(35, 16), b1 = point(48, 16), b2 = point(62, 10), b3 = point(76, -4); // the cubic goes on
+  // the cubic goes on
+  const Point end = point(35, 16), b1 = point(48, 16), b2 = point(62, 10), b3 = point(76, -4);
   const GC::Svg_style given{GC::Svg_role::given, false, true}, result{GC::Svg_role::result, false, true};
   GC::Svg_figure figure("One curve and five ways to go on", 5);
   int orders = 0;

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Defines two types of curves of your own that take part in blends: a circle in rational numbers, with a proof of the
-// joins, and a helix in floating-point numbers.
+// Defines two types of curves of your own that take part in blends: a circle in rational numbers,
+// with a proof of the joins, and a helix in floating-point numbers.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Defines a strategy of your own, which chooses how far the inner control points of a blend slide along the end
-// tangents. Whatever it chooses, the joins stay G2. Here the strategy puts the middle of the blend at a given height. It
-// works in every field, and says so: then the package computes the blend in a field that is faster than rational numbers.
+// Defines a strategy of your own, which chooses how far the inner control points of a blend slide
+// along the end tangents. Whatever it chooses, the joins stay G2. Here the strategy puts the middle
+// of the blend at a given height. It works in every field, and says so: then the package computes
+// the blend in a field that is faster than rational numbers.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -18,7 +19,8 @@ typedef Traits::FT FT;
 typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
 
-// gamma(1/2) = (A1 + 5 B1 + 10 C1 + 10 C2 + 5 B2 + A2) / 32 with C1 = C1(0) + s u and C2 = C2(0) - s v
+// gamma(1/2) = (A1 + 5 B1 + 10 C1 + 10 C2 + 5 B2 + A2) / 32 with C1 = C1(0) + s u and C2 = C2(0) -
+// s v
 struct Middle_at_height {
   typedef CGAL::Tag_true Works_in_every_field;
   Traits::FT y;

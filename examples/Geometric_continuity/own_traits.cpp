@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Defines a traits class for points of your own, here plain arrays with one dimension for time. Curves in space-time
-// are blended without conversion to points of a CGAL kernel.
+// Defines a traits class for points of your own, here plain arrays with one dimension for time.
+// Curves in space-time are blended without conversion to points of a CGAL kernel.
 
 #include <CGAL/Dimension.h>
 #include <CGAL/Exact_rational.h>

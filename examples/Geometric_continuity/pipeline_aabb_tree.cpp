@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Computes the distance of a point from a curve, with a guaranteed error: an AABB tree of CGAL answers for a polyline
-// that is nowhere farther from the curve than its tolerance. (AABB_tree is under the GPL.)
+// Computes the distance of a point from a curve, with a guaranteed error: an AABB tree of CGAL
+// answers for a polyline that is nowhere farther from the curve than its tolerance. (AABB_tree is
+// under the GPL.)
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

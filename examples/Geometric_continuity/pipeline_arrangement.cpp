@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Counts the regions into which curves divide the plane: an arrangement of their polylines, in exact numbers
-// throughout, so that common points stay common points. (Arrangement_on_surface_2 is under the GPL.)
+// Counts the regions into which curves divide the plane: an arrangement of their polylines, in
+// exact numbers throughout, so that common points stay common points. (Arrangement_on_surface_2 is
+// under the GPL.)
 
 #include <CGAL/Arr_polyline_traits_2.h>
 #include <CGAL/Arr_segment_traits_2.h>
@@ -32,7 +33,8 @@ template <class Curve> Arr_traits::Curve_2 polyline(const Arr_traits& traits, co
 }
 
 int main() {
-  // A curve with a loop, a parabola, the blend that leads from one to the other, and an oval around them.
+  // A curve with a loop, a parabola, the blend that leads from one to the other, and an oval around
+  // them.
   const GC::Bezier_curve<Traits> loop{Point(-4, 0), Point(8, 8), Point(-8, 8), Point(4, 0)};
   const GC::Bezier_curve<Traits> parabola{Point(6, 6), Point(2, 2), Point(-6, 2)};
   const GC::Quintic_blend<Traits> blend = GC::blend(loop, parabola);

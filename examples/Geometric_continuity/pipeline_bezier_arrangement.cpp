@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Builds the exact arrangement of Bezier curves, without polylines: Arr_Bezier_curve_traits_2 of CGAL takes the control
-// points as they are, and gives them back. Curves over its rational kernel need no conversion. (This part of CGAL is
-// under the GPL.)
+// Builds the exact arrangement of Bezier curves, without polylines: Arr_Bezier_curve_traits_2 of
+// CGAL takes the control points as they are, and gives them back. Curves over its rational kernel
+// need no conversion. (This part of CGAL is under the GPL.)
 
 #include <CGAL/Arr_Bezier_curve_traits_2.h>
 #include <CGAL/Arrangement_with_history_2.h>

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Finds which of many lines cross, touch or miss which of many curves: box_intersection_d of CGAL finds the few pairs
-// whose boxes meet, and signs of polynomials decide those exactly. (Box_intersection_d is under the GPL.)
+// Finds which of many lines cross, touch or miss which of many curves: box_intersection_d of CGAL
+// finds the few pairs whose boxes meet, and signs of polynomials decide those exactly.
+// (Box_intersection_d is under the GPL.)
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>
@@ -26,7 +27,8 @@ typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
 typedef GC::Curve_piece_box<Traits, int> Box;
 
-// The side of the line on which the curve is, as a polynomial: the coefficients are the sides of the control points.
+// The side of the line on which the curve is, as a polynomial: the coefficients are the sides of
+// the control points.
 GC::Sign_pattern sides(const Curve& curve, const Curve& line) {
   std::vector<FT> side;
   const Point &a = line.control_point(0), &b = line.control_point(1);

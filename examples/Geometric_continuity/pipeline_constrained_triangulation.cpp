@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Triangulates the area inside an outline of curves with a hole: polylines become constraints of a triangulation, and a
-// flood fill from outside tells which triangles are inside. (Constrained_Delaunay_triangulation_2 is under the GPL.)
+// Triangulates the area inside an outline of curves with a hole: polylines become constraints of a
+// triangulation, and a flood fill from outside tells which triangles are inside.
+// (Constrained_Delaunay_triangulation_2 is under the GPL.)
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -28,8 +29,8 @@ typedef CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<K
     Data_structure;
 typedef CGAL::Constrained_Delaunay_triangulation_2<Kernel, Data_structure> Triangulation;
 
-// Gives the depth to all faces that are reached from this one without crossing a constraint, and collects the
-// constraints.
+// Gives the depth to all faces that are reached from this one without crossing a constraint, and
+// collects the constraints.
 void mark(Triangulation::Face_handle face, int depth, std::vector<Triangulation::Edge>& border) {
   std::vector<Triangulation::Face_handle> stack{face};
   while (!stack.empty()) {
@@ -48,7 +49,8 @@ void mark(Triangulation::Face_handle face, int depth, std::vector<Triangulation:
 
 int main() {
   typedef GC::Composite_bezier_curve<GC::Traits_2<Kernel>> Curve;
-  // The parabolas y = 4 - x^2 and y = x^2 - 4 bound the area, y = 1 - x^2 and y = x^2 - 1 bound the hole.
+  // The parabolas y = 4 - x^2 and y = x^2 - 4 bound the area, y = 1 - x^2 and y = x^2 - 1 bound the
+  // hole.
   const std::vector<Point> outer{{-2, 0}, {0, 8}, {2, 0}, {0, -8}, {-2, 0}},
       inner{{-1, 0}, {0, 2}, {1, 0}, {0, -2}, {-1, 0}};
   Triangulation triangulation;

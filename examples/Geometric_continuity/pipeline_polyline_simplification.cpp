@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Turns a closed outline of Bezier curves into a fine polyline, which the package Polyline_simplification_2 of CGAL
-// thins out without letting it cross itself. Both errors are bounded, and the bounds add up. (The simplification is
-// under the GPL.)
+// Turns a closed outline of Bezier curves into a fine polyline, which the package
+// Polyline_simplification_2 of CGAL thins out without letting it cross itself. Both errors are
+// bounded, and the bounds add up. (The simplification is under the GPL.)
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits.h>

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Turns a G1 ribbon along a curve into a Surface_mesh, which the package Polygon_mesh_processing of CGAL orients,
-// checks for self-intersections and remeshes. (Surface_mesh and most of Polygon_mesh_processing are under the GPL.)
+// Turns a G1 ribbon along a curve into a Surface_mesh, which the package Polygon_mesh_processing of
+// CGAL orients, checks for self-intersections and remeshes. (Surface_mesh and most of
+// Polygon_mesh_processing are under the GPL.)
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity/Traits.h>

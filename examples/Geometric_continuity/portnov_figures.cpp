@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The six figures of Portnov's text, from the formulas: where the control points A, B, C of a blend lie, with the distance d, the
-// line l and the right angles, and what three of his choices look like. Writes the picture portnov_figures.svg.
+// The six figures of Portnov's text, from the formulas: where the control points A, B, C of a blend
+// lie, with the distance d, the line l and the right angles, and what three of his choices look
+// like. Writes the picture portnov_figures.svg.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Computes the exact product of two splines with different knots. Each knot of the product is repeated as often as it
-// must be, and no more; the product is checked at random parameters, without rounding.
+// Computes the exact product of two splines with different knots. Each knot of the product is
+// repeated as often as it must be, and no more; the product is checked at random parameters,
+// without rounding.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
@@ -17,7 +18,8 @@ typedef GC::Knot_vector<FT> Knots;
 typedef GC::Bspline_function<FT> Spline;
 
 int main() {
-  // A quadratic with the simple knot 1, and a cubic with the double knot 1 and a simple knot that is very near to it.
+  // A quadratic with the simple knot 1, and a cubic with the double knot 1 and a simple knot that
+  // is very near to it.
   const FT near = FT(1) + FT(1) / FT(1000000);
   const Spline f(Knots(2, FT(0), FT(3), {{FT(1), 1}}), {FT(1), FT(-2), FT(5), FT(1) / FT(3)});
   const Spline g(Knots(3, FT(0), FT(3), {{FT(1), 2}, {near, 1}}),

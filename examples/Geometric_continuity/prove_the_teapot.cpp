@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Reads the 32 bicubic patches of the Utah teapot, and decides G1 and G2 along each whole edge that two of them share,
-// exactly for the numbers in the file. No edge is sampled.
+// Reads the 32 bicubic patches of the Utah teapot, and decides G1 and G2 along each whole edge that
+// two of them share, exactly for the numbers in the file. No edge is sampled.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
@@ -28,7 +28,8 @@ int main(int argc, char* argv[]) {
     const auto model = GC::model_continuity(patches);
     std::cout << patches.size() << " patches: " << model.summary << '\n';
 
-    // At the bottom and at the knob whole edges of patches shrink to a point, where the normal vanishes.
+    // At the bottom and at the knob whole edges of patches shrink to a point, where the normal
+    // vanishes.
     for (const auto& edge : model.edges)
       if (edge.kind == GC::Model_edge_kind::shared && edge.continuity.g_order == 0)
         std::cout << edge << ", normal vanishes at " << edge.continuity.vanishing->first << '\n';

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blends in floating-point numbers. Rounding the control points of a G2 blend breaks its joins; a representable blend
-// is exactly G2, and still is after it has been written to a file and read again. One of surfaces is so along whole edges.
+// Blends in floating-point numbers. Rounding the control points of a G2 blend breaks its joins; a
+// representable blend is exactly G2, and still is after it has been written to a file and read
+// again. One of surfaces is so along whole edges.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>
@@ -47,7 +48,8 @@ int main() {
                                     {Point(0, 3.3, 0.1), Point(1.2, 3.4, 0), Point(2.7, 3.1, 0.9)}}),
       b({{Point(6.4, 0.1, 1.1), Point(7.2, 0.3, 1.3)}, {Point(6.1, 3.6, 0.8), Point(7.3, 3.2, 1.7)}});
   //! [surfaces]
-  const auto r = GC::representable_blend(a, GC::Patch_edge::v1, b, GC::Patch_edge::v0); // control points are double
+  // control points are double
+  const auto r = GC::representable_blend(a, GC::Patch_edge::v1, b, GC::Patch_edge::v0);
   const auto start = edge_continuity(r.first, GC::Patch_edge::v1, r.blend, GC::Patch_edge::v0),
              end = edge_continuity(r.blend, GC::Patch_edge::v1, r.second, GC::Patch_edge::v0);
   std::cout << "of surfaces: " << start << " and " << end << ", control points moved by at most " << r.start_join.moved

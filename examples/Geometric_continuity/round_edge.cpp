@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A quarter of a cylinder stands on a plane. The edge in which they meet, an arc, is rounded: G2 with both along the whole new edges.
+// A quarter of a cylinder stands on a plane. The edge in which they meet, an arc, is rounded: G2
+// with both along the whole new edges.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
@@ -19,7 +20,8 @@ typedef GC::Rational_bezier_patch<Traits> Patch;
 constexpr GC::Patch_edge v0 = GC::Patch_edge::v0, v1 = GC::Patch_edge::v1;
 
 int main() {
-  // the axis is the z-axis; u runs along the arc of the radius 1, v upwards or outwards, to the height 4 and the radius 3
+  // the axis is the z-axis; u runs along the arc of the radius 1, v upwards or outwards, to the
+  // height 4 and the radius 3
   const Patch cylinder(
       {{Point(1, 0, 0), Point(1, 0, 4)}, {Point(1, 1, 0), Point(1, 1, 4)}, {Point(0, 1, 0), Point(0, 1, 4)}},
       {{1, 1}, {1, 1}, {2, 2}});

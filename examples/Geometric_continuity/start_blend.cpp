@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Start here: a curve that leads from one curve to another with continuous curvature, and the proof.
+// Start here: a curve that leads from one curve to another with continuous curvature, and the
+// proof.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -13,7 +14,8 @@
 int main() {
   //! [start]
   namespace GC = CGAL::Geometric_continuity;
-  typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits; // exact: so the joins are, too
+  // exact: so the joins are, too
+  typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
   typedef Traits::Point Point;
 
   const GC::Bezier_curve<Traits> phi{Point(0, 0, 0), Point(1, 2, 0), Point(3, 2, 1), Point(4, 0, 1)},

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Turns a profile of three curves into a vase, and proves that the profile and the vase are smooth. The normals of the
-// vase are exact, and the only place without a normal, the bottom on the axis, is found.
+// Turns a profile of three curves into a vase, and proves that the profile and the vase are smooth.
+// The normals of the vase are exact, and the only place without a normal, the bottom on the axis,
+// is found.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -35,7 +36,8 @@ int main() {
     smooth = smooth && join.g_order == 2;
   }
 
-  const Surface vase(lip, a, z); // v = tan(theta/2): v = 1/2 is the point (3/5, 4/5) of the unit circle
+  // v = tan(theta/2): v = 1/2 is the point (3/5, 4/5) of the unit circle
+  const Surface vase(lip, a, z);
   const FT u(FT(1) / FT(3)), v(FT(1) / FT(2));
   std::cout << "point (" << vase(u, v) << "), normal (" << vase.normal(u, v) << ")\n";
   smooth = smooth && vase.normal(u, v) * vase.jet(u, v, 1).partial(1, 0) == 0;

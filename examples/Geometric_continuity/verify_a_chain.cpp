@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Verifies a closed chain of curves with double coordinates. The constructions of the kernel are inexact, but its
-// predicates are exact: the answer holds for the coordinates as given, and one unit in the last place makes a
-// difference.
+// Verifies a closed chain of curves with double coordinates. The constructions of the kernel are
+// inexact, but its predicates are exact: the answer holds for the coordinates as given, and one
+// unit in the last place makes a difference.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Geometric_continuity.h>
@@ -27,7 +27,8 @@ std::vector<Curve> rounded_square(double h) {
           Curve{Point(0, -1), Point(h, -1), Point(1, -h), Point(1, 0)}};
 }
 
-// Prints the orders of all joins, of which the last closes the chain, and returns the least G order.
+// Prints the orders of all joins, of which the last closes the chain, and returns the least G
+// order.
 int least_g_order(const std::vector<Curve>& chain) {
   int least = 3, i = 0;
   for (const auto& join : GC::chain_joins(chain, 3, GC::Closure::closed)) {

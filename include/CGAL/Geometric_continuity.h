@@ -6,7 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_H
 
 /// \file Geometric_continuity.h
-/// Everything but input and output, edges of CAD models (cad/cad_edge_continuity.h, ...) and what needs Boost.Odeint (curves/curve_from_curvatures.h).
+/// Everything but input and output, edges of CAD models (cad/cad_edge_continuity.h, ...) and what
+/// needs Boost.Odeint (curves/curve_from_curvatures.h).
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>

@@ -17,14 +17,16 @@
 #include <utility>
 #include <vector>
 
-// What the module asks of the package: arrays in, arrays and records out, without anything of Python. All of it may run without the lock
-// of the interpreter. Where all numbers are doubles, decisions are those of `Exact_predicates_inexact_constructions_kernel`.
+// The module calls these functions of the package. They take arrays, return arrays and records, and
+// do not depend on Python. All of them may run without the lock of the interpreter. Where all
+// numbers are doubles, decisions are those of `Exact_predicates_inexact_constructions_kernel`.
 
 namespace GC = CGAL::Geometric_continuity;
 
 typedef GC::Exact_field<double>::type Exact;
 
-// Numbers of any shape, the last index runs fastest: all as doubles where that loses nothing, otherwise all exact.
+// Numbers of any shape, the last index runs fastest: all as doubles where that loses nothing,
+// otherwise all exact.
 struct Numbers {
   std::vector<std::size_t> shape;
   std::vector<double> doubles;
@@ -35,7 +37,8 @@ struct Numbers {
   std::size_t size() const { return exact.empty() ? doubles.size() : exact.size(); }
 };
 
-// A curve over its knots: a row of `points` for each control point. With `exact`, its numbers are those of `points.exact`.
+// A curve over its knots: a row of `points` for each control point. With `exact`, its numbers are
+// those of `points.exact`.
 struct Curve_numbers {
   int degree = 0;
   Numbers points, knots;
@@ -52,8 +55,8 @@ GC::Join_deviation deviation(const Numbers& left, const Numbers& right);
 std::optional<GC::Visual_class> visual_class(const Numbers& left, const Numbers& right, const Exact& kink_angle);
 std::optional<GC::Kink_size> kink_size(const Numbers& left, const Numbers& right);
 
-// n Bezier curves of one degree in the plane or in space, in the memory of somebody else; the steps between curves, points and coordinates
-// in doubles.
+// n Bezier curves of one degree in the plane or in space, in the memory of somebody else; the steps
+// between curves, points and coordinates in doubles.
 struct Curves_view {
   const double* first;
   std::size_t number;
@@ -66,16 +69,17 @@ struct Curves_view {
   }
 };
 
-// The joins of consecutive curves, or if closed also that of the last one with the first, that do not have the order, e.g. "G2". Between
-// parts that take some milliseconds it calls `pause`, whose exceptions it passes on.
+// The joins of consecutive curves, or if closed also that of the last one with the first, that do
+// not have the order, e.g. "G2". Between parts that take some milliseconds it calls `pause`, whose
+// exceptions it passes on.
 std::vector<std::ptrdiff_t> failing_joins(const Curves_view& curves, const std::string& order, bool closed,
                                           bool parallel, const std::function<void()>& pause);
 
-// The same of an array of shape (n, degree + 1, dimension), in any dimension.
+// Takes an array of shape (n, degree + 1, dimension), in any dimension.
 std::vector<std::ptrdiff_t> failing_joins(const Numbers& curves, const std::string& order, bool closed,
                                           const std::function<void()>& pause);
 
-// Of blends: those of degree 5, those of degree 7, and free.
+// Returns the strategies of blends: those of degree 5, those of degree 7, and free.
 std::vector<std::string> strategy_names();
 
 struct Blend_numbers {

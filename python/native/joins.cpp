@@ -38,7 +38,7 @@ auto with_curves(const Numbers& left, const Numbers& right, const std::string& p
   return f(curve<Exact_traits>(left, place), curve<Exact_traits>(right, place));
 }
 
-// The same in the plane only.
+// Calls the function in the plane only.
 template <class Function>
 auto with_plane_curves(const Numbers& left, const Numbers& right, const std::string& place, Function f) {
   typedef GC::Traits_2<CGAL::Simple_cartesian<Exact>> Exact_plane;
@@ -96,7 +96,8 @@ template <class Function> void with_question(const std::string& order, Function 
                   "failing_joins: the order '" + order + "' is none of C0 to C3, G0 to G3, F0 to F3");
 }
 
-// The exponent of a double plus one: it overflows into the highest bit for what is infinite or undefined, and for nothing else.
+// The exponent of a double plus one: it overflows into the highest bit for what is infinite or
+// undefined, and for nothing else.
 std::uint64_t increased_exponent(double x) {
   std::uint64_t bits;
   std::memcpy(&bits, &x, sizeof bits);
@@ -111,7 +112,8 @@ void check_finite(const Curves_view& view, std::size_t begin, std::size_t end) {
   if (view.is_packed()) {
     const double* const first = view.first + static_cast<std::ptrdiff_t>(begin) * view.curve_step;
     const std::size_t n = (end - begin) * static_cast<std::size_t>(points * d);
-    for (std::size_t i = 0; i < n; ++i) exponents |= increased_exponent(first[i]); // without a branch, in vectors
+    // without a branch, in vectors
+    for (std::size_t i = 0; i < n; ++i) exponents |= increased_exponent(first[i]);
     if (!has_overflown(exponents)) return;
   }
   for (std::size_t c = begin; c < end; ++c)
@@ -122,7 +124,8 @@ void check_finite(const Curves_view& view, std::size_t begin, std::size_t end) {
           throw GC::Error(GC::Error_code::not_finite, "failing_joins: curve " + std::to_string(c));
 }
 
-// n Bezier curves of any dimension in an array of shape (n, degree + 1, dimension), as objects of their own.
+// n Bezier curves of any dimension in an array of shape (n, degree + 1, dimension), as objects of
+// their own.
 GC::Bezier_curve<Exact_traits> exact_curve(const Numbers& x, std::ptrdiff_t index) {
   const std::size_t d = x.shape[2], size = x.shape[1] * d;
   std::vector<Exact_traits::Point> points;

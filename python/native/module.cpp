@@ -20,7 +20,8 @@
 #include <memory>
 #include <sstream>
 
-// The module `_native`: numbers and arrays of Python in, records out. What users see is in the package around it.
+// The module `_native`: numbers and arrays of Python in, records out. What users see is in the
+// package around it.
 
 namespace py = pybind11;
 
@@ -167,8 +168,8 @@ py::array array_of(Numbers&& x, bool exact) {
   return array_of(std::move(x.doubles), x.shape);
 }
 
-// How the results of a construction are wanted: as fractions, and in which field they are constructed. Without a wish they are exact
-// where no floating-point number was given.
+// How the results of a construction are wanted: as fractions, and in which field they are
+// constructed. Without a wish they are exact where no floating-point number was given.
 struct Wish {
   bool exact;
   Field_of_results field;
@@ -204,7 +205,8 @@ void check_signals() {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
-// Without the lock of the interpreter. Every now and then signals are looked at, so that Ctrl-C ends what is long.
+// Without the lock of the interpreter. Every now and then signals are looked at, so that Ctrl-C
+// ends what is long.
 template <class Function> auto released(Function f) {
   typedef std::chrono::steady_clock Clock;
   const py::gil_scoped_release release;

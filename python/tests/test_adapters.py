@@ -23,8 +23,8 @@ def needs(*names):
     return unittest.skipIf(missing, "not installed: " + ", ".join(missing))
 
 
-# A contour like that of a letter o, with a kink at (300, 500), where a cubic meets a cubic, one at (100, 0), where a line meets a cubic, and
-# a corner.
+# A contour like that of a letter o, with a kink at (300, 500), where a cubic meets a cubic, one at
+# (100, 0), where a line meets a cubic, and a corner.
 CONTOUR = [(100, 0, "line"), (60, 2, None), (0, 100, None), (0, 250, "curve"), (0, 400, None), (150, 498, None), (300, 500, "curve"),
            (450, 504, None), (600, 400, None), (600, 250, "curve"), (600, 100, "line"), (600, 0, "line")]
 

@@ -1,4 +1,5 @@
-# run_cases fails on cases with one altered digit, on an unknown operation, on an empty file, and without files.
+# run_cases fails on cases with one altered digit, on an unknown operation, on an empty file, and
+# without files.
 file(MAKE_DIRECTORY ${WORK})
 function(must_fail what)
   execute_process(COMMAND ${RUN_CASES} ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE code)

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A question that is decided on jets, over a kernel that brings no exact numbers: it does not compile without them, and the compiler says
-// what to include. A test builds it without and with WITH_EXACT_NUMBERS.
+// A question that is decided on jets, over a kernel that brings no exact numbers: it does not
+// compile without them, and the compiler says what to include. A test builds it without and with
+// WITH_EXACT_NUMBERS.
 
 #include <CGAL/Geometric_continuity/Traits.h>
 #ifdef WITH_EXACT_NUMBERS

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A program that must not compile with -ffast-math; its target is not part of a build, a test builds it.
+// A program that must not compile with -ffast-math; its target is not part of a build, a test
+// builds it.
 
 #include <CGAL/Geometric_continuity/Error.h>
 

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Types and arguments that are refused by one message of the compiler. Each macro is a program that must not compile; a test builds it.
+// Types and arguments that are refused by one message of the compiler. Each macro is a program that
+// must not compile; a test builds it.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Traits.h>

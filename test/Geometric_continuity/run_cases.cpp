@@ -6,8 +6,9 @@
 //
 //   run_cases FILE.txt...
 //
-// Prints each mismatch with the name of its case, and at last "N passed, N failed". The exit code is 0 if and only if
-// every case passed. The kernel is chosen when compiling, Simple_cartesian<Exact_rational> by default.
+// Prints each mismatch with the name of its case, and at last "N passed, N failed". The exit code
+// is 0 if and only if every case passed. The kernel is chosen when compiling,
+// Simple_cartesian<Exact_rational> by default.
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Simple_cartesian.h>

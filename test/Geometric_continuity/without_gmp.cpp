@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The package without GMP and MPFR, with the numbers of Boost: constructions and decisions on doubles and on rational numbers.
+// The package without GMP and MPFR, with the numbers of Boost: constructions and decisions on
+// doubles and on rational numbers.
 
 #define BOOST_TEST_DYN_LINK
 #define BOOST_TEST_MODULE Without_gmp
@@ -57,7 +58,8 @@ BOOST_AUTO_TEST_CASE(blends) { // the example of the README
 BOOST_AUTO_TEST_CASE(predicates_on_doubles) {
   typedef Space::Point Point;
   const GC::Bezier_curve<Space> a{Point(0, 0, 0), Point(1, 0, 0.5), Point(2, 1, 0.25), Point(3, 3, 0.125)};
-  const GC::Bezier_curve<Space> left = a.split(0.5).first, right = a.split(0.5).second; // exact: few binary digits
+  // exact: few binary digits
+  const GC::Bezier_curve<Space> left = a.split(0.5).first, right = a.split(0.5).second;
   BOOST_CHECK(GC::is_g2_join(left, right));
   BOOST_CHECK(GC::is_f3_join(left, right));
   const GC::Bezier_curve<Space> moved{right.control_point(0), right.control_point(1),
@@ -78,7 +80,8 @@ BOOST_AUTO_TEST_CASE(splines_and_polynomials) {
   const Q u = Q(3) / Q(7);
   BOOST_CHECK(g(u) == f(u) * f(u));
   BOOST_CHECK(f.elevate(2)(u) == f(u));
-  const GC::Bernstein_polynomial<double> p{0.25, -0.25, 0.25}, q{0.5, -0.5, -0.5}; // (t - 1/2)^2, 1/2 - 2t + t^2
+  // (t - 1/2)^2, 1/2 - 2t + t^2
+  const GC::Bernstein_polynomial<double> p{0.25, -0.25, 0.25}, q{0.5, -0.5, -0.5};
   BOOST_CHECK_EQUAL(GC::sign_pattern(p), GC::Sign_pattern::nonnegative);
   BOOST_CHECK_EQUAL(GC::isolate_roots(p).size(), 1u);
   const auto roots = GC::isolate_roots(q, GC::Exact_field<double>::type(0x1p-40)); // 1 - sqrt(1/2)

@@ -38,7 +38,8 @@ CODE, BRANCH = 0, 4  # kinds of regions
 
 def build(folder, jobs, pattern):
     """Builds the programs in whose names the pattern is found; returns the names of the tests and their commands."""
-    # atomic: tests on several cores would lose counts, and a side that is the difference of two counts would seem to be reached
+    # atomic: tests on several cores would lose counts, and a side that is the difference of two
+    # counts would seem to be reached
     flags = "-fprofile-instr-generate -fprofile-update=atomic -fcoverage-mapping"  # which clang does not apply to what comes from precompiled headers
     options = ["-DCMAKE_CXX_COMPILER=clang++", f"-DCMAKE_CXX_FLAGS={flags}", "-DGEOMETRIC_CONTINUITY_PRECOMPILE_PACKAGE=OFF"]
     subprocess.run(["cmake", "-G", "Unix Makefiles", "-S", root, "-B", folder, *options], check=True, stdout=subprocess.DEVNULL)

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Certificates of joins: what is written about each join of a chain is read from its text, and its numbers prove the orders.
+// Certificates of joins: what is written about each join of a chain is read from its text, and its
+// numbers prove the orders.
 
 #include "fuzz_target.h"
 
@@ -95,7 +96,8 @@ Numbers sum(Numbers x, const Q& s, const Numbers& y) {
   return x;
 }
 
-// That the numbers of a certificate prove its orders, by the equations of the class Join_certificate.
+// Checks that the numbers of a certificate prove its orders, by the equations of the class
+// Join_certificate.
 void check(Certificate_reader c) {
   const std::vector<Numbers>&x = c.members["x"], &y = c.members["y"];
   const int dimension = static_cast<int>(x.at(0).size()), c_order = c.integer("c_order"), g = c.integer("g_order"),
@@ -158,7 +160,8 @@ template <int N> void check_chain(std::string_view text) {
   }
 }
 
-// Returns whether a number has an exponent of three digits or more. Long numbers are a matter of fuzz_curves; here they would take most of the time.
+// Returns whether a number has an exponent of three digits or more. Long numbers are a matter of
+// fuzz_curves; here they would take most of the time.
 bool has_large_exponent(std::string_view text) {
   const char* const digits = "0123456789";
   for (std::size_t e = text.find_first_of("eE"); e != std::string_view::npos; e = text.find_first_of("eE", e + 1)) {

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Curves of .g2 files: what is read and written reads back equal, and the pieces of a spline form a chain.
+// Curves of .g2 files: what is read and written reads back equal, and the pieces of a spline form a
+// chain.
 
 #include "fuzz_target.h"
 

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Fonts: all glyphs of all fonts of a file, as the program reads them. Their joins are graded on integers as by the library.
+// Fonts: all glyphs of all fonts of a file, as the program reads them. Their joins are graded on
+// integers as by the library.
 
 #include "fuzz_target.h"
 

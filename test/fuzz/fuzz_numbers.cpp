@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Numbers: what is read and written reads back equal, and floating-point numbers are next to the exact ones.
+// Numbers: what is read and written reads back equal, and floating-point numbers are next to the
+// exact ones.
 
 #include "fuzz_target.h"
 

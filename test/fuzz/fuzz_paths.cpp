@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Path data, transforms, lengths and points of SVG. A text is a list of transforms and, behind a line break, path data,
-// whose orders of continuity are the same after the transforms. It is read as all the others, too.
+// Path data, transforms, lengths and points of SVG. A text is a list of transforms and, behind a
+// line break, path data, whose orders of continuity are the same after the transforms. It is read
+// as all the others, too.
 
 #include "fuzz_target.h"
 

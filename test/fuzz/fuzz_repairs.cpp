@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Repaired drawings: path data, drawn as it is and skewed, is repaired and read again as by `verify`. No join is worse than it was, a corner
-// stays a corner, no kink is left where that is said, and what is repaired again stays as it is.
+// Repaired drawings: path data, drawn as it is and skewed, is repaired and read again as by
+// `verify`. No join is worse than it was, a corner stays a corner, no kink is left where that is
+// said, and what is repaired again stays as it is.
 
 #include "fuzz_target.h"
 

@@ -4,8 +4,9 @@
 
 #pragma once
 
-// What the fuzz targets have in common. Each is one function of bytes, which libFuzzer or replay_main.cpp calls: typed
-// errors are expected, everything else that escapes is a mistake, and so is a property that does not hold.
+// The fuzz targets have this in common. Each is one function of bytes, which libFuzzer or
+// replay_main.cpp calls: typed errors are expected, everything else that escapes is a mistake, and
+// so is a property that does not hold.
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
@@ -33,7 +34,8 @@ inline void require(bool property, const char* what) {
   std::abort();
 }
 
-// Returns whether a text that was written holds a number longer than what is read: exact numbers can be.
+// Returns whether a text that was written holds a number longer than what is read: exact numbers
+// can be.
 inline bool has_long_number(const std::string& text) {
   std::istringstream is(text);
   for (std::string word; is >> word;)

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Variable fonts: what is read is judged at all instances, and the angles at some instances lie within the bounds.
+// Variable fonts: what is read is judged at all instances, and the angles at some instances lie
+// within the bounds.
 
 #include "fuzz_target.h"
 

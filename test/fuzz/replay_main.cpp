@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Calls a fuzz target with each file that is named, and each file of each folder. Usage: replay_NAME FILE_OR_FOLDER...
+// Calls a fuzz target with each file that is named, and each file of each folder. Usage:
+// replay_NAME FILE_OR_FOLDER...
 
 #include "fuzz_target.h"
 

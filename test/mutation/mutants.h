@@ -12,10 +12,12 @@
 #include <utility>
 
 /// \file mutants.h
-/// Alterations of single tokens that a program chooses when it runs, by the environment variable MUTANT; none without it. mutate.py writes them
-/// into a copy of the headers: `a + b` becomes `a + mutants::at<17> + b`, which is `a - b` if 17 is chosen, because both operators have one
-/// precedence and associate to the left. What is altered in constant expressions stays what it was, and so does what would not compile. A program
-/// appends the numbers of the alterations that it has come across to the file that MUTANTS_REACHED names, those that would not compile as ~17.
+/// Alterations of single tokens that a program chooses when it runs, by the environment variable
+/// MUTANT; none without it. mutate.py writes them into a copy of the headers: `a + b` becomes
+/// `a + mutants::at<17> + b`, which is `a - b` if 17 is chosen, because both operators have one
+/// precedence and associate to the left. What is altered in constant expressions stays what it was,
+/// and so does what would not compile. A program appends the numbers of the alterations that it has
+/// come across to the file that MUTANTS_REACHED names, those that would not compile as ~17.
 
 template <class T, class U> class __gmp_expr;
 namespace boost {
@@ -60,7 +62,7 @@ constexpr void is_not_possible(int i) {
 
 constexpr bool is_chosen(int i) { return !__builtin_is_constant_evaluated() && is_chosen_now(i); }
 
-// What an expression is when it is kept: those of GMP and Boost are evaluated.
+// Gives the type of an expression that is kept: expressions of GMP and Boost are evaluated.
 template <class T> struct Value { typedef T type; };
 template <class T, class U> struct Value<__gmp_expr<T, U>> { typedef __gmp_expr<T, T> type; };
 template <class Tag, class A1, class A2, class A3, class A4>

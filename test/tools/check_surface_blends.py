@@ -141,7 +141,8 @@ def has_order(order, given, edge, outwards, blend, upper, backwards):
         if c < t < d:
             breaks.add(b - (t - c) * (b - a) / (d - c) if backwards else a + (t - c) * (b - a) / (d - c))
     breaks = sorted(breaks)
-    # the numerators have at most this degree: each derivative of order k is of degree (k + 1) times that along the edge, over weights
+    # the numerators have at most this degree: each derivative of order k is of degree (k + 1) times
+    # that along the edge, over weights
     number = (12 if order == 2 else 36) * (blend.degrees[0] + s.degrees[0]) + 1
     sign = 1 if at_end == outwards else -1
     for low, high in zip(breaks, breaks[1:]):

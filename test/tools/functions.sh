@@ -1,7 +1,8 @@
-# What the tests of the program have in common. A test is called as bash test_NAME.sh PROGRAM DATA_FOLDER WORK_FOLDER, and
-# begins with
+# The tests of the program have this in common. A test is called as bash test_NAME.sh PROGRAM
+# DATA_FOLDER WORK_FOLDER, and begins with
 #   . "$(dirname "$0")/functions.sh"
-# which moves to an empty work folder. When the test ends, its exit code tells whether a check has failed.
+# which moves to an empty work folder. When the test ends, its exit code tells whether a check has
+# failed.
 set -u
 program=$1 data=$2 work=$3
 rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
@@ -16,7 +17,8 @@ trap finish EXIT
 
 S=$data/lmroman10-regular_S_0.g2 L=$data/space_left.g2 R=$data/space_right.g2 teapot=$data/teapot.g2
 
-# run CODE ARGUMENTS...: the exit code of the program is CODE; output and errors are kept in the files out and err
+# run CODE ARGUMENTS...: the exit code of the program is CODE; output and errors are kept in the
+# files out and err
 run() {
   local expected=$1 code=0
   shift
@@ -27,7 +29,8 @@ run() {
   echo "exit code $code instead of $expected: $*"
   head -c 5000 out err
 }
-# is_narrow CODE ARGUMENTS...: with 100 columns no line of the output is longer, with the same words as without a terminal, where one is
+# is_narrow CODE ARGUMENTS...: with 100 columns no line of the output is longer, with the same words
+# as without a terminal, where one is
 is_narrow() {
   run "$@" && tr -s ' \n' '\n' <out >words && holds [ -n "$(awk 'length > 100' out)" ]
   COLUMNS=100 run "$@" && holds [ -z "$(awk 'length > 100' out)" ]
@@ -86,8 +89,9 @@ memory_to_start() {
   echo $starts
 }
 
-# Texts of the format .g2 after what they have in common: any curve, a curve of dimension 3, a cubic on [0, 1] by its
-# points, a biquadratic surface with a double knot in u by its knots in v and its points.
+# Texts of the format .g2 after what they have in common: any curve, a curve of dimension 3, a cubic
+# on [0, 1] by its points, a biquadratic surface with a double knot in u by its knots in v and its
+# points.
 curve() { printf '100 1 0 0\n%s\n' "$1"; }
 spline() { curve "3 0"$'\n'"$1"; }
 cubic() { spline $'4 4\n0 0 0 0 1 1 1 1\n'"$1"; }

@@ -45,7 +45,8 @@ run 2 blend cusp.g2 "$R" -o old.g2
 holds [ "$(cat old.g2)" = old ]
 holds [ ! -e no.g2 ]
 
-# Formats that a command does not read are named, by the name of the file and by what it begins with, with the nearest way.
+# Formats that a command does not read are named, by the name of the file and by what it begins
+# with, with the nearest way.
 refused() { # FILE COMMAND TEXT...: the error names the file and has these texts, and nothing of the reader of .g2
   local file=$1 command=$2
   shift 2
@@ -97,7 +98,8 @@ refused model.step "plot -o no.svg" "report draws it"
 refused drawing "plot -o no.svg" "a drawing: verify, report and repair read it"
 refused font.ttf "tessellate -o no.off" "a font: verify, report and repair read it"
 cp "$S" chain.g2 && refused chain.g2 fit "curves or surfaces (.g2)" "fit reads points"
-# what is read as before: points in a table, a packed drawing, curves without an ending and after others
+# what is read as before: points in a table, a packed drawing, curves without an ending and after
+# others
 printf '0,0\n1,1\n2,0\n' >table.csv && run 0 interpolate table.csv
 gzip -c "$data/leaf_inkscape.svg" >drawing.svg.gz && run 0 verify drawing.svg.gz --allow-uncovered
 cp "$S" curves && run 0 verify --closed curves && cp "$S" other.backup.txt && run 0 verify --closed other.backup.txt

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# verify --baseline: only what is new is reported, in every format, and only that makes the exit code 1.
+# verify --baseline: only what is new is reported, in every format, and only that makes the exit
+# code 1.
 . "$(dirname "$0")/functions.sh"
 
 drawing() { # paths...

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# verify --baseline when files change: what is unchanged, moved, or better is known; what is worse, or more, is new. Drawings, fonts,
-# variable fonts, chains, surfaces and CAD models, also those of the system where there are some.
+# verify --baseline when files change: what is unchanged, moved, or better is known; what is worse,
+# or more, is new. Drawings, fonts, variable fonts, chains, surfaces and CAD models, also those of
+# the system where there are some.
 here=$(realpath "$(dirname "$0")")
 . "$(dirname "$0")/functions.sh"
 
@@ -141,7 +142,8 @@ surfaces 0.06 0 "$patch" && new 1 '"rule":"kink"' --surfaces x.g2 --require G1
 surfaces 0.05 0 && base --surfaces x.g2 --require G1 --within 0.001,0.01deg && known --surfaces x.g2 --require G1 --within 0.001,0.01deg
 base --surfaces "$teapot" --require G2 && known --surfaces "$teapot" --require G2
 
-# --- CAD models, where they are read: with other numbers of entities, at another place, with a larger kink
+# --- CAD models, where they are read: with other numbers of entities, at another place, with a
+# larger kink
 cp "$data/defect_at_end.step" x.step
 if "$program" verify x.step >out 2>err || ! grep -q 'optional part' err; then
   moved() { awk 'match($0, /CARTESIAN_POINT\(.*,\([-0-9.E]+,[-0-9.E]+,/) { i = index($0, ",(") + 2; n = index(substr($0, i), ",")

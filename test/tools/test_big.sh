@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Large inputs: what the program needs is bounded, in memory and in time, or it refuses the work at once.
+# Large inputs: what the program needs is bounded, in memory and in time, or it refuses the work at
+# once.
 . "$(dirname "$0")/functions.sh"
 program_itself=$program starts=$(memory_to_start)
 cat >bounded.sh <<'END'
@@ -36,7 +37,8 @@ for kernel in exact double; do
   run 0 verify polyline.g2 --kernel $kernel && says out "19998 joins"
   run 0 verify spline.g2 --kernel $kernel --require C3 && says out "9995 joins: 9995 G3 or more"
 done
-# what is wrong is found where it is, also behind pieces that were good, and nothing is said about these
+# what is wrong is found where it is, also behind pieces that were good, and nothing is said about
+# these
 sed '$s/.*/1 x/' spline.g2 >bad.g2
 run 2 verify bad.g2 && says err "bad.g2:10504: not a number: 'x'" && holds [ ! -s out ]
 head -n -5 spline.g2 >bad.g2

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# blend: every strategy, numbers of both kernels, the replacement of a piece; what it writes is proved again.
+# blend: every strategy, numbers of both kernels, the replacement of a piece; what it writes is
+# proved again.
 . "$(dirname "$0")/functions.sh"
 
 # blend by each strategy; every file that is written is proved
@@ -28,14 +29,16 @@ run 0 blend "$L" "$R" && run 0 blend "$L" "$R" --strategy energy3 -o energy3.g2
 run 0 blend "$L" "$R" -o default.g2
 holds cmp -s default.g2 energy3.g2
 
-# without --beta and --eta the shape is that of the chord, and where one is given the other is still that
+# without --beta and --eta the shape is that of the chord, and where one is given the other is still
+# that
 run 0 blend "$L" "$R" -o automatic.g2 && says out "energy3" "beta = " "eta = "
 run 0 blend "$L" "$R" --beta 1 --eta 1 -o unit.g2 && says out "beta = 1, eta = 1"
 holds [ "$(cmp -s automatic.g2 unit.g2 && echo same)" = "" ]
 eta=$(run 0 blend "$L" "$R"; sed -n 's/.*\(eta = [^,]*\),.*/\1/p' out)
 run 0 blend "$L" "$R" --beta 3/2 && says out "beta = 1.5, $eta,"
 
-# smooth joins are not all: a blend that leaves the neighbourhood of its chord, or turns back, is named
+# smooth joins are not all: a blend that leaves the neighbourhood of its chord, or turns back, is
+# named
 run 0 blend "$S" --replace 1 --strategy all && holds [ "$(grep -c 'warning: goes .* times the length of its chord away from its ends' out)" -eq 1 ]
 holds grep -q '^near_line .*warning: goes' out
 # the frame follows the others: that one leaves it, and says so
@@ -74,7 +77,8 @@ for i in 0 1 27; do # the rest of the chain stays as it is
   says out "{\"left\":$(((i + 27) % 28)),\"right\":$i,\"c_order\":0,\"g_order\":3"
 done
 run 1 blend "$L" "$R" --strategy fair --kernel double && says out "fair " "iteration"
-# next to a curvature of 10^6 nothing is fair: a curve that stays near, G2 nevertheless, and the report says so
+# next to a curvature of 10^6 nothing is fair: a curve that stays near, G2 nevertheless, and the
+# report says so
 printf '100 1 0 0\n2 0\n3 3\n0 0 0 1 1 1\n-2 0\n-1 0\n0 1\n' >calm.g2
 printf '100 1 0 0\n2 0\n3 3\n0 0 0 1 1 1\n2 1\n2 3/2\n500002 2\n' >curl.g2
 run 0 blend calm.g2 curl.g2 --strategy fair -o near.g2 && says out "(not converged)" "C0 G2"

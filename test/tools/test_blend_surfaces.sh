@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# blend --surfaces: patches, splines with inner knots, rational surfaces, every edge, and what is refused. That the written surface is G2
-# is decided by verify.
+# blend --surfaces: patches, splines with inner knots, rational surfaces, every edge, and what is
+# refused. That the written surface is G2 is decided by verify.
 tests=$(cd "$(dirname "$0")" && pwd)
 . "$(dirname "$0")/functions.sh"
 

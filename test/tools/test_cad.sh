@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# CAD models: what is read of STEP, IGES and BREP, the kinds of edges, the verdicts, reports, and damaged files.
+# CAD models: what is read of STEP, IGES and BREP, the kinds of edges, the verdicts, reports, and
+# damaged files.
 . "$(dirname "$0")/functions.sh"
 
-# Without the module the program says what is missing, and how to get it; it finds the module next to itself.
+# Without the module the program says what is missing, and how to get it; it finds the module next
+# to itself.
 printf 'ISO-10303-21;\n' >any.step
 cp "$program" alone
 "$PWD/alone" verify any.step >out 2>err
@@ -30,7 +32,8 @@ is_narrow 0 verify models/moved.brep --allow-empty --allow-uncovered
 run 2 verify models/wire.brep && says err "there is no edge of two sides" "--allow-empty"
 run 2 verify models/bezier.brep --require G1 && says err "there is no edge of two sides"
 
-# known gaps, angles and curvatures: enclosures of the numbers in the files, which are rounded, lie at the known ones
+# known gaps, angles and curvatures: enclosures of the numbers in the files, which are rounded, lie
+# at the known ones
 encloses() { # NAME NUMBER LINE: NAME is gap, angle or jump, in the line of an edge
   checks=$((checks + 1))
   awk -v line="$3" -v name="$1" -v x="$2" 'BEGIN {
@@ -142,7 +145,8 @@ run 1 verify models/wall.brep models/three.brep --require G1 --format sarif --al
 run 1 verify models/wall.brep --require G1 --format junit && says out '<failure' 'not G1 within the tolerance' 'models/wall.brep'
 run 0 verify models/wall.brep --format sarif && says out '"level":"note"'
 
-# lines inside of faces: of a crease only what lies in the face counts, and where G2 is asked for, lines where the curvature may jump
+# lines inside of faces: of a crease only what lies in the face counts, and where G2 is asked for,
+# lines where the curvature may jump
 run 1 verify models/trimmed.brep --require G1
 says out "2 knot lines inside of faces" "knot line: G0, kink; " "angle [31.25" && lacks out "angle [4"
 run 2 verify models/bending.brep --require G1 && lacks out "knot line"

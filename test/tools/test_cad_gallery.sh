@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Defects that samples miss: three STEP files in which OpenCASCADE finds G1, and `verify` proves that it is not.
+# Defects that samples miss: three STEP files in which OpenCASCADE finds G1, and `verify` proves
+# that it is not.
 . "$(dirname "$0")/functions.sh"
 
 for name in at_end between_samples in_step_with_samples; do holds [ -s "$data/defect_$name.step" ]; done

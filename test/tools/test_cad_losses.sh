@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
-# CAD models: what a file names and OpenCASCADE leaves out, shells that are not closed, faces side by side that share no edge, and sewing.
+# CAD models: what a file names and OpenCASCADE leaves out, shells that are not closed, faces side
+# by side that share no edge, and sewing.
 here=$(realpath "$(dirname "$0")")
 . "$(dirname "$0")/functions.sh"
 
 made_by MAKE_CAD_MODELS models
 
-# An entity is not in the file, but another one refers to it: two faces with a kink in between are no longer connected, or one of them is gone.
+# An entity is not in the file, but another one refers to it: two faces with a kink in between are
+# no longer connected, or one of them is gone.
 run 1 verify models/kinks.step --require G1 && says out "2 kinks"
 id() { sed -n "s/^\(#[0-9]*\) = $1(.*/\1/p" "$2" | sed -n "$3p"; } # TYPE FILE NUMBER
 without() { awk -v id="$1" '$1 == id && $2 == "=" { gone = 1 } !gone; /;/ { gone = 0 }' "$2"; } # ID FILE
@@ -82,7 +84,8 @@ done
 run 1 verify models/flats.brep --json && says out '"beside":2' '"reason":"lies beside edge 5 of face 1, not compared: see --sew"'
 run 0 report models/flats.brep -o page.html && says page.html "2 boundary edges lie beside others"
 run 2 verify models/fillet_apart.igs && says out "30 boundary edges lie beside others"
-# real boundaries do not, nor both sides of a narrow face, edges that part slowly, and what is farther apart than the gap
+# real boundaries do not, nor both sides of a narrow face, edges that part slowly, and what is
+# farther apart than the gap
 for file in wall.brep kinks.brep bezier.brep fading.brep trimmed.brep three.brep sliver.brep wedge.brep; do
   run 0 verify models/$file --allow-empty --allow-uncovered && lacks out "beside"
 done

@@ -1,19 +1,22 @@
 #!/usr/bin/env bash
-# The process that reads CAD models: its limits, its bad ends, and what becomes of it when the program ends.
+# The process that reads CAD models: its limits, its bad ends, and what becomes of it when the
+# program ends.
 infinite=$(realpath "$(dirname "$0")")/cad/data/infinite.step # a coordinate is inf
 . "$(dirname "$0")/functions.sh"
 
 reader=$(dirname "$(realpath "$program")")/geometric_continuity_cad
 made_by MAKE_CAD_MODELS models
 
-# with SCRIPT ARGUMENTS...: the program with this script in place of its reader, which is called $reader in it
+# with SCRIPT ARGUMENTS...: the program with this script in place of its reader, which is called
+# $reader in it
 with() {
   mkdir -p fake && cp "$program" fake/geometric_continuity
   printf '#!/usr/bin/env bash\nreader=%q\n%s\n' "$reader" "$1" >fake/geometric_continuity_cad && chmod +x fake/geometric_continuity_cad
   shift
   fake/geometric_continuity "$@" >out 2>err </dev/null
 }
-# fails TEXT SCRIPT: the program says that it cannot read the file, for this reason, and writes nothing
+# fails TEXT SCRIPT: the program says that it cannot read the file, for this reason, and writes
+# nothing
 fails() {
   with "$2" report models/fillet.step -o page.html --time-limit 5
   holds [ $? -eq 2 ] && says err "models/fillet.step: $1" && holds [ ! -s out ] && holds [ ! -e page.html ]

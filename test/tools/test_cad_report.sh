@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The page of `report` for CAD models: its edges, the faces that are drawn, options, and the page in a browser.
+# The page of `report` for CAD models: its edges, the faces that are drawn, options, and the page in
+# a browser.
 mirrored=$(realpath "$(dirname "$0")")/cad/data/mirrored.brep
 . "$(dirname "$0")/functions.sh"
 
@@ -102,7 +103,8 @@ sys.exit(not first[1] < second[0])
 PYTHON
 fi
 
-# a face on which OpenCASCADE does not come to an end is left white, and named, and nothing else is lost
+# a face on which OpenCASCADE does not come to an end is left white, and named, and nothing else is
+# lost
 run 0 report models/slow.step -o page.html --time-limit 20 && drawn page.html 6 13 15
 says page.html '1 face cannot be drawn.' 'left white: dividing it into triangles does not end within 2 seconds of processor time.'
 holds grep -qE "Face [0-9]+ \(revolution; #[0-9]+\) is left white" page.html
@@ -125,7 +127,8 @@ checks=$((checks + 1))
 timeout 30 "$program" report models/rough.brep -o page.html >out 2>err || failures=$((failures + 1))
 holds [ "$(sed -n 's/.*"triangles":\[\([0-9][^]]*\)\].*/\1/p' page.html | tr ',' '\n' | wc -l)" -le 45000 ] && drawn page.html 1 0 4
 
-# ids, names and colours of the file: the text of a face, a colour of a face and one of the solid that has it
+# ids, names and colours of the file: the text of a face, a colour of a face and one of the solid
+# that has it
 face=$(sed -n 's/^#\([0-9]*\) = ADVANCED_FACE(.*/\1/p' models/fillet.step | head -n 1)
 other=$(sed -n 's/^#\([0-9]*\) = ADVANCED_FACE(.*/\1/p' models/fillet.step | sed -n 2p)
 solid=$(sed -n 's/^#\([0-9]*\) = MANIFOLD_SOLID_BREP(.*/\1/p' models/fillet.step | head -n 1)
@@ -172,7 +175,8 @@ holds cmp -s <(sort -u one.txt) all.txt
 holds [ "$(grep -o '"angle_at":{[^}]*}' out | sort -u | wc -l)" -ge 80 ]
 # also where a face is placed in its part
 run 0 verify models/again.brep --json && says out '"inner":2,' '"compared":1,'
-# what differs in the part of a line that it has, in the surface of a side, or in which side is out, is not equal
+# what differs in the part of a line that it has, in the surface of a side, or in which side is out,
+# is not equal
 run 0 verify models/pairs.brep --json && says out '"inner":6,' '"compared":6,'
 run 0 verify models/pairs.brep && says out "2 G2, 0 G1, 4 G0" "2 corners" "2 inside out"
 

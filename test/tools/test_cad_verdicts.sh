@@ -1,21 +1,25 @@
 #!/usr/bin/env bash
-# What is decided of CAD models: small models with one defect each, which is to be found, and models without one, in which none is.
+# What is decided of CAD models: small models with one defect each, which is to be found, and models
+# without one, in which none is.
 models=$(cd "$(dirname "$0")/cad/data" && pwd)
 . "$(dirname "$0")/functions.sh"
 needs_cad MAKE_CAD_MODELS
 
-# patches FILE P Q: two faces that share the edge from (0, 0, 0) to (0, 10, 0), the rectangle -9 < x < 0 and one to the points P and Q
+# patches FILE P Q: two faces that share the edge from (0, 0, 0) to (0, 10, 0), the rectangle -9 <
+# x < 0 and one to the points P and Q
 patches() { sed "s/@P@/$2/g; s/@Q@/$3/g" "$models/two_patches.brep" >"$1"; }
 patches flat.brep "9 0 0" "9 10 0"
 run 0 verify flat.brep --require G2 --within 0.02,0.1deg,5% && says out "inner: G2, exactly G2" "1 G2, 0 G1" "or a corner, proved"
 
-# Curves in parameter planes that are not in the file: the projection of OpenCASCADE is 4.5 mm off, and no gap is made of that.
+# Curves in parameter planes that are not in the file: the projection of OpenCASCADE is 4.5 mm off,
+# and no gap is made of that.
 run 0 verify "$models/flange.step" --require G1
 says out "2 inner, 2 seams" "0 G0, 0 gaps, 0 undecided" "proved" "; projected, deviation ["
 holds [ "$(grep -c '; projected, deviation \[' out)" -eq 4 ]
 run 0 verify "$models/flange.step" --json && says out '"projected":true' '"deviation":['
-# Where the curve in space lies on both faces, but at other parameters than those in the parameter planes, it is these that are wrong:
-# here the edge runs through its curve in space from 0 to 10 by a parabola.
+# Where the curve in space lies on both faces, but at other parameters than those in the parameter
+# planes, it is these that are wrong: here the edge runs through its curve in space from 0 to 10 by
+# a parabola.
 sed 's/^6 0 1 0 0 0  0 10 0  $/6 0 2 0 0 0  0 3 0  0 10 0  /' flat.brep >slower.brep
 run 0 verify slower.brep --require G1 && says out "projected anew, deviation [0, "
 
@@ -30,7 +34,8 @@ run 1 verify near.brep --require G1 --within 0.01,0.1deg
 sed 's/^6 0 1 0 0 0  0 10 0  $/6 0 1 0 0 -.015  0 10 -.015  /; s/^8 0 0 1 1 0 0 0  0 10 0  $/8 0 0 1 1 0 0 .015  0 10 .015  /' flat.brep >far.brep
 run 1 verify far.brep --require G0 && run 0 verify far.brep --require G0 --within 0.031,0.1deg
 
-# A crease inside of a face, which may lie along one of the knots only, and in a part of the face only.
+# A crease inside of a face, which may lie along one of the knots only, and in a part of the face
+# only.
 run 1 verify "$models/crease.brep" --require G1
 says out "knot line: G0, kink; " "angle [30.963" "2 knot lines inside of faces" "2 of them not G1"
 run 0 verify "$models/crease.brep" --require G0 && run 0 verify "$models/crease.brep" --require G1 --within 0.02,31deg
@@ -41,12 +46,14 @@ run 0 verify straight.brep --require G1 && says out "2 knot lines inside of face
 # A face that its own location mirrors.
 run 0 verify "$models/mirrored.brep" --require G1 && says out "inner: G2, exactly G2" "0 corners"
 
-# Next to a near collapse the normal turns by 45 degrees within a ten thousand millionth of the edge. A side that is a point is left out.
+# Next to a near collapse the normal turns by 45 degrees within a ten thousand millionth of the
+# edge. A side that is a point is left out.
 patches turning.brep "8.9999999999999999e-10 0 8.9999999999999999e-10" "9.0000000009000001 10 8.9999999999999999e-10"
 run 1 verify turning.brep --require G1 && says out "G0, fading corner" "angle [44.9"
 patches collapsed.brep "0 0 0" "9 10 0"
 run 0 verify collapsed.brep --require G1 && says out "a normal vanishes near t = 0" "proved"
-# Where the normal can be told neither from zero nor to be zero, nothing is proved, and the words do not claim that it vanishes.
+# Where the normal can be told neither from zero nor to be zero, nothing is proved, and the words do
+# not claim that it vanishes.
 patches nearly.brep "1e-200 0 1e-200" "9 10 0"
 run 1 verify nearly.brep --require G1 && says out "not resolved near t = 0" "undecided: 1 edge, a normal can be told neither from zero nor to be zero"
 holds [ "$(grep -c vanishes out)" -eq 0 ]
@@ -54,7 +61,8 @@ holds [ "$(grep -c vanishes out)" -eq 0 ]
 patches hidden.brep "1e-200 0 0" "9 10 0.001" # nor where it turns by little only, as far as can be told
 run 1 verify hidden.brep --require G1 --within 0.02,20deg && says out "not resolved near t = 0" "undecided: 1 edge, a normal can be told neither"
 
-# A corner of 5 degrees, as well as that can be written: the sine and cosine are rounded. Whatever is next to it is in a class as well.
+# A corner of 5 degrees, as well as that can be written: the sine and cosine are rounded. Whatever
+# is next to it is in a class as well.
 patches corner.brep "8.9657522828257097 0 0.78440168472892347" "8.9657522828257097 10 0.78440168472892347"
 run 0 verify corner.brep --require G1 && says out "G0, corner, exactly G0" "1 corner, 0 fading corners, 0 kinks"
 patches kink.brep "8.9657522828257097 0 0.78440168" "8.9657522828257097 10 0.78440168"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# verify --certificate: what it writes is accepted by check_certificate, which notices each other number, in the certificate and in the file.
+# verify --certificate: what it writes is accepted by check_certificate, which notices each other
+# number, in the certificate and in the file.
 tools=$(cd "$(dirname "$0")/../../tools/certificates" && pwd)
 alter=$(cd "$(dirname "$0")" && pwd)/alter_certificate.py
 . "$(dirname "$0")/functions.sh"
@@ -38,7 +39,8 @@ ends='d="M50 10C72 10 90 90 50 90C28 90 10 11 50 10"'
 svg "<path $ends/><g style=\"fill : none !important\"><path $ends/><path fill=\"#000\" $ends/></g>" && certified 0 drawing.svg && says said "5 certified"
 svg "<style>*{fill:red}</style><g fill=\"none\"><path $ends/><path fill=\"none\" $ends/></g>" && certified 0 drawing.svg && says said "4 certified"
 
-# all orders: G2 and F3 but not G3, C2 at inner knots, unclamped knots, rational curves, a cusp, zero tangents, points, other dimensions
+# all orders: G2 and F3 but not G3, C2 at inner knots, unclamped knots, rational curves, a cusp,
+# zero tangents, points, other dimensions
 for strategy in normal seq_f3; do
   run 0 blend "$L" "$R" --order $([ $strategy = normal ] && echo 2 || echo 3) --strategy $strategy -o blend.g2
   for order in 0 2 5; do certified 0 "$L" blend.g2 "$R" --max-order $order; done
@@ -55,7 +57,8 @@ certified 0 four.g2 --max-order 4
 printf '120 1 0 0\n2\n0 0\n1 2\n1\n-1 1\n120 1 0 0\n2\n1 2\n2 4\n1\n0 .5\n' >lines.g2 && certified 0 lines.g2
 certified 0 "$L" "$R" --closed --json
 
-# shapes and arcs: radii that are too small or zero, quarter turns, units, corners that meet; and what has square roots or relative lengths
+# shapes and arcs: radii that are too small or zero, quarter turns, units, corners that meet; and
+# what has square roots or relative lengths
 svg '<g transform="rotate(30) scale(2 3)"><circle r="1.5mm"/><ellipse cx="3" rx="0.3" ry="1pt"/><circle cx="1" r="0"/></g>
   <rect width="9" height="4" rx="2"/><rect x="1in" width="4" height="4" rx="auto" ry="3e1"/><rect width="1" height="2" ry="0"/>
   <line y1="3"/><rect width="0" height="2" rx="1"/><ellipse rx="0" ry="1"/>

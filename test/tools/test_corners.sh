@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# blend --corner and --corners: corners of chains and outlines are rounded; what is written is proved again.
+# blend --corner and --corners: corners of chains and outlines are rounded; what is written is
+# proved again.
 . "$(dirname "$0")/functions.sh"
 
 line() { printf '100 1 0 0\n2 0\n2 2\n0 0 1 1\n%s\n%s\n' "$1" "$2"; }
@@ -18,7 +19,8 @@ run 0 blend square.g2 --corners not-g1 --closed --distance 2 -o not-g1.g2
 holds cmp -s round.g2 not-g1.g2
 run 2 blend square.g2 --corners kinks --closed --distance 2 && says err "'kinks' is none of all, not-g1"
 holds [ "$(grep -c '^6 6$' round.g2)" -eq 4 ]
-# lines of length 8 are cut at 2 exactly: each cut ends a line and a blend ("2 0" is the dimension too)
+# lines of length 8 are cut at 2 exactly: each cut ends a line and a blend ("2 0" is the dimension
+# too)
 for point in "2 0" "6 0" "8 2" "8 6" "6 8" "2 8" "0 6" "0 2"; do
   holds [ "$(grep -cx "$point" round.g2)" -eq $([ "$point" = "2 0" ] && echo 10 || echo 2) ]
 done
@@ -40,7 +42,8 @@ run 0 blend round.g2 --corners all --closed --order 3 --distance 1/2 -o again.g2
 run 0 verify --closed again.g2 --require G3
 run 0 blend square.g2 --corner 1 --order 3 --distance 2 -o - && says err "1 corner is rounded, both joins"
 
-# a spline with a kink at the triple knot 2 and a smooth knot on both sides: the chain of its Bezier curves
+# a spline with a kink at the triple knot 2 and a smooth knot on both sides: the chain of its Bezier
+# curves
 printf '100 1 0 0\n2 0\n9 4\n0 0 0 0 1 2 2 2 3 4 4 4 4\n0 0\n1 0\n2 2\n4 2\n5 0\n6 4\n7 5\n8 4\n9 0\n' >spline.g2
 run 0 blend spline.g2 --corners all --distance 1/4 -o round_spline.g2 && says out "1 -> 2" "1 corner is rounded"
 run 0 verify round_spline.g2 --require G2 && says out "4 joins"
@@ -72,7 +75,8 @@ run 1 verify --closed double.g2 --require G2
 printf '100 1 0 0\n3 0\n3 3\n0 0 0 1 1 1\n0 0 0\n1 2 1\n3 0 0\n\n100 1 0 0\n3 0\n3 3\n0 0 0 2 2 2\n3 0 0\n3 2 2\n1 4 4\n' >space.g2
 run 0 blend space.g2 --corner 0 --distance 1/2 -o round.g2 && run 0 verify round.g2 --require G2
 
-# lines whose lengths are rational are cut exactly, also where R is no double, and others as well as a double can
+# lines whose lengths are rational are cut exactly, also where R is no double, and others as well as
+# a double can
 rectangle() { # rectangle X Y ANGLED: sides of X and Y along the axes, or along (3, 4) and (-4, 3)
   if [ "$3" = no ]; then line "0 0" "$1 0" && line "$1 0" "$1 $2" && line "$1 $2" "0 $2" && line "0 $2" "0 0"; else
     line "0 0" "$((3 * $1)) $((4 * $1))" && line "$((3 * $1)) $((4 * $1))" "$((3 * $1 - 4 * $2)) $((4 * $1 + 3 * $2))"

@@ -33,7 +33,8 @@ svg '' && run 0 verify drawing.svg --allow-empty && says out "0 joins"
 printf '\xff\xfe' >utf16.svg && printf '<svg><path d="M0 0h1v1"/></svg>' | sed 's/./&\x00/g' >>utf16.svg
 run 0 verify utf16.svg && says out "1 join "
 
-# what cannot be read of an element is not covered, with the place and the reason, and hides nothing else
+# what cannot be read of an element is not covered, with the place and the reason, and hides nothing
+# else
 left_out() { # left_out ELEMENT REASON: of the file drawing.svg one element, in line 2, is not covered
   run 1 verify drawing.svg --allow-empty --require G0 && lacks out proved && says out "$1 (line 2): not verified, $2" "not covered: 1 element, $2" "1 element not verified"
   run 0 verify drawing.svg --allow-empty --allow-uncovered

@@ -15,7 +15,8 @@ run 2 extend "$L" --order torsion --toward 1,2,3 --c0 1 -o no.g2 && run 2 extend
 printf '100 1 0 0\n2 0\n2 2\n0 0 1 1\n0 0\n1 0\n' >line.g2
 run 2 extend line.g2 --order curvature -o no.g2 && says err "wrong_number_of_points"
 run 0 extend line.g2 --order tangent -o two.g2 && run 2 plot line.g2 --alternatives -o no.svg
-# what is decided is what is written: verify agrees for every curve, whether rounding has broken its join or not
+# what is decided is what is written: verify agrees for every curve, whether rounding has broken its
+# join or not
 holding=0 broken=0
 for seed in $(seq 1 30); do
   awk -v seed="$seed" 'BEGIN {

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The moves that repair writes for a font, applied by FontForge: what is generated has no kinks where none are left. Skipped without it.
+# The moves that repair writes for a font, applied by FontForge: what is generated has no kinks
+# where none are left. Skipped without it.
 generator=$(realpath "$(dirname "$0")")/make_font.awk script=$(realpath "$(dirname "$0")/../../tools/fontforge/apply_moves.py")
 command -v fontforge >/dev/null && fontforge -lang=py -c 'import fontforge' >/dev/null 2>&1 || exit 77
 . "$(dirname "$0")/functions.sh"
@@ -38,7 +39,8 @@ run 1 verify given.otf --require G1
 run 0 repair given.otf -o moves.json && holds apply given.otf moves.json mended.otf
 run 0 verify mended.otf --require G1 && says out "0 kinks"
 
-# handles of two nodes at one place, and a contour that is there twice: each move names its node and its contour
+# handles of two nodes at one place, and a contour that is there twice: each move names its node and
+# its contour
 font -v outlines=cff >given.otf <<'END'
 glyph .notdef
 glyph twins 65
@@ -49,7 +51,8 @@ run 1 verify given.otf --require G1 && says out "2 kinks"
 run 0 repair given.otf -o moves.json && says moves.json '"contour":1,"point":2,"node":[100,0],"from":[200,3],"to":[200,0]}'
 holds apply given.otf moves.json mended.otf && says applied "2 handles of 1 glyphs are moved"
 run 0 verify mended.otf --require G1 && says out "0 kinks"
-# of two handles in one contour the number of the point tells which one moves; contours that are a single point do not count
+# of two handles in one contour the number of the point tells which one moves; contours that are a
+# single point do not count
 font >given.ttf <<'END'
 glyph .notdef
 glyph twice 65
@@ -85,7 +88,8 @@ END
 run 0 repair given.ttf -o moves.json && says moves.json '"node":[100,0],"from":[200,3],"to":[200,0]}'
 holds apply given.ttf moves.json mended.ttf && run 0 verify mended.ttf --require G1 && says out "0 kinks"
 
-# where a move puts a node in the middle of its handles, TrueType may leave it out: repairing again changes nothing
+# where a move puts a node in the middle of its handles, TrueType may leave it out: repairing again
+# changes nothing
 font >given.ttf <<'END'
 glyph .notdef
 glyph middle 65

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# verify for fonts, which are generated here: what is read, how joins are graded, which glyphs, reports, and broken fonts.
+# verify for fonts, which are generated here: what is read, how joins are graded, which glyphs,
+# reports, and broken fonts.
 here=$(realpath "$(dirname "$0")")
 generator=$here/make_font.awk
 . "$(dirname "$0")/functions.sh"
@@ -11,7 +12,8 @@ font() {
   printf "$(LC_ALL=C awk "$@" -f "$generator")" >"$file"
 }
 same() { holds cmp -s "$1" "$2"; }
-# glyph FONT NAME COUNTS [OPTIONS...]: what --json says about a glyph, as joins corners kinks bends rounding G1 G2
+# glyph FONT NAME COUNTS [OPTIONS...]: what --json says about a glyph, as joins corners kinks bends
+# rounding G1 G2
 glyph() {
   run 0 verify "$1" --json --glyphs "$2" --allow-empty "${@:4}"
   local counts
@@ -22,8 +24,8 @@ glyph() {
   echo "glyph $2 of $1: $counts instead of $3"
 }
 
-# TrueType: an implied point with an odd sum, contours that begin with control points, with one, and with control points alone;
-# repeated points; a single point.
+# TrueType: an implied point with an odd sum, contours that begin with control points, with one, and
+# with control points alone; repeated points; a single point.
 cat >quadratic.txt <<'END'
 glyph .notdef
 glyph space 32
@@ -110,7 +112,7 @@ run 0 verify test.ttf --glyphs angles --kink-angle 179.9 --summary && says out "
 for angle in 0 180 -5 x 5deg ""; do run 2 verify test.ttf --kink-angle "$angle" && says err "kink-angle"; done
 for units in -1 x ""; do run 2 verify test.ttf --off-by "$units" && says err "off-by"; done
 
-# What is rounding: a handle that is off by one unit, exactly, and by little more
+# A handle that is off by exactly one unit is rounding, and one that is off by little more is not.
 printf 'glyph .notdef\nglyph one 65\ncontour 0,0 100,0 150,1* 300,300 0,300\nglyph more 66\ncontour 0,0 200,0 250,2* 300,300 0,300\n' | font rounding.ttf
 glyph rounding.ttf one "4 3 0 0 1 0 0"
 glyph rounding.ttf one "4 3 1 0 0 0 0" --off-by 0.99999999999999999999
@@ -126,7 +128,8 @@ run 0 verify rounding.ttf --max-kink 2.3 && says out "is within 2.3 degrees, pro
 run 1 verify rounding.ttf --max-kink 2.29 --json && says out '"max_kink":"2.29","met":false'
 run 2 verify test.ttf --max-kink 90 && says err "--max-kink: 90 is not between 0 and 90 degrees"
 
-# Cubic curves: two halves of one, G2 inside; handles at nodes; a line as a curve; a curve that ends as it began.
+# Cubic curves: two halves of one, G2 inside; handles at nodes; a line as a curve; a curve that ends
+# as it began.
 cat >cubic.txt <<'END'
 glyph .notdef
 glyph halves 65
@@ -203,7 +206,8 @@ run 2 verify none && says err "cannot_read_file: none: Is a directory, and no na
 run 2 verify fonts/deep/broken.ttf && says err "malformed_input: fonts/deep/broken.ttf: " && holds [ ! -s out ]
 mkdir broken && cp fonts/deep/broken.ttf broken
 run 2 verify broken --json && says out '{"fonts":[' '"fonts":0' && says err "no join"
-# Other formats: as many findings of each level as the text has rows and lines of what is not verified
+# Other formats: as many findings of each level as the text has rows and lines of what is not
+# verified
 count() { grep -o -- "$1" "$2" | wc -l; }
 findings() { # findings CODE ERRORS WARNINGS NOTES ARGUMENTS...
   local code=$1 errors=$2 warnings=$3 notes=$4
@@ -263,8 +267,8 @@ fi
 printf 'glyph .notdef\nglyph a"\\<b 65\ncontour 0,0 100,0 200,1 200,300\n' | font names.ttf -v family='<script>"&'
 run 0 verify names.ttf --json && says out '"name":"a\"\\<b"' '"name":"<script>\"& Regular"'
 
-# Hostile fonts end, and in good time: cut off, with changed bytes, with endless components, also where the table of their
-# places is said to be shorter than it is, which FreeType corrects
+# Hostile fonts end, and in good time: cut off, with changed bytes, with endless components, also
+# where the table of their places is said to be shorter than it is, which FreeType corrects
 mkdir cut
 for file in test.ttf test.otf test.ttc test.woff; do
   size=$(wc -c <$file)
@@ -300,8 +304,8 @@ printf 'glyph .notdef\nglyph lost\ncomponent 2 0 0\n' | font lost.ttf
 run 0 verify lost.ttf --allow-empty --allow-uncovered && says out "glyph lost: not verified, invalid composite glyph"
 run 1 verify lost.ttf --allow-empty && says out "not covered: 1 glyph, invalid composite glyph"
 
-# Fractions of a unit, which FreeType cuts off: a join that is smooth with them, one that is not, and one at a size that no double
-# of a product has
+# Fractions of a unit, which FreeType cuts off: a join that is smooth with them, one that is not,
+# and one at a size that no double of a product has
 cat >fractions.txt <<'END'
 glyph .notdef
 glyph smooth 65
@@ -323,7 +327,8 @@ run 1 repair fractions.otf -o moves.json && says out "fractions of a unit"
 # The place of a component that is scaled
 printf 'glyph .notdef\nglyph rough 65\ncontour 0,0 30,10* 90,30 210,66* 300,300\nglyph placed 66\ncomponent 1 50 20 0.5\n' | font placed.ttf
 run 0 verify placed.ttf --json --glyphs placed --off-by 0 && says out '"point":[95,35],"grade":"kink"'
-# of one that is moved before it is scaled, which FreeType would round, and the left side bearing moves nothing
+# of one that is moved before it is scaled, which FreeType would round, and the left side bearing
+# moves nothing
 nested='glyph .notdef\nglyph rough 65\ncontour 0,0 30,10* 90,30 210,66* 300,300\nglyph moved 66\ncomponent 1 51 20\nglyph nested 67\ncomponent 2 0 0 0.5\n'
 for bearing in "" 7; do
   printf "$nested" | font nested.ttf -v bearing=$bearing
@@ -392,7 +397,7 @@ glyph scaled.ttf mirrored "3 2 0 0 0 1 0"
 run 0 verify scaled.ttf --json --glyphs small && says out '"grade":"kink",' '"component":"rough"'
 run 0 verify scaled.ttf --glyphs small && says out "small, component rough"
 
-# What unpacks to more than any font needs is refused, without the memory for it
+# A file that unpacks to more than any font needs is refused, without using the memory for it.
 if command -v python3 >/dev/null; then
   python3 -c 'import struct, sys, zlib
 size = 600 << 20

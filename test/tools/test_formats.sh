@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Reports for other programs: JSON, SARIF and JUnit's XML, validated by schemas; they say what the text says.
+# Reports for other programs: JSON, SARIF and JUnit's XML, validated by schemas; they say what the
+# text says.
 schemas=$(cd "$(dirname "$0")" && pwd)/schemas
 . "$(dirname "$0")/functions.sh"
 
@@ -12,8 +13,9 @@ valid_junit() {
 }
 count() { grep -o -- "$1" "$2" | wc -l; }
 
-# formats SCHEMA CODE ERRORS WARNINGS NOTES PASSED ARGUMENTS...: all formats of this report are valid, have this exit code, and SARIF and
-# JUnit have so many findings of each level, JUnit also so many places without one
+# formats SCHEMA CODE ERRORS WARNINGS NOTES PASSED ARGUMENTS...: all formats of this report are
+# valid, have this exit code, and SARIF and JUnit have so many findings of each level, JUnit also so
+# many places without one
 formats() {
   local schema=$1 code=$2 errors=$3 warnings=$4 notes=$5 passed=$6
   shift 6
@@ -99,7 +101,8 @@ if command -v python3 >/dev/null; then
     all(x['properties']['order'] in x['message']['text'] for x in r['results'] if x['ruleId'] != 'not-verified')"
 fi
 
-# names from outside: quotes, markup, control characters, bytes that are not UTF-8, what a URI or XML does not allow
+# names from outside: quotes, markup, control characters, bytes that are not UTF-8, what a URI or
+# XML does not allow
 name=$'a b%\x01\xff\xef\xbf\xbe<&"{0}:#?.g2'
 cp "$S" "$name" && formats chains 1 12 0 0 16 --closed "$name" --require G1
 says sarif '"uri":"a%20b%25%01%FF%EF%BF%BE%3C%26%22%7B0%7D%3A%23%3F.g2"'

@@ -24,7 +24,8 @@ run 2 nonsense && says err usage && lacks err "did you mean"
 run 2 verify --clsoed "$S" && says err "unrecognised option '--clsoed'; did you mean '--closed'?"
 run 2 verify --nonsense "$S" && lacks err "did you mean"
 run 2 blend "$L" "$R" --strategy fiar && says err "'fiar' is none of c2, normal," "; did you mean 'fair'?"
-# What there is of strategies is listed: where there is none of a name, in a list, of the other order, and where the name is missing.
+# The strategies are listed where there is none of a name, in a list, for the other order, and where
+# the name is missing.
 run 2 blend --strategy help && says err "'help' is none of c2, normal, min_second, near_line, energy2, energy3, fair, free, all"
 run 2 blend --strategy help --order 3 && says err "'help' is none of c3, seq_g3, seq_f3, joint_g3, energy3_g3, energy4_g3, fair_g3, fair_f3, free, all"
 run 2 blend --surfaces --strategy help && says err "'help' is none of c2, normal, min_second, near_line, energy2, energy3, fair"
@@ -39,13 +40,13 @@ run 2 verify "$L" --format && says err "'--format' is missing; it is one of text
 run 2 verify "$L" --max-order && says err "'--max-order' is missing" && lacks err "it is one of"
 run 2 repair "$S" -o no.g2 --to g2 && says err "'g2' is none of G1, G2; did you mean 'G2'?"
 
-# What is read as curves, and is surfaces.
+# These files are read as curves, and contain surfaces.
 for command in verify "report -o no.html" "plot -o no.svg"; do
   run 2 $command "$teapot" && says err "teapot.g2:1: 200 (spline surface)" "; surfaces are read with --surfaces"
 done
 run 2 verify "$S" "$teapot" && says err "teapot.g2:1: " "--surfaces"
 
-# What is written is no wider than the terminal.
+# The output is no wider than the terminal.
 for order in 2 3; do is_narrow 0 blend "$L" "$R" --order $order --strategy all; done
 is_narrow 0 verify "$S" --closed --within 1,1deg,1%
 is_narrow 1 verify --surfaces "$teapot" --within 1,1deg

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The extension of Inkscape: as Inkscape calls it, and by Inkscape itself without a screen. Skipped without python3.
+# The extension of Inkscape: as Inkscape calls it, and by Inkscape itself without a screen. Skipped
+# without python3.
 extension=$(realpath "$(dirname "$0")/../../tools/inkscape")
 command -v python3 >/dev/null || exit 77
 . "$(dirname "$0")/functions.sh"

@@ -91,8 +91,9 @@ for file in parts.woff parts.woff2; do # WOFF2 where FreeType has brotli
   holds cmp -s packed unpacked
 done
 
-# A part that is stretched has other angles; one of the same shape has those of the glyph that it is, also when only the composite glyph
-# is asked for. A handle of no length at the default instance is in no class that is decided.
+# A part that is stretched has other angles; one of the same shape has those of the glyph that it
+# is, also when only the composite glyph is asked for. A handle of no length at the default instance
+# is in no class that is decided.
 says unpacked "5 glyphs (2 of them composed of other ones), 9 joins: 6 corners" "2 above it" "narrow, part kink" "[5.8" \
   "not covered: 1 join, a handle has no length at the default instance"
 run 1 verify parts.ttf --all-instances --glyphs narrow --max-kink 5
@@ -108,7 +109,8 @@ run 1 verify parts.ttf --all-instances --max-kink 10 --json
 valid out
 says out '"part":"kink"' '"met":false' '"not_covered":[{"what":"join","reason":"a handle has no length at the default instance","count":1}]'
 
-# More than three axes. Beyond the work that is allowed a join is undecided, and that is never called proved.
+# More than three axes. Beyond the work that is allowed a join is undecided, and that is never
+# called proved.
 run 0 verify four.ttf --all-instances --max-kink 3.5
 says out "1 in no instance above 3.5 degrees" "0 undecided" "every join that is no corner"
 run 1 verify four.ttf --all-instances --max-kink 2.5
@@ -119,7 +121,7 @@ run 1 verify four.ttf --all-instances --max-kink 3.06 --max-work 1 --format sari
 says out '"ruleId":"undecided"' '"level":"error"'
 run 0 verify four.ttf --all-instances --max-kink 3.06 --max-work 1 --allow-undecided
 
-# What is not covered is named.
+# Things that are not covered are named.
 run 2 verify not_variable.ttf --all-instances
 says out "not_variable.ttf: not covered, not a variable font" "no join, nothing was decided"
 run 0 verify not_variable.ttf --all-instances --allow-empty --allow-uncovered

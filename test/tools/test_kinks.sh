@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# verify of drawings: what is a corner, a kink or smooth, by how much handles are off, and --kink-angle.
+# verify of drawings: what is a corner, a kink or smooth, by how much handles are off, and
+# --kink-angle.
 . "$(dirname "$0")/functions.sh"
 
 leaf=$data/leaf_inkscape.svg badge=$data/badge_illustrator.svg
@@ -110,7 +111,8 @@ for bad in 0 180 -1 1e9; do refused "--kink-angle: $bad is not between 0 and 180
 for bad in x 5deg nan; do refused "--kink-angle: " --kink-angle="$bad"; done
 run 2 verify "$teapot" --surfaces --kink-angle 5 && says err "--kink-angle: not with --surfaces"
 
-# Chains: the same angle tells a kink from a corner, with the same grades as repair and report; each join is asked for.
+# Chains: the same angle tells a kink from a corner, with the same grades as repair and report; each
+# join is asked for.
 { curve $'2 0\n2 2\n0 0 1 1\n0 0\n1 0' && curve $'2 0\n2 2\n0 0 1 1\n1 0\n2 0.08' && curve $'2 0\n2 2\n0 0 1 1\n2 0.08\n2 1'; } >chain.g2
 run 0 verify chain.g2 && says out "kink of 4.574 degrees" "corner of 85.43 degrees" && mv out usual
 run 0 verify chain.g2 --kink-angle 5 && holds cmp -s out usual

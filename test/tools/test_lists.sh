@@ -49,7 +49,8 @@ run 2 verify --jsonl list --require G1 -o part.jsonl && says out "$files had a r
 grep -v '"exit_code":2' all.jsonl >part.jsonl && grep -v '^missing\|^bad' list >good
 run 1 verify --jsonl good --require G1 -o part.jsonl
 
-# lines that are no records are told, left out, and asked again: a text, half a record, bytes of anything, half a record and another one
+# lines that are no records are told, left out, and asked again: a text, half a record, bytes of
+# anything, half a record and another one
 for line in 2 5; do
   for rubbish in 'kink' "$(sed -n "${line}p" all.jsonl | head -c 60)" "$(sed -n "${line}p" all.jsonl | tail -c 60)" \
     "$(sed -n "${line}p" all.jsonl | head -c 60)$(sed -n 1p all.jsonl)" $'\x01\xff{"file":' "$(sed -n "${line}p" all.jsonl | tr '{' '\001')" ''; do
@@ -68,7 +69,8 @@ cmp -s part.jsonl all.jsonl || holds false
 printf '{\n "name": "something else"\n}\n' >package.json && cp package.json kept.json
 run 2 verify --jsonl list -o package.json && says err 'package.json:1: no record' && holds cmp package.json kept.json
 
-# a record answers the question that was asked, of the same version about the same content, and no other one
+# a record answers the question that was asked, of the same version about the same content, and no
+# other one
 ask() { # KNOWN OPTIONS...: so many records answer
   local known=$1
   shift

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The commands that the manual shows print what it shows. Each command is a line "$ ..." in a \verbatim block, followed by its output;
-# "..." stands for any text that is left out, and line breaks may stand where the output has a space.
+# The commands that the manual shows print what it shows. Each command is a line "$ ..." in a
+# \verbatim block, followed by its output; "..." stands for any text that is left out, and line
+# breaks may stand where the output has a space.
 manual=$(cd "$(dirname "$0")/../../doc/Geometric_continuity" && pwd)
 . "$(dirname "$0")/functions.sh"
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The counts of the page "CAD Models" are those of the models that it names, and of OpenCASCADE's samples of them.
+# The counts of the page "CAD Models" are those of the models that it names, and of OpenCASCADE's
+# samples of them.
 manual=$(cd "$(dirname "$0")/../../doc/Geometric_continuity" && pwd)
 . "$(dirname "$0")/functions.sh"
 

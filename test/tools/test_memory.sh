@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Little memory and a small stack: the program ends with an exit code of its own, never by a signal, and leaves no files.
+# Little memory and a small stack: the program ends with an exit code of its own, never by a signal,
+# and leaves no files.
 . "$(dirname "$0")/functions.sh"
 
 numbers() { # COUNT DIGITS: fractions of that many random digits, the same ones in each run

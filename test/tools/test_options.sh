@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Options that do not apply, and names that say another format, are refused with the name of the option.
+# Options that do not apply, and names that say another format, are refused with the name of the
+# option.
 . "$(dirname "$0")/functions.sh"
 
 # version and help
@@ -70,7 +71,8 @@ for name in no.svg no.OFF no.stl no.json; do
   refused "--output: $name: the format is .g2" blend "$L" "$R" -o $name
   refused "--output: $name: the format is .g2" extend "$L" --order tangent -o $name
 done
-# a name that says another format than the one that is written, of every command with an output; nothing is written
+# a name that says another format than the one that is written, of every command with an output;
+# nothing is written
 printf '0 0\n1 0\n2 1\n' >points.txt
 for ending in ttf OTF woff2 pfb ttc ufo step gz; do
   lower=${ending,,}

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Output is written as a whole or refused with the reason: standard output, reports that are longer than the memory for them,
-# files that are replaced, signals.
+# Output is written as a whole or refused with the reason: standard output, reports that are longer
+# than the memory for them, files that are replaced, signals.
 . "$(dirname "$0")/functions.sh"
 
 # ends CODE COMMAND...: the shell command ends with this code; its errors are kept in the file err

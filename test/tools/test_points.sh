@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# interpolate and fit: curves through and near points, what verify says of them, and points that are refused.
+# interpolate and fit: curves through and near points, what verify says of them, and points that are
+# refused.
 . "$(dirname "$0")/functions.sh"
 
 printf '# five points\n0 0\n4, 3\n9;3\t# a comment\n\n9 -1\r\n2 -4/2\n' >five.txt

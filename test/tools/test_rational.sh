@@ -1,4 +1,5 @@
-# Rational curves and surfaces go through every command: circles, arcs of more than half a turn, a cylinder with a fillet.
+# Rational curves and surfaces go through every command: circles, arcs of more than half a turn, a
+# cylinder with a fillet.
 . "$(dirname "$0")/functions.sh"
 
 circle='100 1 0 0

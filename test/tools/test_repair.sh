@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# repair: kinks become exactly smooth, nothing but the numbers that must change changes, and bad input leaves the target alone.
+# repair: kinks become exactly smooth, nothing but the numbers that must change changes, and bad
+# input leaves the target alone.
 generator=$(realpath "$(dirname "$0")")/make_font.awk
 . "$(dirname "$0")/functions.sh"
 
@@ -41,7 +42,8 @@ run 1 verify "$sans" --closed --require G1 && says out "10 of them not G1"
 run 0 repair "$sans" -o S.g2 --closed && says out "before: 4 corners, 6 kinks, 8 G1, 0 G2" "after:  4 corners, 0 kinks, 14 G1, 0 G2" "every join is free of kinks, proved exactly on what is written"
 says out "largest move: 1 unit of" && run 1 verify S.g2 --closed --require G1 && says out "4 of them not G1"
 
-# The numbers of all forms: relative and absolute, without separators, with exponents and decimals of different length.
+# The numbers of all forms: relative and absolute, without separators, with exponents and decimals
+# of different length.
 path 'M0 0C10 0 20 2 40 0 70-4 80 0 90 0' 0 && becomes 'M0 0C10 0 20 2 40 0 70-3 80 0 90 0'
 path 'm0 0c10 0 20 2 40 0 30-4 40 0 50 0' 0 && becomes 'm0 0c10 0 20 2 40 0 30-3 40 0 50 0'
 path 'M0 0c1 0 2 .1 3 0s2-.1 3 0l3 .2' 1 && says out "not on this grid"
@@ -57,7 +59,8 @@ path 'M0 0 L10 0 Q20 1 30 20 40 20 40 10t5-9 0 0' 0 --kink-angle 6 && says out "
 # A shorthand whose handle moves is written in full, and what follows it stays a shorthand.
 path 'M0 0C10 0 25-20 40-20s31 22 40 60 20 30 40 30' 0 --to G2 --max-move 6 && says out "curvature"
 cp d one && run 0 repair repaired.svg -o again.svg --kink-angle 45 && holds cmp -s repaired.svg again.svg
-# Entities and line breaks in the attribute, quotation marks of both kinds, other attributes that look like it.
+# Entities and line breaks in the attribute, quotation marks of both kinds, other attributes that
+# look like it.
 printf '<?xml version="1.0"?>\n<svg xmlns="http://www.w3.org/2000/svg" xmlns:x="u"\r\n><!-- <path d="M0 0"/> --><path x:d="M0 0C1 1 2 2 3 3" title="a > b"\r\n\td = '"'"'M0&#32;0\r\nC10,0&#x20;20,2 40,0&#10;70-4 80 0 90 0'"'"' data-d="M"/></svg>\n\n' >odd.svg
 run 0 repair odd.svg -o odd2.svg && sed 's/70-4/70-3/' odd.svg >expected && holds cmp -s expected odd2.svg
 printf '<!DOCTYPE svg [<!ENTITY d "M0 0C10 0 20 2 40 0 70-4 80 0 90 0"><!ENTITY e "<path d='"'M0 0C10 0 20 2 40 0 70-4 80 0 90 0'"'/>">]><svg><path d="&d;"/>&e;</svg>' >entity.svg
@@ -65,7 +68,7 @@ run 1 repair entity.svg -o entity2.svg && holds cmp -s entity.svg entity2.svg &&
 # Transforms stay as they are.
 svg '<g transform="matrix(2 1 0 3 5 6)"><path transform="scale(.1)" d="M0 0C10 0 20 2 40 0 70-4 80 0 90 0"/></g>'
 run 0 repair drawing.svg -o repaired.svg && sed 's/70-4/70-3/' drawing.svg >expected && holds cmp -s expected repaired.svg
-# What is defined and not drawn is repaired as well, or named.
+# Paths that are defined and not drawn are repaired as well, or named.
 svg '<defs><path d="M0 0X"/><path d="M0 0C10 0 20 2 40 0 70-4 80 0 90 0"/></defs>'
 run 0 repair drawing.svg -o repaired.svg --allow-uncovered && says out "'X' is not a command" "defined and not drawn: 1 kinks before, 0 after" && sed 's/70-4/70-3/' drawing.svg >expected
 holds cmp -s expected repaired.svg
@@ -117,7 +120,8 @@ run 1 repair gap.g2 -o gap2.g2 --json && says out '"met":false' '"gaps":1' '"not
 run 1 repair chain.g2 --closed -o gap2.g2 && says out "0 kinks" "1 gap" "1 of them not free of kinks and gaps" # which does not lead back
 run 2 repair "$teapot" -o none.g2 && run 2 repair chain.g2 -o none.svg && says err "the format is .g2"
 
-# Fonts: a list of moves. A node between two handles may be one that TrueType leaves out; with halves of units nothing moves.
+# Fonts: a list of moves. A node between two handles may be one that TrueType leaves out; with
+# halves of units nothing moves.
 printf "$(LC_ALL=C awk -f "$generator" <<'END'
 glyph .notdef
 glyph mended 65
@@ -133,12 +137,14 @@ says out "4 glyphs, 3 with kinks, of which 1 is repaired" "kinks: 3 before, 2 af
 says moves.json '{"glyph":"mended","index":1,"contour":0,"point":2,"node":[100,0],"from":[200,7],"to":[200,0]}' '"contour":0,"node":[100,0],"reason":"no handle can move"'
 says moves.json '{"glyph":"halves","index":3,"contour":0,"node":[100,0],"reason":"no handle can move"}' # in units of the font
 run 2 repair font.ttf -o font.ttf && says err "the font itself" "-o MOVES.json" && holds cmp -s font.ttf given.ttf
-# A name of a font, or of anything that is no JSON, is refused with the call that works, and nothing is written.
+# A name of a font, or of anything that is no JSON, is refused with the call that works, and nothing
+# is written.
 for name in new.ttf new.OTF new.woff2 new.svg new.g2; do
   run 2 repair font.ttf -o $name && holds [ ! -e $name ]
   says err "--output: $name: the format is .json" "repair font.ttf -o MOVES.json" "apply_moves.py font.ttf MOVES.json RESULT.ttf"
 done
-# The joins are those of verify, by the same words, also in components, before and, of the font that the moves make, after.
+# The joins are those of verify, by the same words, also in components, before and, of the font that
+# the moves make, after.
 cat >classes.txt <<'END'
 glyph .notdef
 glyph base 65
@@ -159,12 +165,14 @@ says moves.json '"contour":2,"node":[1000,0],"reason":"no handle can move"}' '"k
 run 0 verify classes.ttf --off-by 20 && cp out verified
 run 0 repair classes.ttf -o moves.json --off-by 20 --max-move 1/2 && says verified "$(sed -n 's/^before: //p' out)" && says out "0 kinks"
 run 2 repair chain.g2 -o chain2.g2 --off-by 1 && says err "--off-by: only for fonts"
-# Points are those of the table 'glyf', whatever the left side bearing is, in glyphs with components as well.
+# Points are those of the table 'glyf', whatever the left side bearing is, in glyphs with components
+# as well.
 printf "$(LC_ALL=C awk -v bearing=5 -f "$generator" classes.txt)" >bearing.ttf
 run 0 repair classes.ttf -o moves.json && run 0 repair bearing.ttf -o bearing.json && holds cmp -s moves.json bearing.json
 run 0 verify classes.ttf --json && sed 's/classes.ttf//' out >expected && run 0 verify bearing.ttf --json && sed 's/bearing.ttf//' out >given
 holds cmp -s given expected
-# Beside a node that is left out, at half a unit, no handle moves. A join that falls from G2 to G1 is counted, and a glyph that cannot be read.
+# Beside a node that is left out, at half a unit, no handle moves. A join that falls from G2 to G1
+# is counted, and a glyph that cannot be read.
 printf "$(printf 'glyph .notdef\nglyph halves 65\ncontour 0,0 100,0 200,7* 300,100 350,201* 301,300* 200,350\n' | LC_ALL=C awk -f "$generator")" >halves.ttf
 run 1 repair halves.ttf -o moves.json && says moves.json '"moves":[]' '"reason":"no handle can move"'
 printf "$(printf 'glyph .notdef\nglyph wave 65\ncontour -100,100 0,40* 200,0* 300,0 400,0* 600,40* 700,100 1100,352\n' | LC_ALL=C awk -v outlines=cff -f "$generator")" >wave.otf
@@ -187,7 +195,8 @@ path 'M0 0A3 4 30 0 1 5 5Q6 9 30 40L40 51' 1 && becomes 'M0 0A3 4 30 0 1 5 5Q6 9
 says out "not on this grid" "before: 1 corner, 1 kink"
 path 'M0 0A5 4 1e-350 0 1 10 0Q10 9 20 30L29 51' 1 && becomes 'M0 0A5 4 1e-350 0 1 10 0Q10 9 20 30L29 51' # no direction changes beside what is undecided
 says out "both nodes bind the handle of a quadratic" "undecided: 1 join, an arc of a rotated ellipse"
-# What is filled has a join where it ends at its start, which is mended like others; what is stroked has none.
+# A filled path has a join where it ends at its start, which is mended like others; a stroked path
+# has none.
 ring='M50 10C72 10 90 28 90 50C90 72 72 90 50 90C28 90 10 72 10 50C10 28 28 11 50 10'
 path "$ring" 0 && becomes "${ring/28 11/28 10}" && says out "0 corners, 1 kink" "0 corners, 0 kinks, 0 G1, 4 G2" && run 0 verify repaired.svg --require G1
 for drawing in "<g style=\"fill:none\"><path d=\"$ring\"/></g>" "<defs><path fill=\"none\" d=\"$ring\"/></defs>"; do
@@ -207,11 +216,13 @@ says out 'polygon (line 2), behind command 2: no handle can move' "before: 3 cor
 svg '<path transform="scale(1 .1)" d="M0 0L100 0C120 8 200 60 300 60"/>' && run 1 verify drawing.svg --require G1 && says out "1 kink"
 run 1 repair drawing.svg -o repaired.svg --max-move 1 && says out "after:  0 corners, 1 kink"
 run 0 repair drawing.svg -o repaired.svg --max-move 9 && run 0 verify repaired.svg --require G1 && says out "0 kinks"
-# Of several moves the one that changes the curves least, by how far a handle moves their points; one that leaves fewer kinks comes first.
+# Among several moves the one that changes the curves least is taken, measured by how far a handle
+# moves their points; a move that leaves fewer kinks comes first.
 path 'M0 0Q19 9 38 8Q77 8 89 0' 0 && becomes 'M0 0Q19 8 38 8Q77 8 89 0'
 path 'M0 0C9 6 21 -4 32 10Q42 25 52 11Q79 -28 84 -12' 1 && becomes 'M0 0C9 6 22 -5 32 10Q42 25 52 11Q79 -28 84 -12'
 path 'M0 0L32 1Q93 5 102 19Q110 33 116 53' 1 && becomes 'M0 0L32 1Q93 5 102 19Q111 33 116 53'
-# Mirror images stay mirror images, also where two moves are equally good, and where neighbours share the handle of a quadratic.
+# Mirror images stay mirror images, also where two moves are equally good, and where neighbours
+# share the handle of a quadratic.
 path 'M0 0C6 2 18 10 37 -1C56 -11 66 -4 75 -5' 0 && becomes 'M0 0C6 2 18 9 37 -1C56 -11 66 -4 75 -5'
 path 'M0 0C2 6 10 18 -1 37C-11 56 -4 66 -5 75' 0 && becomes 'M0 0C2 6 9 18 -1 37C-11 56 -4 66 -5 75'
 path 'M75 5C66 4 56 11 37 1C18 -10 6 -2 0 0' 0 && becomes 'M75 5C66 4 56 11 37 1C18 -9 6 -2 0 0'
@@ -277,6 +288,6 @@ if [ "$(id -u)" -ne 0 ]; then
 fi
 run 0 repair --help && says out "usage: geometric_continuity repair"
 
-# What is left as it is says so.
+# The report names the curves that stay as they are.
 run 0 repair "$leaf" -o once.svg --to G2 && lacks out "nothing is changed"
 run 0 repair once.svg -o twice.svg --to G2 && says out "nothing is changed: no handle moves" && holds cmp -s once.svg twice.svg

@@ -34,7 +34,8 @@ run 2 report "$teapot" --surfaces --page page.html -o no.html && says err "--pag
 run 2 report huge.g2 -o no.html && says err "not_finite" && no_page
 printf '<svg>\n<path d="M0 0h1"></svg>' >broken.svg && run 2 report broken.svg -o no.html && says err "broken.svg:2: " && no_page
 
-# grades and bounds: a handle of 100 that is off by 1, a corner, a smooth join, a jump of the curvature, a gap
+# grades and bounds: a handle of 100 that is off by 1, a corner, a smooth join, a jump of the
+# curvature, a gap
 {
   cubic_2 $'-300 0\n-200 0\n-100 0\n0 0' && cubic_2 $'0 0\n100 1\n200 10\n300 50' && cubic_2 $'300 50\n200 50\n100 60\n0 60'
   cubic_2 $'0 60\n-100 60\n-200 50\n-300 50' && cubic_2 $'-300 50\n-400 50\n-500 0\n-600 0' && cubic_2 $'-600 7\n-700 7\n-800 7\n-900 7'

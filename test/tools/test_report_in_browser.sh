@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The page of `report` in a browser without a network: no message on its console, what is shown, the keys, 10 000 joins.
+# The page of `report` in a browser without a network: no message on its console, what is shown, the
+# keys, 10 000 joins.
 generator=$(realpath "$(dirname "$0")")/make_font.awk
 . "$(dirname "$0")/functions.sh"
 
@@ -9,7 +10,8 @@ browser=$(command -v chromium || command -v chromium-browser || command -v googl
   exit 77
 }
 
-# open PAGE: loads it, runs its timers for some seconds of its own clock, and keeps its document in the file dom
+# open PAGE: loads it, runs its timers for some seconds of its own clock, and keeps its document in
+# the file dom
 open() {
   checks=$((checks + 1))
   timeout 60 "$browser" --headless --no-sandbox --disable-gpu --disable-extensions --no-first-run --user-data-dir="$PWD/profile" \
@@ -18,7 +20,8 @@ open() {
   failures=$((failures + 1))
   echo "the browser fails on $1"
 }
-# asks PAGE SCRIPT: opens the page with one more script, whose messages log(text) stand in the file answers
+# asks PAGE SCRIPT: opens the page with one more script, whose messages log(text) stand in the file
+# answers
 asks() {
   { sed "s|script-src '[^']*'|script-src 'unsafe-inline'|" "$1" && cat <<END; } >asked.html
 <pre id="answers"></pre>

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# verify --summary: only the counts and what fails. And the reports do not depend on how numbers are written.
+# verify --summary: only the counts and what fails. And the reports do not depend on how numbers are
+# written.
 . "$(dirname "$0")/functions.sh"
 
 piped() { # piped CODE FILE ARGUMENTS...: as run, with the file on standard input
@@ -10,9 +11,10 @@ piped() { # piped CODE FILE ARGUMENTS...: as run, with the file on standard inpu
 }
 same() { holds cmp -s "$1" "$2"; } # same FILE FILE
 
-# A chain of so many cubics, from the pieces of a uniform B-spline in hundredths: every 20th time a third point is moved, so that
-# there is a jump of curvature and a kink, and an end, so that there is a gap. Some domains have another length. The numbers are
-# decimals, fractions, decimals of 30 digits, or decimals with a few of the others in between.
+# A chain of so many cubics, from the pieces of a uniform B-spline in hundredths: every 20th time a
+# third point is moved, so that there is a jump of curvature and a kink, and an end, so that there
+# is a gap. Some domains have another length. The numbers are decimals, fractions, decimals of 30
+# digits, or decimals with a few of the others in between.
 cat >chain.awk <<'END'
 function number(x, form) { # x hundredths
   ++count
@@ -43,7 +45,7 @@ BEGIN {
 END
 chain() { awk -v n="$1" -v form="$2" -f chain.awk; } # chain CURVES FORM
 
-# The same report for all forms of numbers; 1500 curves are more than are decided at once.
+# The report is the same for all forms of numbers; 1500 curves are more than are decided at once.
 chain 1500 decimal >decimal.g2
 chain 120 decimal >short.g2
 for options in "" "--closed --require G1" "--require G2 --summary" "--require C2 --max-order 5" "--json" "--json --summary --require F2" \

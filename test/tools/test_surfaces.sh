@@ -8,7 +8,8 @@ run 1 verify "$teapot" --surfaces --require G1 && says out "8 of them not G1"
 run 2 verify "$L" --surfaces && says err "space_left.g2:1"
 run 2 verify "$teapot" --surfaces --require F1
 
-# B-spline surfaces: a flat one with a double knot, one that continues it with other knots and a crease on the last span
+# B-spline surfaces: a flat one with a double knot, one that continues it with other knots and a
+# crease on the last span
 flat "$flat_points" >low.g2
 flat $'1 1 2 2\n0 1 0\n1 1 0\n2 1 0\n3 1 0\n4 1 0\n0 2 0\n1 2 0\n2 2 0\n3 2 0\n4 2 1/3' >high.g2
 run 0 verify low.g2 --surfaces --require G2 && says out "0 u = 1: G2" "every shared edge and every knot line is G2"
@@ -22,7 +23,8 @@ if command -v python3 >/dev/null; then
 fi
 flat $'0 0 1 1\n0 0 0\n1 0 0\n2 0 1\n3 0 0\n4 0 0\n0 1 0\n1 1 0\n2 1 0\n3 1 0\n4 1 0' >roof.g2
 run 1 verify roof.g2 --surfaces --require G1 && says out "1 of them not G1"
-# surfaces within a tolerance: a crease of arctan(1/3) at one end, a kink along a knot line, a surface that is 2^-30 away
+# surfaces within a tolerance: a crease of arctan(1/3) at one end, a kink along a knot line, a
+# surface that is 2^-30 away
 run 1 verify low.g2 high.g2 --surfaces --require G1 --within 0.321 && says out "order 0 proved, 1 refuted; gap 0, normal angle [18.4349, 18.435] degrees" \
   "1 of them not G1 within the tolerance"
 run 0 verify low.g2 high.g2 --surfaces --require G1 --within 0.322 && says out "knot line is G1 within the tolerance, proved exactly"

@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# verify in the units of designers: gaps in units of the coordinates, angles in degrees, curvature in percent; tolerances in them, presets.
+# verify in the units of designers: gaps in units of the coordinates, angles in degrees, curvature
+# in percent; tolerances in them, presets.
 . "$(dirname "$0")/functions.sh"
 
-# a kink of arctan(1/8), one of exactly 45 degrees, circles whose curvatures are 1 and 1/2 where they touch, a gap of 1/2
+# a kink of arctan(1/8), one of exactly 45 degrees, circles whose curvatures are 1 and 1/2 where
+# they touch, a gap of 1/2
 cubic $'0 0 0\n8 0 0\n16 0 0\n24 0 0' >line.g2
 cubic $'24 0 0\n32 1 0\n40 2 0\n48 3 0' >kink.g2
 cubic $'24 0 0\n25 1 0\n26 2 0\n27 3 0' >diagonal.g2

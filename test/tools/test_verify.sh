@@ -36,7 +36,8 @@ if command -v python3 >/dev/null; then
   holds python3 -c "import json; d = json.load(open('out')); assert len(d['joins']) == 28 and d['joins'][27]['right'] == 0"
 fi
 
-# handles of length 0: the unit tangents decide, as in drawings. A zero tangent at an end that is drawn as a line, as a kink, as a corner, as a cusp
+# handles of length 0: the unit tangents decide, as in drawings. A zero tangent at an end that is
+# drawn as a line, as a kink, as a corner, as a cusp
 handles() { # the points of a cubic that ends in (0, 164), and of the curve that starts there
   { curve $'2 0\n4 4\n0 0 0 0 1 1 1 1\n'"$1"; curve $'2 0\n'"$2"; } >zh.g2
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the reports say: nothing that was not proved, in bounds that hold, in texts that are valid whatever names files and
-# elements have, and how a long work shows that it goes on.
+# What the reports say: nothing that was not proved, in bounds that hold, in texts that are valid
+# whatever names files and elements have, and how a long work shows that it goes on.
 . "$(dirname "$0")/functions.sh"
 
 
@@ -28,7 +28,8 @@ for options in "" "--allow-empty --allow-uncovered"; do
 done
 run 0 verify --closed "$L" && run 1 verify --closed "$L" --require C0 && lacks out "nothing was decided"
 
-# What is not covered or undecided is named, and is not met unless that is allowed by name.
+# Things that are not covered or undecided are named, and the requirement is not met unless an
+# option allows them.
 round='<path d="M0 0h1 2z"/>' # three lines, two of them in one direction
 svg "$round<use/>"
 run 1 verify drawing.svg --require G0 && says out "not covered: 1 element, it does not say which element it repeats" && lacks out "proved"
@@ -123,8 +124,8 @@ if command -v python3 >/dev/null; then
     j[0]['file'] == 'a' + 4 * '\ufffd' + ' \ufffe\n\x1b[31m.svg' and j[0]['id'] == 'p\nevery join is G9\x9b31m\u202e'"
 fi
 
-# What takes longer than a second shows how fast it goes, on a terminal only, and erases that at the end. The input is a pipe
-# that keeps the program waiting.
+# Work that takes longer than a second shows its speed, on a terminal only, and erases that at the
+# end. The input is a pipe that keeps the program waiting.
 slowly() { # slowly FILE FIRST SECOND: a pipe with both texts, the second later
   rm -f "$1" && mkfifo "$1"
   { cat "$2" && sleep 1.2 && cat "$3"; } >"$1" &
@@ -143,7 +144,8 @@ if command -v script >/dev/null && script -qec true terminal >/dev/null </dev/nu
   slowly pipe.g2 many.g2 many.g2 && shown '\d+ joins, \d+(\.\d)?/s' "$verify pipe.g2"
   slowly pipe.g2 patches.g2 patches.g2 && shown '\d+ surfaces read, \d+(\.\d)?/s' "$verify --surfaces pipe.g2"
   slowly pipe.svg first.svg second.svg && shown '\d joins, \d+(\.\d)?/s' "$verify pipe.svg"
-  # of a file it is known what is left; the program is stopped for a while, so that it takes long enough
+  # of a file it is known what is left; the program is stopped for a while, so that it takes long
+  # enough
   shown '\d+ joins, \d+(\.\d)?/s, \d+ s left' "$verify long.g2 --within 1,1,1 & sleep 0.1; kill -STOP \$!; sleep 1.1; kill -CONT \$!; wait"
 fi
 slowly pipe.g2 many.g2 many.g2 && run 0 verify pipe.g2 && holds [ ! -s err ]

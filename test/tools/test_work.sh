@@ -1,5 +1,5 @@
-# Cost is bounded: small files with huge numbers, high degrees and odd tolerances end soon, with an answer or a refusal that
-# says how to allow more.
+# Cost is bounded: small files with huge numbers, high degrees and odd tolerances end soon, with an
+# answer or a refusal that says how to allow more.
 . "$(dirname "$0")/functions.sh"
 
 # bounded SECONDS CODE ARGUMENTS...: the program ends in time, with this code
@@ -53,7 +53,8 @@ says out '"joins":64,"G32":64'
 run 2 verify --max-work 1000000 order64.g2
 says err "order64.g2: work_limit" "--max-work N"
 
-# Orders up to 32 of curves with long fractions: one polynomial on both sides of a knot, so that all orders hold.
+# Orders up to 32 of curves with long fractions: one polynomial on both sides of a knot, so that all
+# orders hold.
 long_fractions() { # DIGITS
   awk -v digits="$1" 'BEGIN {
     srand(7)
@@ -74,8 +75,9 @@ bounded 60 0 verify --max-order 32 --require C32 fractions.g2
 run 2 verify --max-order 32 --max-work 100000 fractions.g2
 says err "fractions.g2: " "--max-work N"
 
-# The parabola (12 x t, 6 w t^2) until t = 0, and (12 x (t + t^2), 6 w (t + t^2)^2) from there on: the forms of G32 have the
-# degree 64. Digits in pairs, so that multiplication by up to 24 has no carries.
+# The parabola (12 x t, 6 w t^2) until t = 0, and (12 x (t + t^2), 6 w (t + t^2)^2) from there on:
+# the forms of G32 have the degree 64. Digits in pairs, so that multiplication by up to 24 has no
+# carries.
 parabola() { # PAIRS_OF_DIGITS
   awk -v pairs="$1" '
     function times(factor, digits, below,   number, i) {
@@ -179,8 +181,9 @@ rational 200 1 >gap.g2 # the quotients cost most, and there is nothing to decide
 bounded 30 2 verify --max-order 32 --max-work 100000000 gap.g2
 says err "gap.g2: work_limit: derivatives of a spline: more than 100000000 steps" "--max-work N"
 
-# The default takes some seconds also where the numbers are short: two rational patches of the degrees 39 and 2 with one-digit numbers
-# that meet with one tangent plane, so that the zeros of a polynomial of degree 234 are separated.
+# The default takes some seconds also where the numbers are short: two rational patches of the
+# degrees 39 and 2 with one-digit numbers that meet with one tangent plane, so that the zeros of a
+# polynomial of degree 234 are separated.
 awk 'BEGIN {
   srand(5)
   for (i = 0; i < 40; ++i)

@@ -42,7 +42,8 @@ def plus(v, w, factor=1):
 def dot(v, w):
     return sum(x * y for x, y in zip(v, w))
 
-# ---- Joins of curves: X = x[0], X' = x[1], ... are the derivatives of the left curve at the join, Y those of the right one.
+# ---- Joins of curves: X = x[0], X' = x[1], ... are the derivatives of the left curve at the join,
+# Y those of the right one.
 def chain_rule(x, betas, j):
     """The j-th derivative of X(s(t)), s = sum beta_i t^i / i!: j! times the coefficient of t^j in sum X^(m) s^m / m!."""
     s = [Fraction(0)] + [b / factorial(i + 1) for i, b in enumerate(betas)] + [Fraction(0)] * j
@@ -120,7 +121,8 @@ def divided(jet):
         result.append([y / jet[0][-1] for y in x])
     return result
 
-# ---- The text format .g2: splines of one parameter, class 100, and of two, class 200; lines, class 120. Points are homogeneous.
+# ---- The text format .g2: splines of one parameter, class 100, and of two, class 200; lines, class
+# 120. Points are homogeneous.
 def splines(data, kind):
     """The parameters (t, p) of each spline of this class, and its points."""
     words = iter(data.decode("utf-8", "replace").split())
@@ -155,7 +157,8 @@ def curve_joins(files, order, closed):
     for i in range(len(ends) - (not closed)):
         yield {"left": i, "right": (i + 1) % len(ends)}, (ends[i][1], ends[(i + 1) % len(ends)][0])
 
-# ---- Drawings: a segment of a path is a pair, the derivatives at its start and at its end; empty without a length, None if they are not rational.
+# ---- Drawings: a segment of a path is a pair, the derivatives at its start and at its end; empty
+# without a length, None if they are not rational.
 NUMBER, SPACE = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?", re.compile(r"[ \t\n\f\r]*,?[ \t\n\f\r]*")
 UNITS = {"": 1, "px": 1, "in": 96, "cm": Fraction(4800, 127), "mm": Fraction(480, 127), "q": Fraction(120, 127), "pt": Fraction(4, 3), "pc": 16}
 NOT_DRAWN = """defs symbol clipPath mask marker pattern style linearGradient radialGradient filter script title desc metadata
@@ -279,7 +282,8 @@ def drawing_joins(files, order):
         parser.Parse(data, True)
     return joins
 
-# ---- Edges of surfaces. Polynomials are lists of the coefficients of powers, without zeros at the end; points are homogeneous.
+# ---- Edges of surfaces. Polynomials are lists of the coefficients of powers, without zeros at the
+# end; points are homogeneous.
 def trimmed(a):
     return trimmed(a[:-1]) if a and a[-1] == 0 else a
 def add(a, b, factor=1):

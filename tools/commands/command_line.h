@@ -27,7 +27,8 @@
 
 namespace po = boost::program_options;
 
-// The arguments of one command: named options and files. Prints the help itself when it is asked for.
+// The arguments of one command: named options and files. Prints the help itself when it is asked
+// for.
 class Command_line {
   po::options_description options_;
   po::variables_map values_;
@@ -149,7 +150,7 @@ public:
     return result;
   }
 
-  // What --max-work gives; the default of the library when it is not given.
+  // Returns the value of --max-work, or the default of the library.
   CGAL::Geometric_continuity::Work_limit work_limit() const {
     if (!has("max-work")) return {};
     const std::string word = text("max-work");

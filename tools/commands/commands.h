@@ -18,7 +18,7 @@ struct Edge_tolerance;
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-// What the program returns to the shell.
+// The program returns one of these to the shell.
 enum Exit_code { requirement_met = 0, requirement_not_met = 1, bad_input = 2 };
 
 // How `verify` prints what it decided.
@@ -46,7 +46,8 @@ typedef std::vector<std::string> Arguments;
 
 class Command_line;
 
-// A command: its name, the text of its help, its options, and what it does: it returns an Exit_code, and throws on bad input.
+// A command: its name, the text of its help, its options, and what it does: it returns an
+// Exit_code, and throws on bad input.
 struct Command {
   const char* name;
   const char* usage;
@@ -67,8 +68,8 @@ struct Surface_picture {
 // Runs `plot --surfaces`: draws the surfaces of the files as one model.
 int plot_surfaces(const Arguments& files, const Surface_picture& picture);
 
-// Runs `verify --surfaces`: decides the edges of the model that the files form, and prints a report. With a tolerance
-// an edge meets the requirement also when it does so within the tolerance.
+// Runs `verify --surfaces`: decides the edges of the model that the files form, and prints a
+// report. With a tolerance an edge meets the requirement also when it does so within the tolerance.
 int verify_surfaces(const Arguments& files, const Report_mode& mode, const std::optional<int>& required_g_order,
                     const std::optional<CGAL::Geometric_continuity::Edge_tolerance>& tolerance);
 

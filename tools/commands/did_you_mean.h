@@ -10,8 +10,9 @@
 #include <string>
 #include <vector>
 
-// Returns how many letters must be inserted, deleted, changed or exchanged with their neighbour to get from one word to the other: the
-// distance of Damerau and Levenshtein, without changes of a pair that was exchanged.
+// Returns how many letters must be inserted, deleted, changed or exchanged with their neighbour to
+// get from one word to the other: the distance of Damerau and Levenshtein, without changes of a
+// pair that was exchanged.
 inline std::size_t spelling_distance(const std::string& a, const std::string& b) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i)
@@ -27,7 +28,8 @@ inline std::size_t spelling_distance(const std::string& a, const std::string& b)
   return d[a.size()][b.size()];
 }
 
-// Returns e.g. "; did you mean 'blend'?" for the word that is spelled most nearly, and nothing if none is.
+// Returns e.g. "; did you mean 'blend'?" for the word that is spelled most nearly, and nothing if
+// none is.
 inline std::string did_you_mean(const std::string& word, const std::vector<std::string>& words) {
   const std::size_t longest = 40; // no word is as long
   if (word.empty() || word.size() > longest || words.empty()) return "";

@@ -13,7 +13,7 @@
 
 #include <stdexcept>
 
-// What --kink-angle gives: the largest angle that is a kink.
+// Returns the value of --kink-angle, the largest angle of a kink.
 inline GC::Corner_threshold corner_threshold(const Command_line& line) {
   try {
     return GC::Corner_threshold(line.number("kink-angle", CGAL::Exact_rational(5)));

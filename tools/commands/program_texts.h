@@ -12,15 +12,17 @@
 #include <string>
 #include <vector>
 
-// What an installation of the program has beside it, made of the descriptions that --help prints.
+// An installation of the program also has these texts, made of the descriptions that --help prints.
 
 // The options whose values are words, by their names without "--".
 std::map<std::string, Arguments> option_words();
 
-// Writes the manual page geometric_continuity(1) in the language of troff. `usage` is that of the program.
+// Writes the manual page geometric_continuity(1) in the language of troff. `usage` is that of the
+// program.
 void write_manual_page(std::ostream& os, const std::string& usage, const std::vector<const Command*>& commands);
 
-// Writes a script for bash that completes commands, options, the values of options that are words, and names of files.
+// Writes a script for bash that completes commands, options, the values of options that are words,
+// and names of files.
 void write_bash_completion(std::ostream& os, const std::vector<const Command*>& commands);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_PROGRAM_TEXTS_H

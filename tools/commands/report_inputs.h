@@ -15,7 +15,7 @@
 
 #include <string>
 
-// What `report` asks of its inputs.
+// The demands of `report` on its inputs.
 struct Report_demand {
   GC::Corner_threshold corner_threshold;
   bool closed = false;      // the last curve of a chain leads back to its first

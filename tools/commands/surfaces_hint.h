@@ -12,14 +12,16 @@
 #include <stdexcept>
 #include <string>
 
-// Returns whether a file of the format .g2 begins with a surface: with the number of their class, 200.
+// Returns whether a file of the format .g2 begins with a surface: with the number of their
+// class, 200.
 inline bool holds_surfaces(const std::string& file) {
   const std::string text = beginning_of_text(file);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   return first != std::string::npos && text.compare(first, 3, "200") == 0;
 }
 
-// Returns work(), which reads the curves of the files. Where these hold surfaces, its error names the option for them.
+// Returns work(), which reads the curves of the files. Where these hold surfaces, its error names
+// the option for them.
 template <class Work> int with_hint_of_surfaces(const Arguments& files, Work work) {
   const bool surfaces = std::any_of(files.begin(), files.end(), holds_surfaces);
   try {

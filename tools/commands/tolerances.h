@@ -18,7 +18,8 @@
 #include <string>
 #include <vector>
 
-// What --within gives: the bounds, and up to which order they go. What has no bound must hold exactly.
+// The value of --within: the bounds, and the order up to which they go. Orders without a bound must
+// hold exactly.
 struct Tolerances {
   CGAL::Geometric_continuity::Join_tolerance joins;
   int order = 0;
@@ -30,8 +31,8 @@ namespace tolerances {
 
 namespace GC = CGAL::Geometric_continuity;
 
-// Rules that are published. Of the curvature they give no number, or one that is measured in another way: who asks for G2 gets it
-// exactly.
+// Rules that are published. For the curvature they give no number, or one that is measured in
+// another way, so G2 must hold exactly.
 struct Preset {
   const char *name, *bounds;
 };
@@ -41,11 +42,13 @@ constexpr Preset presets[] = {
     {"class-a", "0.01,0.1deg"},
     {"class-b", "0.02,0.2deg"},
     {"class-c", "0.05,0.5deg"},
-    // The criteria G-CU-LG, G-SU-LG, G-CU-NT and G-SU-NT of VDA 4955, as PTC Creo's GeomIntegrityCHECK sets them:
+    // The criteria G-CU-LG, G-SU-LG, G-CU-NT and G-SU-NT of VDA 4955, as PTC Creo's
+    // GeomIntegrityCHECK sets them:
     // https://support.ptc.com/help/creo/creo_pma/usascii/model_analysis/modelcheck/
     // GeomIntegrityCHECK_Configuration_Options_and_The.html
     {"vda-4955", "0.02,0.1deg"},
-    // MIL-STD-31000A, appendix C, design: table 1 of J. Comput. Inf. Sci. Eng. 16(2), 2016, doi:10.1115/1.4032697
+    // MIL-STD-31000A, appendix C, design: table 1 of J. Comput. Inf. Sci. Eng. 16(2), 2016,
+    // doi:10.1115/1.4032697
     {"mil-std-31000a", "0.01,2deg"}};
 
 // A number, and the unit behind it: "deg", "rad", "%", or none.
@@ -88,7 +91,7 @@ public:
     return unit_ == "deg" ? GC::in_radians(number()) : GC::enclosure(number());
   }
 
-  // Of a curvature.
+  // Reads the bound of a curvature.
   GC::Bound ratio() const {
     if (unit_ != "%") refuse("a jump of the curvature in % is expected");
     return GC::enclosure(CGAL::Exact_rational(number() / 100));
@@ -151,8 +154,8 @@ inline std::string preset_names() {
 
 } // namespace tolerances
 
-// Reads what --within gives: the name of a preset, GAP,ANGLE,CURVATURE,TORSION with units, or numbers without.
-// Throws std::invalid_argument with the item that is wrong.
+// Reads what --within gives: the name of a preset, GAP,ANGLE,CURVATURE,TORSION with units, or
+// numbers without. Throws std::invalid_argument with the item that is wrong.
 inline Tolerances parse_tolerances(const std::string& given, bool of_edges) {
   namespace T = tolerances;
   const std::string words = T::bounds_of(given);

@@ -164,7 +164,7 @@ GC::Corner_threshold max_kink(const Command_line& line) {
   return GC::Corner_threshold(degrees);
 }
 
-// What is asked of all instances of variable fonts.
+// Returns the demands on all instances of variable fonts.
 Instance_demand instance_demand(const Command_line& line) {
   line.refuse({"surfaces", "closed", "within", "sew", "time-limit", "kernel", "max-order", "require", "off-by"},
               "not with --all-instances");
@@ -176,7 +176,7 @@ Instance_demand instance_demand(const Command_line& line) {
           static_cast<std::size_t>(line.integer("worst", 0, 1000000))};
 }
 
-// What is asked of fonts.
+// Returns the demands on fonts.
 Font_demand font_demand(const Command_line& line, const std::optional<Requirement>& required) {
   line.refuse({"surfaces", "closed", "within", "sew", "time-limit", "kernel", "max-order", "max-work", "certificate"},
               "not for fonts");
@@ -200,7 +200,7 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
   return demand;
 }
 
-// What is asked of CAD models.
+// Returns the demands on CAD models.
 Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>& required) {
   line.refuse({"surfaces", "closed", "kernel", "max-order", "certificate"}, "not for CAD models");
   Cad_demand demand =

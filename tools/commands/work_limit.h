@@ -10,7 +10,8 @@
 #include <stdexcept>
 #include <string>
 
-// Returns work(). If that is refused because it would be too much, the message names the object, name(), and the option.
+// Returns work(). If that is refused because it would be too much, the message names the object,
+// name(), and the option.
 template <class Name, class Work> auto within_work_limit(Name name, Work work) {
   try {
     return work();

@@ -50,10 +50,11 @@ public:
   }
 };
 
-// A process that waits for what does not come, or gets hardly a share of a processor, may last so many times as long as it may compute.
+// A process that waits for what does not come, or gets hardly a share of a processor, may last so
+// many times as long as it may compute.
 constexpr double most_waiting = 10;
 
-// What a process may take.
+// The limits of a process.
 struct Process_limits {
   double seconds;                           // of processor time, see processor_seconds()
   std::uint64_t output;                     // bytes
@@ -63,12 +64,15 @@ struct Process_limits {
 // How a process has ended, and what it has written.
 struct Process_end {
   std::string output, errors;
-  int status = 0;                                                                  // as waitpid() tells
-  bool computed_too_long = false, waited_too_long = false, wrote_too_much = false; // then it was ended
+  // as waitpid() tells
+  int status = 0;
+  // then it was ended
+  bool computed_too_long = false, waited_too_long = false, wrote_too_much = false;
 
   bool took_too_long() const { return computed_too_long || waited_too_long; }
 
-  // Returns which limit of time was reached, e.g. "within 60 seconds of processor time, the limit of --time-limit".
+  // Returns which limit of time was reached, e.g. "within 60 seconds of processor time, the limit
+  // of --time-limit".
   std::string time_words(double seconds) const {
     std::ostringstream os;
     if (computed_too_long)
@@ -80,8 +84,8 @@ struct Process_end {
   }
 };
 
-// A process with another program. It ends at the latest with this object. Its standard input is a pipe from which nothing comes, and which
-// ends with this program, however that ends.
+// A process with another program. It ends at the latest with this object. Its standard input is a
+// pipe from which nothing comes, and which ends with this program, however that ends.
 class Child_process {
   Pipe life_, output_, errors_;
   pid_t process_ = -1;
@@ -102,7 +106,8 @@ class Child_process {
   }
 
 public:
-  // The command is the path of a program and its arguments. Without `keeps_errors` nobody reads its messages.
+  // The command is the path of a program and its arguments. Without `keeps_errors` nobody reads its
+  // messages.
   Child_process(std::vector<std::string> command, const Process_limits& limits, bool keeps_errors) : limits_(limits) {
     std::vector<char*> arguments;
     for (std::string& argument : command) arguments.push_back(argument.data());
@@ -173,7 +178,8 @@ public:
   }
 
 private:
-  // Looks at the time that it has taken: tells in the result when that is too much, and returns in how many seconds it is looked at again.
+  // Looks at the time that it has taken: tells in the result when that is too much, and returns in
+  // how many seconds it is looked at again.
   double until_next_look(Process_end& result) {
     if (const Clock::time_point now = Clock::now(); next_look_ <= now) {
       const double computing = limits_.seconds - processor_seconds(process_),

@@ -17,9 +17,9 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// The buffer of an output stream that writes to a file descriptor of the system, and that remembers why writing failed:
-/// a `std::ofstream` does not tell. After the first failure nothing more is written. The descriptor is not closed, and
-/// what has not been flushed is not written.
+/// The buffer of an output stream that writes to a file descriptor of the system, and that
+/// remembers why writing failed: a `std::ofstream` does not tell. After the first failure nothing
+/// more is written. The descriptor is not closed, and what has not been flushed is not written.
 class Descriptor_buffer : public std::streambuf {
   std::function<int()> open_;
   int descriptor_ = -1, error_ = 0;
@@ -29,8 +29,8 @@ public:
   /// Writes to a descriptor that is open.
   explicit Descriptor_buffer(int descriptor) : Descriptor_buffer([descriptor] { return descriptor; }) {}
 
-  /// Writes to the descriptor that `open` returns. It is called when there is something to write for the first time; its
-  /// exceptions are passed on as the stream says.
+  /// Writes to the descriptor that `open` returns. It is called when there is something to write
+  /// for the first time; its exceptions are passed on as the stream says.
   explicit Descriptor_buffer(std::function<int()> open) : open_(std::move(open)) { empty(); }
 
   /// Returns the `errno` of the first failure, 0 when there was none.

@@ -22,8 +22,9 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-// A file that is to be written. A regular file, or one that does not exist, gets its content at the end, by the renaming
-// of a temporary file in its folder; a device, a pipe or a socket is written directly.
+// A file that is to be written. A regular file, or one that does not exist, gets its content at the
+// end, by the renaming of a temporary file in its folder; a device, a pipe or a socket is written
+// directly.
 class Output_file {
   const std::string name_; // as it was given, for messages
   std::string target_;     // behind all links
@@ -36,8 +37,8 @@ class Output_file {
     return parent.empty() ? "." : parent;
   }
 
-  // The descriptor that the name stands for: /dev/stdout, /dev/stderr, /dev/fd/N. It is duplicated, because opening such a
-  // name begins a regular file anew, and fails for a socket.
+  // The descriptor that the name stands for: /dev/stdout, /dev/stderr, /dev/fd/N. It is duplicated,
+  // because opening such a name begins a regular file anew, and fails for a socket.
   std::optional<int> named_descriptor() const {
     if (name_ == "/dev/stdout") return STDOUT_FILENO;
     if (name_ == "/dev/stderr") return STDERR_FILENO;
@@ -55,7 +56,8 @@ class Output_file {
     std::error_code error;
     std::filesystem::path path = name_;
     while (std::filesystem::is_symlink(std::filesystem::symlink_status(path, error))) {
-      path = path.parent_path() / std::filesystem::read_symlink(path, error); // an absolute path replaces the other one
+      // an absolute path replaces the other one
+      path = path.parent_path() / std::filesystem::read_symlink(path, error);
       if (error) refuse_to_write(name_, error.value());
     }
     target_ = path.string();
@@ -66,8 +68,8 @@ class Output_file {
     direct_ = descriptor;
   }
 
-  // Owner, group and mode of the file that is replaced, as far as the system allows. Another group gets no right that not
-  // everybody has.
+  // Owner, group and mode of the file that is replaced, as far as the system allows. Another group
+  // gets no right that not everybody has.
   void keep_attributes() {
     const int descriptor = temporary_->descriptor();
     mode_t mode = old_->st_mode & (S_ISVTX | S_IRWXU | S_IRWXG | S_IRWXO);
@@ -76,7 +78,7 @@ class Output_file {
     if (now.st_gid != old_->st_gid && ::fchown(descriptor, static_cast<uid_t>(-1), old_->st_gid) != 0)
       mode &= ~static_cast<mode_t>(S_IRWXG) | ((mode & S_IRWXO) << 3);
     if (::fchmod(descriptor, mode) != 0) refuse_to_write(name_, errno);
-    // last, because who gives a file away has no say in it any more
+    // last, because the old owner may not change it any more
     if (now.st_uid != old_->st_uid && ::fchown(descriptor, old_->st_uid, static_cast<gid_t>(-1)) != 0) return;
   }
 
@@ -115,7 +117,8 @@ public:
     if (direct_ >= 0) ::close(direct_);
   }
 
-  // Returns the descriptor for the new content, which until the end is for its owner only when an old file is replaced.
+  // Returns the descriptor for the new content, which until the end is for its owner only when an
+  // old file is replaced.
   int open() {
     if (direct_ >= 0) return direct_;
     if (!temporary_) temporary_.emplace(folder(), old_ ? 0600 : 0666, name_);

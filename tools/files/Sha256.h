@@ -12,7 +12,8 @@
 #include <string>
 #include <string_view>
 
-// The hash SHA-256 of bytes that come one after the other, as FIPS 180-4 defines it and the program sha256sum prints it.
+// The hash SHA-256 of bytes that come one after the other, as FIPS 180-4 defines it and the program
+// sha256sum prints it.
 class Sha256 {
   std::array<std::uint32_t, 8> state_{0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                                       0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};

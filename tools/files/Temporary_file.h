@@ -30,12 +30,14 @@ namespace Geometric_continuity {
               path + ": " + (system_error == 0 ? "write error" : std::generic_category().message(system_error)));
 }
 
-// The names of the temporary files that exist, for the handler of a signal. It may interrupt anything, and therefore finds
-// nothing but pointers. A file for which there is no place left is not removed by a handler.
+// The names of the temporary files that exist, for the handler of a signal. It may interrupt
+// anything, and therefore finds nothing but pointers. A file for which there is no place left is
+// not removed by a handler.
 inline std::atomic<const char*> unfinished_files[16];
 static_assert(std::atomic<const char*>::is_always_lock_free);
 
-// An empty file with a new name in a folder. It is removed unless it gets the name for which it is meant.
+// An empty file with a new name in a folder. It is removed unless it gets the name for which it is
+// meant.
 class Temporary_file {
   std::unique_ptr<char[]> path_; // empty when the file has got its name
   std::atomic<const char*>* entry_ = nullptr;
@@ -53,7 +55,8 @@ class Temporary_file {
 
   // Forgets the name, after which no handler removes the file.
   void forget() {
-    // a handler that runs in another thread may still read the name that it has taken: it is kept to the end
+    // a handler that runs in another thread may still read the name that it has taken: it is kept
+    // to the end
     if (entry_ != nullptr && entry_->exchange(nullptr) == nullptr) keep(std::move(path_));
     path_.reset();
     entry_ = nullptr;
@@ -61,7 +64,8 @@ class Temporary_file {
 
   static void keep(std::unique_ptr<char[]> name) {
     static std::mutex mutex;
-    static std::vector<std::unique_ptr<char[]>>& names = *new std::vector<std::unique_ptr<char[]>>; // for good
+    // for good
+    static std::vector<std::unique_ptr<char[]>>& names = *new std::vector<std::unique_ptr<char[]>>;
     const std::lock_guard<std::mutex> lock(mutex);
     names.push_back(std::move(name));
   }
@@ -93,7 +97,8 @@ public:
 
   int descriptor() const { return descriptor_; }
 
-  // Gives the file its name. Everything is stored before, so that not even a power failure leaves half a file.
+  // Gives the file its name. Everything is stored before, so that not even a power failure leaves
+  // half a file.
   void rename(const std::string& path, const std::string& target) {
     if (::fsync(descriptor_) != 0 && errno != EINVAL) refuse_to_write(target, errno);
     if (::close(std::exchange(descriptor_, -1)) != 0) refuse_to_write(target, errno);

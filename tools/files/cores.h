@@ -17,8 +17,8 @@
 #endif
 #endif
 
-// As long as it lives, the program runs on at most eight cores, which keeps its memory small; on one where the memory of
-// processes is limited, since threads need room of their own.
+// As long as it lives, the program runs on at most eight cores, which keeps its memory small; on
+// one where the memory of processes is limited, since threads need room of their own.
 class Cores {
 #ifdef CGAL_LINKED_WITH_TBB
   static std::size_t number() {

@@ -20,8 +20,9 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-// Collects output until all input has been read and found good: in memory, or, what is longer than a few megabytes, in a
-// temporary file of the folder TMPDIR, which has no name any more as soon as it exists.
+// Collects output until all input has been read and found good: in memory, or, what is longer than
+// a few megabytes, in a temporary file of the folder TMPDIR, which has no name any more as soon as
+// it exists.
 class Deferred_output {
   static constexpr std::size_t max_in_memory = std::size_t(4) << 20, block_of_file = std::size_t(1) << 16;
   std::string text_; // behind what is in the file

@@ -32,7 +32,8 @@ inline bool is_standard_input(const std::string& name) { return name == "-" || n
 // The name of a file in messages.
 inline std::string input_name(const std::string& name) { return is_standard_input(name) ? "standard input" : name; }
 
-// Reads a file, and says why it cannot be read. The beginning can be looked at before anything is read, also of a pipe.
+// Reads a file, and says why it cannot be read. The beginning can be looked at before anything is
+// read, also of a pipe.
 class Input_buffer : public std::streambuf {
   const std::string name_;
   const int descriptor_;
@@ -104,8 +105,8 @@ private:
   }
 };
 
-// A file that a command reads; standard input for the name "-", which all inputs of this name share. Throws GC::Error
-// `cannot_read_file` with the reason of the system, now or later.
+// A file that a command reads; standard input for the name "-", which all inputs of this name
+// share. Throws GC::Error `cannot_read_file` with the reason of the system, now or later.
 class Input : public std::istream {
   std::shared_ptr<Input_buffer> buffer_;
 
@@ -130,8 +131,8 @@ public:
   std::string_view beginning(std::size_t size) { return buffer_->beginning(size); }
 };
 
-// What a file begins with, without a byte order mark and the zeros of UTF-16. Of pipes only standard input is looked into, because others
-// cannot be opened twice.
+// Returns the beginning of a file, without a byte order mark and the zeros of UTF-16. The only pipe
+// that is examined is standard input, because others cannot be opened twice.
 inline std::string beginning_of_text(const std::string& file) {
   std::error_code error;
   if (!is_standard_input(file) && !std::filesystem::is_regular_file(file, error)) return "";

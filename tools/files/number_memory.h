@@ -12,8 +12,9 @@
 #include <new>
 #include <utility>
 
-// Memory for the numbers of GMP. Most have one or two words, and come and go: blocks of these sizes that are given back are kept, a few of
-// them, and used again, on the threads that ask for it, which never end before the program. All memory is that of malloc().
+// Memory for the numbers of GMP. Most have one or two words, and come and go: blocks of these sizes
+// that are given back are kept, a few of them, and used again, on the threads that ask for it,
+// which never end before the program. All memory is that of malloc().
 class Number_memory {
   static constexpr std::size_t word = sizeof(mp_limb_t), most_words = 2, most_blocks = std::size_t(1) << 13;
 

@@ -19,7 +19,8 @@
 // Returns whether the name of a file stands for standard output.
 inline bool is_standard_output(const std::string& name) { return name == "-" || name == "/dev/stdout"; }
 
-// Returns whether the name is that of a device, a pipe or the like, which says nothing about the format.
+// Returns whether the name is that of a device, a pipe or the like, which says nothing about the
+// format.
 inline bool has_no_format(const std::string& name) {
   std::error_code ignored;
   return is_standard_output(name) || std::filesystem::is_other(name, ignored);
@@ -43,18 +44,26 @@ inline void check_picture_name(const Command_line& line, const std::string& opti
 // The endings of names that say what a file is.
 inline const Arguments& known_endings() {
   static const Arguments endings = {
-      ".g2",    ".json",  ".jsonl", ".ndjson", ".sarif", ".xml",  ".html", ".htm",  ".csv",   ".gcode", // texts
-      ".svg",   ".svgz",  ".pdf",   ".ps",     ".eps",   ".ai",   ".png",  ".jpg",  ".jpeg",  ".gif",   // pictures
-      ".webp",  ".bmp",   ".tif",   ".tiff",   ".off",   ".obj",  ".ply",  ".stl",  ".gltf",  ".glb",   // meshes
-      ".3mf",   ".amf",   ".wrl",   ".step",   ".stp",   ".iges", ".igs",  ".brep", ".brp",   ".dxf",   // models
-      ".dwg",   ".fcstd", ".3dm",   ".sat",    ".x_t",   ".ttf",  ".otf",  ".ttc",  ".otc",   ".woff",  // fonts
-      ".woff2", ".eot",   ".pfb",   ".pfa",    ".pfm",   ".afm",  ".cff",  ".t1",   ".dfont", ".designspace", //
-      ".sfd",   ".ufo",   ".glif",  ".glyphs", ".gz",    ".bz2",  ".xz",   ".zst",  ".zip",   ".tar"};        // packed
+      // texts
+      ".g2", ".json", ".jsonl", ".ndjson", ".sarif", ".xml", ".html", ".htm", ".csv", ".gcode",
+      // pictures
+      ".svg", ".svgz", ".pdf", ".ps", ".eps", ".ai", ".png", ".jpg", ".jpeg", ".gif",
+      // meshes
+      ".webp", ".bmp", ".tif", ".tiff", ".off", ".obj", ".ply", ".stl", ".gltf", ".glb",
+      // models
+      ".3mf", ".amf", ".wrl", ".step", ".stp", ".iges", ".igs", ".brep", ".brp", ".dxf",
+      // fonts
+      ".dwg", ".fcstd", ".3dm", ".sat", ".x_t", ".ttf", ".otf", ".ttc", ".otc", ".woff",
+      //
+      ".woff2", ".eot", ".pfb", ".pfa", ".pfm", ".afm", ".cff", ".t1", ".dfont", ".designspace",
+      // packed
+      ".sfd", ".ufo", ".glif", ".glyphs", ".gz", ".bz2", ".xz", ".zst", ".zip", ".tar"};
   return endings;
 }
 
-// Refuses the name that an option gives to a file when it says that this is something else than what is written, which has the first one of
-// these endings, or another one of them. `hint` tells how to get the other format.
+// Refuses the name that an option gives to a file when it says that this is something else than
+// what is written, which has the first one of these endings, or another one of them. `hint` tells
+// how to get the other format.
 inline void check_output_name(const Command_line& line, const std::string& option, const Arguments& endings,
                               const std::string& hint = "") {
   const std::string name = line.text(option), ending = extension(name);
@@ -65,11 +74,13 @@ inline void check_output_name(const Command_line& line, const std::string& optio
                                 hint);
 }
 
-// Returns the name of what will be written: behind all links, also those that lead to a file that is not there yet.
+// Returns the name of what will be written: behind all links, also those that lead to a file that
+// is not there yet.
 inline std::filesystem::path behind_links(std::filesystem::path path) {
   std::error_code error;
   for (int links = 0; links < 40 && std::filesystem::is_symlink(path, error); ++links)
-    path = path.parent_path() / std::filesystem::read_symlink(path, error); // an absolute path replaces the other one
+    // an absolute path replaces the other one
+    path = path.parent_path() / std::filesystem::read_symlink(path, error);
   return std::filesystem::weakly_canonical(std::filesystem::absolute(path, error), error);
 }
 
@@ -81,7 +92,8 @@ inline bool lead_to_one_file(const std::string& a, const std::string& b) {
   return std::filesystem::equivalent(a, b, error) || behind_links(a) == behind_links(b);
 }
 
-// Checks the names that --output gives to curves or surfaces, and --plot to their picture, as far as they are given.
+// Checks the names that --output gives to curves or surfaces, and --plot to their picture, as far
+// as they are given.
 inline void check_outputs(const Command_line& line) {
   if (line.has("output")) check_output_name(line, "output", {".g2"});
   if (line.has("plot")) check_picture_name(line, "plot");
@@ -89,7 +101,8 @@ inline void check_outputs(const Command_line& line) {
     throw std::invalid_argument("--output and --plot: both are written to " + line.text("plot"));
 }
 
-// Where the report of a command goes: not to standard output when --output or --plot is written there.
+// Where the report of a command goes: not to standard output when --output or --plot is written
+// there.
 inline std::ostream& report_stream(const Command_line& line) {
   return is_standard_output(line.text("output")) || is_standard_output(line.text("plot")) ? std::cerr : std::cout;
 }

@@ -23,12 +23,14 @@ inline double seconds_of(clockid_t clock) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// The seconds of processor time that the ended children of a process have taken for which it has waited, from /proc.
+// The seconds of processor time that the ended children of a process have taken for which it has
+// waited, from /proc.
 inline double seconds_of_ended_children(const std::string& folder) {
   std::ifstream stream(folder + "/stat");
   std::string text;
   std::getline(stream, text);
-  std::istringstream fields(text.substr((std::min)(text.rfind(')') + 1, text.size()))); // behind a name of any letters
+  // behind a name of any letters
+  std::istringstream fields(text.substr((std::min)(text.rfind(')') + 1, text.size())));
   std::string skipped;
   constexpr int fields_before = 13;
   for (int i = 0; i < fields_before; ++i) fields >> skipped;
@@ -37,7 +39,8 @@ inline double seconds_of_ended_children(const std::string& folder) {
   return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
-// The seconds of processor time that a process has taken, with all its threads and with the processes that it has started.
+// The seconds of processor time that a process has taken, with all its threads and with the
+// processes that it has started.
 inline double processor_seconds(pid_t process) {
   const std::string folder = "/proc/" + std::to_string(process);
   double seconds = seconds_of_ended_children(folder);

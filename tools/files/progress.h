@@ -19,8 +19,9 @@
 
 #include <unistd.h>
 
-// Shows, once a second, how much of a long work is done and how fast: "12345 joins, 5678/s, 12 s left". Only when standard
-// error is a terminal; what is shown is erased at the end, and before anything else is printed when clear() is called.
+// Shows, once a second, how much of a long work is done and how fast: "12345 joins, 5678/s, 12 s
+// left". Only when standard error is a terminal; what is shown is erased at the end, and before
+// anything else is printed when clear() is called.
 class Progress {
   typedef std::chrono::steady_clock Clock;
 
@@ -56,8 +57,8 @@ public:
   Progress& operator=(const Progress&) = delete;
   ~Progress() { clear(); }
 
-  // Tells that so many things are done. part() says which part of the work that is, from 0 to 1, and 0 when it does not know;
-  // it is called only when something is shown.
+  // Tells that so many things are done. part() says which part of the work that is, from 0 to 1,
+  // and 0 when it does not know; it is called only when something is shown.
   template <class Part> void step(std::size_t done, Part part) {
     if (!on_terminal_) return;
     const Clock::time_point now = Clock::now();
@@ -82,7 +83,8 @@ public:
 
 // How far the reading of several files, one after the other, has come.
 class Reading_position {
-  std::vector<std::uintmax_t> begins_{0}; // where each file begins, in bytes after the first begin; empty if not known
+  // where each file begins, in bytes after the first begin; empty if not known
+  std::vector<std::uintmax_t> begins_{0};
 
 public:
   explicit Reading_position(const std::vector<std::string>& files) {
@@ -97,15 +99,15 @@ public:
     }
   }
 
-  // Returns which part of all files has been read, from 0 to 1, and 0 when that is not known: the files before file number
-  // `file`, and that one as far as `stream` has read it.
+  // Returns which part of all files has been read, from 0 to 1, and 0 when that is not known: the
+  // files before file number `file`, and that one as far as `stream` has read it.
   double part(std::size_t file, std::istream& stream) const {
     if (begins_.size() <= file || begins_.back() == 0) return 0;
     const std::streamoff read = stream.rdbuf()->pubseekoff(0, std::ios::cur, std::ios::in);
     return read < 0 ? 0 : (double(begins_[file]) + double(read)) / double(begins_.back());
   }
 
-  // The same where `share` of file number `file` has been done, from 0 to 1.
+  // Reports that `share` of file number `file` has been done, from 0 to 1.
   double part(std::size_t file, double share) const {
     if (begins_.size() <= file + 1 || begins_.back() == 0) return 0;
     const double begin = double(begins_[file]), size = double(begins_[file + 1]) - begin;

@@ -15,8 +15,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-// Occupies the descriptors of standard streams that are closed, so that no file which is opened later takes the place of
-// one: reading and writing fail there, as they do on a closed descriptor.
+// Occupies the descriptors of standard streams that are closed, so that no file which is opened
+// later takes the place of one: reading and writing fail there, as they do on a closed descriptor.
 inline void occupy_standard_descriptors() {
   const int flags[] = {O_WRONLY, O_RDONLY, O_RDONLY}; // the wrong ones
   for (int descriptor = 0; descriptor <= STDERR_FILENO; ++descriptor)
@@ -34,7 +34,8 @@ public:
   Standard_output& operator=(const Standard_output&) = delete;
   ~Standard_output() { std::cout.rdbuf(old_); }
 
-  // Writes the rest. Returns the exit code of the program: that of the command, unless not everything has been written.
+  // Writes the rest. Returns the exit code of the program: that of the command, unless not
+  // everything has been written.
   int finish(int exit_code) {
     std::cout.flush();
     if (buffer_.error() == 0) return exit_code;

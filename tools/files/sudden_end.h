@@ -24,25 +24,27 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-// Signals, and memory that runs out, end the program in good order: temporary files are removed, and files that were to
-// be replaced stay as they are.
+// Signals, and memory that runs out, end the program in good order: temporary files are removed,
+// and files that were to be replaced stay as they are.
 
-// Ends the program as the signal does when nothing is done about it, so that the shell sees what happened.
+// Ends the program as the signal does when nothing is done about it, so that the shell sees what
+// happened.
 extern "C" inline void end_by_signal(int signal) {
   CGAL::Geometric_continuity::remove_unfinished_files();
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
 
-// Lets signals clean up, unless they are ignored. A file that grows beyond the limit of the system is an error of writing
-// like others, not the end of the program.
+// Lets signals clean up, unless they are ignored. A file that grows beyond the limit of the system
+// is an error of writing like others, not the end of the program.
 inline void clean_up_at_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGQUIT, SIGXCPU})
     if (std::signal(signal, end_by_signal) == SIG_IGN) std::signal(signal, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-// Ends the program where no exception could get through: out of GMP, or of a function that is noexcept.
+// Ends the program where no exception could get through: out of GMP, or of a function that is
+// noexcept.
 [[noreturn]] inline void end_without_memory() {
   CGAL::Geometric_continuity::remove_unfinished_files();
   constexpr char message[] = "geometric_continuity: out of memory\n";
@@ -56,8 +58,8 @@ inline void* memory_or_end(void* memory) {
   return memory;
 }
 
-// Takes the stack that the commands need, of which the arithmetic of GMP has most. Where memory is limited, the system would end the program
-// by a signal when the stack cannot grow later.
+// Takes the stack that the commands need, of which the arithmetic of GMP has most. Where memory is
+// limited, the system would end the program by a signal when the stack cannot grow later.
 template <std::size_t size> BOOST_NOINLINE void take_stack_of() { // and gives it back
   [[maybe_unused]] volatile char stack[size];
   for (std::size_t i = 0; i < size; i += 4096) stack[size - 1 - i] = 0;

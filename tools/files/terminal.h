@@ -16,8 +16,9 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-// Returns how many columns a table may have: as many as the environment variable COLUMNS says, or the terminal to which standard output
-// leads; without limit elsewhere. A call of the system: asked once for a report.
+// Returns how many columns a table may have: as many as the environment variable COLUMNS says, or
+// the terminal to which standard output leads; without limit elsewhere. A call of the system: asked
+// once for a report.
 inline std::size_t output_columns() {
   if (const char* text = std::getenv("COLUMNS")) {
     const std::string_view digits(text);
@@ -31,7 +32,8 @@ inline std::size_t output_columns() {
   return (std::numeric_limits<std::size_t>::max)();
 }
 
-// Returns lines that are broken at spaces where they are longer than so many columns, and go on indented. Characters of UTF-8 are counted.
+// Returns lines that are broken at spaces where they are longer than so many columns, and go on
+// indented. Characters of UTF-8 are counted.
 inline std::string within_columns(const std::string& lines, std::size_t columns) {
   if (lines.size() <= columns) return lines;
   const std::string indent(4, ' ');
@@ -44,7 +46,8 @@ inline std::string within_columns(const std::string& lines, std::size_t columns)
       for (; end < line.size() && n <= columns; ++end) n += (static_cast<unsigned char>(line[end]) & 0xC0) != 0x80;
       if (n <= columns) break;
       std::size_t space = line.rfind(' ', end - 1);
-      if (space == std::string::npos || space < words) space = line.find(' ', words); // behind a word that is too long
+      // behind a word that is too long
+      if (space == std::string::npos || space < words) space = line.find(' ', words);
       const std::size_t rest = line.find_first_not_of(' ', space);
       if (rest == std::string::npos) break;
       result += line.substr(0, line.find_last_not_of(' ', space) + 1) + '\n';

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What commands read.
+// The kinds of files that commands read.
 enum Kind : unsigned { curves = 1, drawings = 2, fonts = 4, models = 8, points = 16 };
 
 struct Reader {
@@ -71,7 +71,8 @@ std::string readers_of(Kind kind) {
   return text + (names.size() == 1 ? " reads it" : " read it");
 }
 
-// Where the name of a file begins to say its format, in small letters: all from the first point on, and from each later one.
+// Where the name of a file begins to say its format, in small letters: all from the first point on,
+// and from each later one.
 std::vector<std::string> endings(const std::string& file) {
   std::string name = file;
   name.erase(name.find_last_not_of('/') + 1);
@@ -103,7 +104,8 @@ const Foreign_format* foreign_by_name(const std::string& file) {
 bool begins_with(std::string_view text, std::string_view begin) { return text.substr(0, begin.size()) == begin; }
 bool has(std::string_view text, std::string_view word) { return text.find(word) != std::string_view::npos; }
 
-// The first word of a text behind blanks, lines of comments of G-code and the sign before its lines.
+// The first word of a text behind blanks, lines of comments of G-code and the sign before its
+// lines.
 std::string_view first_word_of_gcode(std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
@@ -147,7 +149,8 @@ const char* ending_of_model(std::string_view text) {
   return "";
 }
 
-// What gzip has packed is a drawing when it begins as XML, and when it is damaged before its beginning.
+// A file packed by gzip is a drawing when it begins as XML, and when it is damaged before its
+// beginning.
 const Foreign_format* foreign_by_unpacked(const std::string& bytes) {
   std::istringstream stream(bytes);
   std::string text(200, '\0');
@@ -161,7 +164,7 @@ const Foreign_format* foreign_by_unpacked(const std::string& bytes) {
   return first == std::string::npos || text[first] == '<' ? nullptr : &foreign::packed;
 }
 
-// What bytes that no reader knows say of their format.
+// Finds the format of bytes that no reader knows.
 const Foreign_format* foreign_by_content(const std::string& bytes) {
   using namespace foreign;
   static constexpr struct {

@@ -9,9 +9,10 @@
 
 #include <string>
 
-// Looks at the files of a command before it reads them: their names and their first bytes tell the formats. Throws std::invalid_argument
-// for a file that the command does not read, with what it is, what the command reads, and the nearest way. Files that cannot be opened,
-// and text that may be damaged, are left to the command.
+// Looks at the files of a command before it reads them: their names and their first bytes tell the
+// formats. Throws std::invalid_argument for a file that the command does not read, with what it is,
+// what the command reads, and the nearest way. Files that cannot be opened, and text that may be
+// damaged, are left to the command.
 void check_input_formats(const std::string& command, const Arguments& files);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_INPUT_FORMATS_H

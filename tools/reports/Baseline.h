@@ -24,7 +24,7 @@
 // The findings that are known: those of a report that `--format sarif` has written.
 class Baseline {
 public:
-  // What is known of a defect.
+  // The record of a known defect.
   struct Known {
     // A measure: what it is of, empty if there is none, and its upper bound.
     struct Size {
@@ -70,8 +70,8 @@ private:
   }
 
 public:
-  // Reads the report. Throws Error `malformed_input` for anything else, also for a part of one, and for one of an older version, by whose
-  // fingerprints nothing is known again.
+  // Reads the report. Throws Error `malformed_input` for anything else, also for a part of one, and
+  // for one of an older version, by whose fingerprints nothing is known again.
   explicit Baseline(const std::string& file) {
     namespace GC = CGAL::Geometric_continuity;
     Input input(file);
@@ -127,13 +127,16 @@ private:
   }
 };
 
-// Which findings of a report are those of a baseline: each that is known is one finding. A finding is known if it is no worse: its rule is
-// not, and its measure may still be what it was. First come those with both fingerprints; then, of what is left, those that have moved and
-// those that have changed where they are. What is worse at its old place is new, also if another one like it is gone.
+// Which findings of a report are those of a baseline: each that is known is one finding. A finding
+// is known if it is no worse: its rule is not, and its measure may still be what it was. First come
+// those with both fingerprints; then, of what is left, those that have moved and those that have
+// changed where they are. A finding that is worse at its old place is new, also if another one like
+// it is gone.
 class Known_findings {
   const Baseline& baseline_;
   std::vector<bool> is_used_ = std::vector<bool>(baseline_.size());
-  std::unordered_map<const std::vector<std::size_t>*, std::size_t> first_unused_; // of the numbers with a hash
+  // of the numbers with a hash
+  std::unordered_map<const std::vector<std::size_t>*, std::size_t> first_unused_;
 
   static int rank(Finding_rule rule) {
     switch (rule) {
@@ -150,14 +153,15 @@ class Known_findings {
     return 7;
   }
 
-  // What is moved is rounded again: that much is no difference.
+  // Moved things are rounded again, so this factor is no difference.
   static constexpr double rounding = 1 + 1e-9;
 
   static bool is_no_larger(const std::optional<Measure>& measure, const Baseline::Known::Size& known) {
     return !measure || known.quantity != measure->quantity || measure->bounds.lower <= known.upper * rounding;
   }
 
-  // What cannot be read is known if it is the same: other things may hide behind another reason.
+  // A thing that cannot be read is known if the reason is the same: other things may hide behind
+  // another reason.
   static bool is_no_worse(const Finding& f, const Baseline::Known& known) {
     if (f.rule == Finding_rule::not_verified || known.rule == Finding_rule::not_verified)
       return f.rule == known.rule && known.defect == defect(f);
@@ -165,7 +169,8 @@ class Known_findings {
            is_no_larger(f.behind, known.behind);
   }
 
-  // Takes the first one that fits, which has the smallest measure of those, so that others are left for what is larger.
+  // Takes the first one that fits, which has the smallest measure of those, so that others are left
+  // for what is larger.
   template <class Condition> bool take(const Finding& f, const std::vector<std::size_t>& numbers, Condition fits) {
     std::size_t& first = first_unused_[&numbers];
     while (first < numbers.size() && is_used_[numbers[first]]) ++first;

@@ -10,21 +10,22 @@
 #include <string>
 #include <utility>
 
-// What can be said of a thing that was given, a join, an edge, a glyph, a face, a file: exactly one of these. The first two are decided;
-// where nothing is required, what is decided is met.
+// Exactly one of these holds for each thing that was given: a join, an edge, a glyph, a face, a
+// file. The first two are decided. Where nothing is required, a decided thing is met.
 enum class Claim { met, not_met, undecided, not_covered };
 
 // A thing that was given and what can be said of it, with the reason where it is not decided.
 struct Given {
   Claim claim;
-  const char* noun;        // what it is, e.g. "join"
-  std::string reason = {}; // why it is undecided or not covered, e.g. "the tolerance lies between the bounds"
+  const char* noun; // what it is, e.g. "join"
+  // why it is undecided or not covered, e.g. "the tolerance lies between the bounds"
+  std::string reason = {};
 };
 
 // How many things are in each class.
 class Claims {
 public:
-  // What is not decided: how many things of a noun for a reason.
+  // The things that are not decided: the number of things of a noun for a reason.
   typedef std::map<std::pair<std::string, std::string>, std::size_t> Open;
 
 private:
@@ -47,7 +48,7 @@ public:
     }
   }
 
-  // What has been added in its class is in the baseline, and is no longer in this class.
+  // A thing that has been added to its class is in the baseline, and is no longer in this class.
   void know(const Given& given) {
     const auto take = [&](Open& open) {
       const auto entry = open.find({given.noun, given.reason});

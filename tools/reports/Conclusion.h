@@ -10,18 +10,21 @@
 
 #include <string>
 
-// What a report is about.
+// The subject of a report.
 struct Report_subject {
-  std::string noun;          // of what is decided, e.g. "join"
-  std::string every;         // all of it in a sentence, e.g. "every shared edge and every knot line"
-  std::string required = {}; // what each must be, e.g. "G1 within the tolerance"; empty when nothing is required
+  std::string noun; // of what is decided, e.g. "join"
+  // all of it in a sentence, e.g. "every shared edge and every knot line"
+  std::string every;
+  // what each must be, e.g. "G1 within the tolerance"; empty when nothing is required
+  std::string required = {};
   std::string required_in_json = {};    // e.g. `"required":"G1"`; may be empty
   std::string proof = "proved exactly"; // how
   std::string table_head = {};          // before rows of text
 };
 
-// What may be said in the end. It follows from the classes alone, and is said nowhere else: "proved", `"met":true` and the exit code 0
-// only if all that was given is decided and met, or what is not decided is allowed by the mode.
+// The words at the end of a report. They follow from the classes alone, and are decided nowhere
+// else. "proved", `"met":true` and the exit code 0 are only given if everything is decided and met,
+// or if the mode allows the undecided things.
 class Conclusion {
   const Claims& claims_;
   const Report_mode& mode_;
@@ -44,10 +47,12 @@ public:
   // Lines of text.
   std::string text() const;
 
-  // Members of a JSON object: the classes, the requirement and whether it is met; `null` when nothing was decided.
+  // Members of a JSON object: the classes, the requirement and whether it is met; `null` when
+  // nothing was decided.
   std::string json() const;
 
-  // Returns the exit code. When nothing was decided and that is not allowed, says so on standard error.
+  // Returns the exit code. When nothing was decided and that is not allowed, says so on standard
+  // error.
   int exit_code() const;
 };
 

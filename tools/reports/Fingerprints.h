@@ -16,14 +16,15 @@
 #include <system_error>
 #include <unordered_map>
 
-// The names of fingerprints in SARIF. Neither depends on the rule, on lines or on the size of the defect.
+// The names of fingerprints in SARIF. Neither depends on the rule, on lines or on the size of the
+// defect.
 constexpr const char *place_fingerprint = "filePlace/v2", *defect_fingerprint = "fileDefect/v2";
 
-// That of older reports, which held the rule and lines.
+// The fingerprint of older reports, which contained the rule and lines.
 constexpr const char* old_fingerprint = "ruleFilePlace/v1";
 
-// The path of a file as seen from the folder in which the program runs, which is the root of a checkout in continuous integration; the
-// whole path when the file lies outside of it.
+// The path of a file as seen from the folder in which the program runs, which is the root of a
+// checkout in continuous integration; the whole path when the file lies outside of it.
 inline std::string path_in_folder(const std::string& file) {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::current_path(error), whole = (folder / file).lexically_normal(),

@@ -16,7 +16,8 @@
 #include <system_error>
 #include <utility>
 
-// A value in a JSON text, which stays where it is: what reads reports again. Its parts are found by reading over what is before them.
+// A value in a JSON text, which stays where it is: what reads reports again. Its parts are found by
+// reading over what is before them.
 class Json_view {
   std::string_view text_; // of the value, without space around it
 
@@ -107,7 +108,8 @@ class Json_view {
   }
 
 public:
-  // Takes a text that is one value, and must live on. Throws Error `malformed_input` for what is none, here and when a part is asked for.
+  // Takes a text that is one value, and must live on. Throws Error `malformed_input` for what is
+  // none, here and when a part is asked for.
   static Json_view of(std::string_view text) {
     std::size_t i = 0;
     const Json_view value(take(text, i));
@@ -128,7 +130,8 @@ public:
     return found;
   }
 
-  // Calls f(key, value) for the members of an object, with the keys as they are written, until it returns false.
+  // Calls f(key, value) for the members of an object, with the keys as they are written, until it
+  // returns false.
   template <class Function> void for_members(Function f) const {
     for_each('{', [&](std::string_view k, const Json_view& value) { return f(k.substr(1, k.size() - 2), value); });
   }
@@ -141,13 +144,15 @@ public:
     });
   }
 
-  // The characters of a string as they are written, which is the same for the same string of one writer; nothing for anything else.
+  // The characters of a string as they are written, which is the same for the same string of one
+  // writer; nothing for anything else.
   std::optional<std::string_view> string() const {
     if (text_[0] != '"') return std::nullopt;
     return text_.substr(1, text_.size() - 2);
   }
 
-  // The bytes for which a string stands, with escapes read; nothing for anything else, and for escapes that stand for no character.
+  // The bytes for which a string stands, with escapes read; nothing for anything else, and for
+  // escapes that stand for no character.
   std::optional<std::string> decoded() const {
     const std::optional<std::string_view> written = string();
     if (!written) return std::nullopt;

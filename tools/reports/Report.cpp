@@ -17,8 +17,9 @@
 
 namespace {
 
-// Lines in the order in which they come, then the summary and what follows. On a terminal only those of what is not met and not decided,
-// if there are too many to be read. Lines are broken where they are longer than the terminal is wide.
+// Lines in the order in which they come, then the summary and what follows. On a terminal only
+// those of what is not met and not decided, if there are too many to be read. Lines are broken
+// where they are longer than the terminal is wide.
 class Text_writer : public Report::Writer {
   static constexpr std::size_t most_things_on_terminal = 5000;
   const bool summary_, may_be_short_;
@@ -75,7 +76,8 @@ public:
     Array& a = array(name);
     const std::string& text = summary_ ? failing_rows : rows;
     if (!text.empty())
-      a.rows.write(std::exchange(a.is_empty, false) ? text.substr(1) : text); // no comma before the first one
+      // no comma before the first one
+      a.rows.write(std::exchange(a.is_empty, false) ? text.substr(1) : text);
   }
   void find(const Finding&) override {}
   void pass(const std::string&, std::size_t) override {}

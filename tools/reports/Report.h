@@ -20,16 +20,19 @@
 
 class Known_findings;
 
-// What was decided about some things, one after the other: a part of a report, which may be made on any core.
+// The decisions about some things, one after the other: a part of a report, which may be made on
+// any core.
 class Report_part {
   Report_mode mode_;
   Claims claims_;
   std::vector<std::pair<Finding, Given>> findings_;
-  std::vector<std::pair<std::string, std::size_t>> passed_; // how many things of which file have no finding
+  // how many things of which file have no finding
+  std::vector<std::pair<std::string, std::size_t>> passed_;
   friend class Report;
 
 public:
-  // Rows of text, or JSON objects that begin with a comma: of all things, or of what is not met and not decided.
+  // Rows of text, or JSON objects that begin with a comma: of all things, or of what is not met and
+  // not decided.
   std::string rows, failing_rows;
 
   Report_part() = default;
@@ -38,8 +41,9 @@ public:
   // Returns whether findings are written, and no rows.
   bool has_findings() const { return mode_.has_findings(); }
 
-  // Counts a thing of a file. make() returns its finding, without class and level, if it is to have one: that is called when findings are
-  // written, for all that is not met and not decided, and for what is worth a note.
+  // Counts a thing of a file. make() returns its finding, without class and level, if it is to have
+  // one: that is called when findings are written, for all that is not met and not decided, and for
+  // what is worth a note.
   template <class Make> void add(const std::string& file, const Given& given, bool is_noted, Make make) {
     claims_.add(given);
     if (!has_findings()) return;
@@ -64,8 +68,9 @@ private:
   }
 };
 
-// The report of `verify`: it alone counts, says in the end what follows from the counts, and returns the exit code. What it is about is said
-// in rows, which a command makes; of what has no row only findings tell, as SARIF and JUnit write them.
+// The report of `verify`: it alone counts, says in the end what follows from the counts, and
+// returns the exit code. Its content is in rows, which a command makes; of what has no row only
+// findings tell, as SARIF and JUnit write them.
 class Report {
 public:
   // Writes a report when all is decided.
@@ -73,7 +78,8 @@ public:
   public:
     virtual ~Writer() = default;
 
-    // Lines of text, or JSON objects with a comma before each, which belong to an array: all, and those of what is not met and not decided.
+    // Lines of text, or JSON objects with a comma before each, which belong to an array: all, and
+    // those of what is not met and not decided.
     virtual void row(const std::string& array, const std::string& rows, const std::string& failing_rows) = 0;
 
     // A finding, with its level.
@@ -82,7 +88,8 @@ public:
     // So many more things of a file have no finding. It is called for each file, also with 0.
     virtual void pass(const std::string& file, std::size_t n) = 0;
 
-    // `summary` is lines of text, or the members of a JSON object, which may begin with more members of the report.
+    // `summary` is lines of text, or the members of a JSON object, which may begin with more
+    // members of the report.
     virtual void print(std::ostream& os, const std::string& summary, const Conclusion& end) = 0;
   };
 
@@ -134,7 +141,8 @@ public:
     writer_->row(array, text, claim == Claim::met ? std::string() : text);
   }
 
-  // Prints the report and returns the exit code. The summary is lines of text, or members of a JSON object.
+  // Prints the report and returns the exit code. The summary is lines of text, or members of a JSON
+  // object.
   int print(std::ostream& os, const std::string& summary);
 };
 

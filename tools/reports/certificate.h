@@ -18,8 +18,9 @@
 #include <string>
 #include <vector>
 
-// The certificates that `verify` writes, a JSON object in each line: the first says what is certified, the last how many lines are between
-// them. The page "Certificates" of the manual describes the members.
+// The certificates that `verify` writes, a JSON object in each line: the first says what is
+// certified, the last how many lines are between them. The page "Certificates" of the manual
+// describes the members.
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -29,7 +30,7 @@ class Certificate {
   std::size_t lines_ = 0;
 
 public:
-  // What is certified: "chain", "drawings" or "model". More members begin with a comma.
+  // The subject is "chain", "drawings" or "model". More members begin with a comma.
   Certificate(std::ostream* os, const std::string& kind, const Arguments& files, const std::string& members = {})
       : os_(os) {
     if (os_ == nullptr) return;

@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-// What a finding is about: the rules of a report.
+// The subject of a finding: the rules of a report.
 enum class Finding_rule {
   gap,          // the ends, or the edges, are apart
   corner,       // the angle of the tangents, or of the normals, is larger than that of a kink
@@ -51,7 +51,8 @@ inline std::optional<Finding_rule> rule_of(std::string_view id) {
   return std::nullopt;
 }
 
-// note: worth a word. warning: not decided, which is allowed. error: the requirement is not met, or it is not decided.
+// note: worth a word. warning: not decided, which is allowed. error: the requirement is not met, or
+// it is not decided.
 enum class Finding_level { note, warning, error };
 
 // The name of a level, as compilers and SARIF have it.
@@ -65,30 +66,36 @@ struct Measure {
   CGAL::Geometric_continuity::Enclosure bounds;
 };
 
-// By what a finding is known again in another version of a file. The numbers behind the hashes count those that are equal.
+// By what a finding is known again in another version of a file. The numbers behind the hashes
+// count those that are equal.
 struct Fingerprints {
   std::string place;  // the object and the place on it
   std::string defect; // what is there, wherever it is
 };
 
-// The line of a place that stands in no line of its file, though that has lines: SARIF then points to the whole file.
+// The line of a place that stands in no line of its file, though that has lines: SARIF then points
+// to the whole file.
 constexpr long long no_line = -1;
 
-// What is wrong, or could not be told, at one place of a file. All texts may hold any bytes.
+// A defect, or an undecided thing, at one place of a file. All texts may contain any bytes.
 struct Finding {
   std::string file;   // as it is named in messages
   long long line = 0; // from 1 on; 0 where it is not known, no_line where there is none
   std::string kind;   // of the place: "join", "edge", "element", "glyph", ...
-  std::string place;  // where in the file, e.g. `path "leaf" (line 50), subpath 1, commands 3 c - 4 c`
-  Finding_rule rule;  // the kind of the defect
+  // where in the file, e.g. `path "leaf" (line 50), subpath 1, commands 3 c - 4 c`
+  std::string place;
+  Finding_rule rule;                         // the kind of the defect
   Finding_level level = Finding_level::note; // how serious it is: set by the report
   std::string message;                       // a sentence with the numbers, without the place
-  std::string properties;   // the numbers as members of a JSON object, e.g. `"angle_degrees":[1.5,1.6]`; may be empty
+  // the numbers as members of a JSON object, e.g. `"angle_degrees":[1.5,1.6]`; may be empty
+  std::string properties;
   Claim claim = Claim::met; // set by the report
-  // What the place is on and where on it, as other versions of the file have them: without lines, and without numbers that change when
-  // something is inserted elsewhere, as far as names allow. Where there is no object it is the place.
+  // The object of the place, and the spot on it, as other versions of the file have them: without
+  // lines, and without numbers that change when something is inserted elsewhere, as far as names
+  // allow. Where there is no object it is the place.
   std::string object = {}, spot = {};
-  // What is there, the same when it is moved or gets another number; the object and the spot where it is empty.
+  // The shape of the defect, the same when it is moved or gets another number; the object and the
+  // spot where it is empty.
   std::string shape = {};
   std::optional<Measure> measure = {};
   std::optional<Measure> behind = {}; // of a gap: the angle of what does not meet there

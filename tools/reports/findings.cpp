@@ -13,7 +13,8 @@
 #include <cstddef>
 #include <utility>
 
-// Reports of what is new only, with a baseline: a line for each finding, as compilers write them, or an array of findings as JSON.
+// Reports of what is new only, with a baseline: a line for each finding, as compilers write them,
+// or an array of findings as JSON.
 
 namespace {
 

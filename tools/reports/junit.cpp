@@ -11,8 +11,9 @@
 #include <utility>
 #include <vector>
 
-// JUnit's XML, as programs for continuous integration read it: a suite for each file, in it a test case for each finding, and one for
-// all places of the file without one. An error is a failure, a warning a test that was skipped, a note a test that has passed.
+// JUnit's XML, as programs for continuous integration read it: a suite for each file, in it a test
+// case for each finding, and one for all places of the file without one. An error is a failure, a
+// warning a test that was skipped, a note a test that has passed.
 
 namespace {
 
@@ -35,7 +36,8 @@ class Junit_writer : public Report::Writer {
   struct Suite {
     std::string file;
     std::size_t passed = 0, tests = 0, failures = 0, skipped = 0;
-    std::vector<std::pair<std::size_t, std::size_t>> parts; // of the test cases: where they begin and end
+    // of the test cases: where they begin and end
+    std::vector<std::pair<std::size_t, std::size_t>> parts;
   };
   std::vector<Suite> suites_;
   std::map<std::string, std::size_t> numbers_; // of the suites

@@ -13,17 +13,19 @@
 #include <string>
 #include <vector>
 
-// What a page of `report` shows of one join or edge. It is filled where things are decided; the page decides nothing.
+// A page of `report` shows this of one join or edge. It is filled where things are decided; the
+// page decides nothing.
 
 namespace GC = CGAL::Geometric_continuity;
 
-// The worst first. Bends and rounding are grades of fonts. CAD models have fading corners, which are corners in places only: they may not be
-// meant, and come before those that are.
+// The worst first. Bends and rounding are grades of fonts. CAD models have fading corners, which
+// are corners in places only: they may not be meant, and come before those that are.
 enum class Report_grade { gap, kink, bend, rounding, fading, corner, g0, undecided, g1, g2 };
 constexpr std::size_t number_of_report_grades = 10;
 
-// A curve as links of the page have it, its numbers as they are: e.g. points "0,0;1/3,2", weights "1;1/2", domain "0;1/4". The texts of
-// weights that are equal and of the domain from 0 to 1 are empty; that of the points is, where there is no link.
+// A curve as links of the page have it, its numbers as they are: e.g. points "0,0;1/3,2", weights
+// "1;1/2", domain "0;1/4". The texts of weights that are equal and of the domain from 0 to 1 are
+// empty; that of the points is, where there is no link.
 struct Report_curve_link {
   std::string points, weights, domain;
 };
@@ -71,10 +73,12 @@ inline bool is_worse(const Report_item& a, const Report_item& b) {
 // A model as it is drawn.
 struct Report_model {
   struct Patch {
-    int m, n;                                // cells in both directions
-    std::vector<double> points;              // (m + 1) (n + 1) in space, the first index runs fastest
-    std::vector<std::size_t> triangles = {}; // if any, the points are theirs: three numbers each, and no cells
-    std::string colour = {};                 // that it has in the file, "#rrggbb"
+    int m, n; // cells in both directions
+    // (m + 1) (n + 1) in space, the first index runs fastest
+    std::vector<double> points;
+    // if any, the points are theirs: three numbers each, and no cells
+    std::vector<std::size_t> triangles = {};
+    std::string colour = {}; // that it has in the file, "#rrggbb"
   };
   struct Edge {
     std::string grade;

@@ -152,7 +152,8 @@ bool Report_page::has(Report_grade grade) const {
   case Report_grade::fading: return is_of_cad_models;
   case Report_grade::gap:
   case Report_grade::g0:
-  case Report_grade::undecided: return !is_of_fonts; // their contours are closed, and all is decided
+  // their contours are closed, and all is decided
+  case Report_grade::undecided: return !is_of_fonts;
   default: return true;
   }
 }

@@ -21,7 +21,8 @@ const char* report_grade_name(Report_grade grade);
 // The page of `report`: what is counted, the worst joins, and what is drawn.
 class Report_page {
   const std::size_t most_;
-  std::vector<Report_item> items_; // a heap with the least bad one in front, as soon as there are as many as allowed
+  // a heap with the least bad one in front, as soon as there are as many as allowed
+  std::vector<Report_item> items_;
   std::array<std::size_t, number_of_report_grades> counts_{};
   std::size_t total_ = 0;
   Claims claims_;
@@ -35,19 +36,23 @@ public:
   bool is_of_fonts = false; // with their grades; severities are in parts of an em
   bool is_of_cad_models = false;
   std::string empty = "There is no join."; // what stands in place of the list where it is empty
-  std::string join_page;   // the address of geometric_continuity.html, to which joins are linked; empty for none
-  bool is_numbered = true; // the numbers of the items are shown; otherwise their places have numbers
+  // the address of geometric_continuity.html, to which joins are linked; empty for none
+  std::string join_page;
+  // the numbers of the items are shown; otherwise their places have numbers
+  bool is_numbered = true;
   std::optional<Report_model> model;
 
   // A page that shows at most so many joins.
   explicit Report_page(std::size_t most) : most_(most) {}
 
-  // Takes note of one more join of a grade that the page has; its number is total() + 1. Returns whether it may be among those that are
-  // shown: then its item is to be passed to add(). The reason is that of an undecided one.
+  // Takes note of one more join of a grade that the page has; its number is total() + 1. Returns
+  // whether it may be among those that are shown: then its item is to be passed to add(). The
+  // reason is that of an undecided one.
   bool count(Report_grade grade, double rank, const std::string& reason = "no grade could be proved");
   void add(Report_item item);
 
-  // Takes note of a thing that was given and is not covered, or of several, and of its place in words, if that is to be shown.
+  // Takes note of a thing that was given and is not covered, or of several, and of its place in
+  // words, if that is to be shown.
   void leave_out(const char* noun, const std::string& reason, const std::string& note, std::size_t n = 1);
 
   const Claims& claims() const { return claims_; }
@@ -55,7 +60,8 @@ public:
   // Returns whether its joins may have this grade.
   bool has(Report_grade grade) const;
 
-  // Includes points in the whole, of the extent of which the severities of kinks are given in per mille.
+  // Includes points in the whole, of the extent of which the severities of kinks are given in per
+  // mille.
   void include(const std::vector<double>& points);
   double extent() const;
 
@@ -69,8 +75,8 @@ public:
   // Numbers the edges of the items in their order.
   void number_edges();
 
-  // Writes the page, one file of HTML that needs no other. Texts are escaped.
-  // Throws GC::Error `not_finite`, with the place, for coordinates that are no finite floating-point numbers.
+  // Writes the page, one file of HTML that needs no other. Texts are escaped. Throws GC::Error
+  // `not_finite`, with the place, for coordinates that are no finite floating-point numbers.
   void write(std::ostream& os) const;
 };
 

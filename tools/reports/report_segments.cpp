@@ -14,8 +14,9 @@ namespace {
 
 typedef GC::Svg_segment<Drawing_traits> Segment;
 
-// c + u cos(x) + v sin(x) for 0 <= x <= angle < 2 pi. With t = tan(x/4), cos(x) = (1 - 6 t^2 + t^4) / (1 + t^2)^2 and
-// sin(x) = 4 t (1 - t^2) / (1 + t^2)^2: numerators and denominator are brought on t <= tan(angle/4) and into Bernstein form.
+// c + u cos(x) + v sin(x) for 0 <= x <= angle < 2 pi. With t = tan(x/4), cos(x) = (1 - 6 t^2 + t^4)
+// / (1 + t^2)^2 and sin(x) = 4 t (1 - t^2) / (1 + t^2)^2: numerators and denominator are brought on
+// t <= tan(angle/4) and into Bernstein form.
 Report_curve drawn_arc(const std::array<double, 2>& c, const std::array<double, 2>& u, const std::array<double, 2>& v,
                        double angle, std::size_t group) {
   const double t = std::tan(angle / 4), cosine[] = {1, 0, -6, 0, 1}, sine[] = {0, 4, 0, -4, 0},
@@ -44,7 +45,8 @@ std::shared_ptr<const Report_curve> drawn_curve(const Segment& given, std::size_
   const GC::Path_segment<Drawing_traits> segment = given.rounded();
   const Drawing_traits::Point q = segment.end();
   const Exact root(std::sqrt(CGAL::to_double(segment.radicand())));
-  const GC::Coordinate_jet<Exact, 2> jet = segment.start_jet_over<Exact>(2, root); // with x'' = c - x
+  // with x'' = c - x
+  const GC::Coordinate_jet<Exact, 2> jet = segment.start_jet_over<Exact>(2, root);
   const auto numbers = [](const Exact& x, const Exact& y) {
     return std::array<double, 2>{CGAL::to_double(x), CGAL::to_double(y)};
   };
@@ -58,7 +60,7 @@ std::shared_ptr<const Report_curve> drawn_curve(const Segment& given, std::size_
   return std::make_shared<const Report_curve>(drawn_arc(c, u, v, angle, group));
 }
 
-// Of a join with an arc there are no bounds of the curvatures.
+// A join with an arc has no bounds of the curvatures.
 Report_item measured_join(const Segment& left, const Segment& right, const Report_demand& demand) {
   if (left.bezier() && right.bezier()) return measured_join(*left.bezier(), *right.bezier(), demand);
   Report_item item;

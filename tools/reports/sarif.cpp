@@ -11,7 +11,8 @@
 #include <sstream>
 #include <utility>
 
-// SARIF 2.1.0, the Static Analysis Results Interchange Format of OASIS: one run, the rules first, then a result for each finding.
+// SARIF 2.1.0, the Static Analysis Results Interchange Format of OASIS: one run, the rules first,
+// then a result for each finding.
 
 namespace {
 

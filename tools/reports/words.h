@@ -66,7 +66,8 @@ template <class... Parts> void append(std::string& text, const Parts&... parts) 
   (add(parts), ...);
 }
 
-// Returns a number with this many significant digits, as printf() does with %g, but zero has no sign.
+// Returns a number with this many significant digits, as printf() does with %g, but zero has no
+// sign.
 inline std::string rounded(double x, int digits) {
   std::string text = rounded_by_product(x, x, digits);
   if (!text.empty()) return text;

@@ -13,9 +13,10 @@
 #include <string>
 #include <vector>
 
-// The call of C++ that `failing_joins` of Python is measured against: cubic curves, which stand as doubles in a file, are copied once, then
-// decided as often as lines come from standard input. Prints the number of failing joins and the seconds for each line.
-// Usage: python_benchmark FILE DIMENSION
+// The call of C++ that `failing_joins` of Python is measured against: cubic curves, which stand as
+// doubles in a file, are copied once, then decided as often as lines come from standard input.
+// Prints the number of failing joins and the seconds for each line. Usage: python_benchmark FILE
+// DIMENSION
 
 namespace GC = CGAL::Geometric_continuity;
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;

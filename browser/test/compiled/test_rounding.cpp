@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What the proofs of the package ask of a platform without directed rounding: intervals that contain the exact results, and decimals that are
-// read and written correctly.
+// The proofs of the package require this of a platform without directed rounding: intervals that
+// contain the exact results, and decimals that are read and written correctly.
 
 #include <boost/test/unit_test.hpp>
 
@@ -32,7 +32,8 @@ static double number_with_bits(std::uint64_t bits) {
   return x;
 }
 
-// Numbers of all sizes, among them subnormal ones, powers of two with their neighbours, and the largest.
+// Numbers of all sizes, among them subnormal ones, powers of two with their neighbours, and the
+// largest.
 static std::vector<double> numbers(int n) {
   std::mt19937_64 random(32);
   std::vector<double> result = {0, 1, 3, 0.1, 5e-324, 2.2250738585072014e-308, (std::numeric_limits<double>::max)()};
@@ -137,10 +138,12 @@ BOOST_AUTO_TEST_CASE(decimals_are_written_as_the_standard_says) {
   for (const auto& [x, text] : expected) BOOST_TEST(written(x) == text);
 }
 
-// The shortest decimal: it is read as the number, no decimal with a digit less is, and none of its length is nearer.
+// The shortest decimal: it is read as the number, no decimal with a digit less is, and none of its
+// length is nearer.
 BOOST_AUTO_TEST_CASE(decimals_are_read_back) {
   std::vector<double> x = numbers(300);
-  for (int e = -1074; e < 1024; e += 7) x.push_back(std::ldexp(1., e)); // below which numbers are closer
+  // below which numbers are closer
+  for (int e = -1074; e < 1024; e += 7) x.push_back(std::ldexp(1., e));
   for (const double y : x) {
     const std::string text = written(y);
     BOOST_TEST(read(text) == y);
@@ -149,7 +152,8 @@ BOOST_AUTO_TEST_CASE(decimals_are_read_back) {
     for (const char c : text.substr(0, text.find('e')))
       if ('0' <= c && c <= '9' && (c != '0' || !digits.empty())) digits += c;
     digits.erase(digits.find_last_not_of('0') + 1);
-    if (digits.size() < 2 || std::abs(y) >= 9007199254740992.) continue; // integers are written with all digits
+    // integers are written with all digits
+    if (digits.size() < 2 || std::abs(y) >= 9007199254740992.) continue;
     const int n = std::snprintf(fewer, sizeof fewer, "%.*e", static_cast<int>(digits.size()) - 2, y);
     BOOST_TEST(read(std::string(fewer, static_cast<std::size_t>(n))) != y);
   }

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Geometric_continuity developers
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The functions of the npm package on files. Where GEOMETRIC_CONTINUITY_PROGRAM names the program, its reports of the project's drawings, chains
-// and models are the same as those of the package.
+// The functions of the npm package on files. Where GEOMETRIC_CONTINUITY_PROGRAM names the program,
+// its reports of the project's drawings, chains and models are the same as those of the package.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -123,7 +123,8 @@ test('the reports of the program', { skip: !program || !source }, async () => {
         await compare(path, 'curves.g2', verify('curves.g2', ...(closed ? ['--closed'] : [])), (bytes) => gc.verifyG2(bytes, { closed }));
     for (const path of [...demos('.g2').filter((p) => /box|fillet|hill|teapot/.test(p)), ...corpus('surfaces')])
       await compare(path, 'curves.g2', verify('curves.g2', '--surfaces'), (bytes) => gc.verifyG2(bytes, { surfaces: true }));
-    // fonts of the system, of each format two; the bounds of angles are intervals, whose last digits depend on the rounding
+    // fonts of the system, of each format two; the bounds of angles are intervals, whose last
+    // digits depend on the rounding
     const twelve_digits = (report) => JSON.parse(JSON.stringify(report), (key, x) => (key === 'angle_degrees' && x ? x.map((a) => a?.toPrecision(12)) : x));
     const fonts = spawnSync('sh', ['-c', 'find /usr/share/fonts /usr/share/texmf/fonts -name "*.[topw][tfo][fbt]*" -size -800k 2>/dev/null | sort | awk -F. \'++n[$NF] <= 2\''], { encoding: 'utf8' }).stdout.split('\n').filter((name) => name !== '');
     for (const path of fonts)

@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Geometric_continuity developers
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The page in headless Firefox, by WebDriver BiDi: that each scene says what it says in Chromium, and that the console is free of errors. Skipped
-// without firefox-esr, or where node has no WebSocket (node --experimental-websocket).
+// The page in headless Firefox, by WebDriver BiDi: that each scene says what it says in Chromium,
+// and that the console is free of errors. Skipped without firefox-esr, or where node has no
+// WebSocket (node --experimental-websocket).
 
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';

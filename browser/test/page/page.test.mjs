@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Geometric_continuity developers
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The page in headless Chromium, opened as a file: GEOMETRIC_CONTINUITY_PAGE is its path. With GEOMETRIC_CONTINUITY_PICTURES, a folder, it takes
-// pictures of the scenes.
+// The page in headless Chromium, opened as a file: GEOMETRIC_CONTINUITY_PAGE is its path. With
+// GEOMETRIC_CONTINUITY_PICTURES, a folder, it takes pictures of the scenes.
 
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
@@ -289,11 +289,13 @@ check('a link has the points as they are, of any degree, in space and with weigh
 });
 
 const sources = resolve(import.meta.dirname ?? new URL('.', import.meta.url).pathname, '../../..'), source = (path) => readFileSync(join(sources, path), 'utf8');
-// Control points as they stand in a source: `name{Point(0, 0), ...}` of C++, `name = [(0, 0), ...]` of Python; and the curves of a file in SINTEF's format.
+// Control points as they stand in a source: `name{Point(0, 0), ...}` of C++, `name = [(0, 0), ...]`
+// of Python; and the curves of a file in SINTEF's format.
 const points_in = (path, name) => source(path).match(new RegExp(`\\b${name}( = )?[[{]((\\w*\\([^)]*\\)[,\\s]*)+)[\\]}]`))[2].match(/(?<=\()[^)]*/g).map((p) => p.replaceAll(' ', '')).join(';');
 const curves_of = (name) => source(`demo/Geometric_continuity/data/${name}.g2`).split(/^100 1 0 0$/m).slice(1).map((c) => c.trim().split('\n').slice(3).map((p) => p.trim().split(/\s+/)));
 const points_of = (name) => curves_of(name)[0].map((p) => p.join(',')).join(';');
-// Control points of a patch or a curve of C++, `name({{Point(0, 0, 0), ...}, ...})`, and of the patches of a file, those of one u together.
+// Control points of a patch or a curve of C++, `name({{Point(0, 0, 0), ...}, ...})`, and of the
+// patches of a file, those of one u together.
 const rows_in = (path, name) => source(path).match(new RegExp(`\\b${name}( =|\\()[^;]*?\\}\\)`))[0].split(/\},\s*\{/).map((row) => row.match(/(?<=Point\()[^)]*/g).map((p) => p.split(', ')));
 const nets_in = (text) => text.split(/^200 1 0 0$/m).slice(1).map((s) => {
   const lines = s.trim().split('\n').map((line) => line.trim().split(/\s+/)), n = Number(lines[1][0]), points = lines.slice(5);
@@ -304,7 +306,7 @@ const net = (rows) => rows.map((row) => row.map((p) => p.map((x) => x.replace(/\
 const teapot = nets_in(source('demo/Geometric_continuity/data/teapot.g2'));
 const example = (name) => `examples/Geometric_continuity/${name}.cpp`, drawn = 'doc/Geometric_continuity/figures/curve_figures.cpp', manual = 'doc/Geometric_continuity';
 const below = ([x, y]) => `${x},${-y}`;
-// Of each figure that has links: what is said there, and its curves.
+// The words and the curves of each figure that has links.
 const figures = {
   orders_of_continuity: { says: [/C0 G0 F0, kink/], left: points_in(example('orders_of_continuity'), 'left') },
   first_blend: { says: [/normal: C0 G2[^]*energy3: C0 G2[^]*fair: C0 G2/], left: points_of('hill_left'), right: points_of('hill_right') },
@@ -356,7 +358,8 @@ check('the links of the manual, which show the curves of its figures', async () 
     if (d) assert.ok((await browser.value("document.querySelector('#stage textarea').value")).includes(` d="${d}"`));
     await picture(`link_${figure}_${name}_${which}`);
   }
-  // the ribbon's edge on [0, 2] and, in its first point, the given derivatives; the box as the program rounds it
+  // the ribbon's edge on [0, 2] and, in its first point, the given derivatives; the box as the
+  // program rounds it
   const numbers_of = (figure) => ['left', 'right'].map((side) => new URLSearchParams([...links].find(([, f]) => f === figure)[0].split('?')[1]).get(side)), ribbon = numbers_of('ribbon').map((text) => text.split(':').map((row) => row.split(';')));
   const [c, c1, c2] = ['c', 'left', 'right'].map((name) => rows_in(`${manual}/figures/surface_figures.cpp`, name)[0].map((p) => p.map(Number)));
   const raised = (p) => Array.from({ length: p.length + 1 }, (_, i) => c[0].map((_, k) => (i * (p[i - 1]?.[k] ?? 0) + (p.length - i) * (p[i]?.[k] ?? 0)) / p.length));

@@ -4,13 +4,13 @@
 
 /*!
 \ingroup PkgGeometricContinuityConcepts
-The concept `CubicBasis` describes a basis of cubic curves \f$ Q(t) = G\,M\,[t^3\ t^2\ t\ 1]^T \f$: what the four columns of
-the geometry \f$ G \f$ are, and the matrix \f$ M \f$.
+The concept `CubicBasis` describes a basis of cubic curves \f$ Q(t) = G\,M\,[t^3\ t^2\ t\ 1]^T \f$:
+the meaning of the four columns of the geometry \f$ G \f$, and the matrix \f$ M \f$.
 
 \cgalConcept
 
-A model is a copyable function object without references to anything. For a matrix of your own that acts on four points,
-`CGAL::Geometric_continuity::Matrix_basis` is enough.
+A model is a copyable function object without references to anything. For a matrix of your own that
+acts on four points, `CGAL::Geometric_continuity::Matrix_basis` is enough.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Geometric_continuity::Hermite_basis}
@@ -29,7 +29,8 @@ public:
   /// @{
 
   /*!
-  The geometry: `std::array<Traits::Point, 4>` or `CGAL::Geometric_continuity::Hermite_geometry<Traits>`.
+  The geometry: `std::array<Traits::Point, 4>` or
+  `CGAL::Geometric_continuity::Hermite_geometry<Traits>`.
   */
   template <class Traits> using Geometry = unspecified_type;
 
@@ -39,8 +40,8 @@ public:
   /// @{
 
   /*!
-  The matrix, in every field that curves and predicates use. Numbers such as 1/6 must be computed in `FT`, so that they are
-  exact where `FT` is.
+  The matrix, in every field that curves and predicates use. Numbers such as 1/6 must be computed in
+  `FT`, so that they are exact where `FT` is.
   */
   template <class FT> CGAL::Geometric_continuity::Basis_matrix<FT> matrix() const;
 

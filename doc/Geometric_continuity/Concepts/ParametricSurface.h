@@ -4,22 +4,21 @@
 
 /*!
 \ingroup PkgGeometricContinuityConcepts
-The concept `ParametricSurface` describes a surface over a rectangle of parameters that can give its points and
-derivatives.
+The concept `ParametricSurface` describes a surface over a rectangle of parameters that can give its
+points and derivatives.
 
 \cgalConcept
 
-What needs nothing but points and derivatives, such as a normal, is written for this concept. How two surfaces continue each other along a
-whole edge cannot be decided from single points; this is decided for Bézier patches, B-spline surfaces and their rational kinds, from their control
-points, see `CGAL::Geometric_continuity::edge_continuity()`.
+What needs nothing but points and derivatives, such as a normal, is written for this concept. How
+two surfaces continue each other along a whole edge cannot be decided from single points; this is
+decided for Bézier patches, B-spline surfaces and their rational kinds, from their control points,
+see `CGAL::Geometric_continuity::edge_continuity()`.
 
-\cgalHasModelsBegin
-\cgalHasModels{CGAL::Geometric_continuity::Bezier_patch}
+\cgalHasModelsBegin \cgalHasModels{CGAL::Geometric_continuity::Bezier_patch}
 \cgalHasModels{CGAL::Geometric_continuity::Bspline_surface}
-\cgalHasModels{CGAL::Geometric_continuity::Rational_surface}: `Rational_bezier_patch`, `Rational_bspline_surface`
-\cgalHasModels{CGAL::Geometric_continuity::Extrusion_surface_3}
-\cgalHasModels{CGAL::Geometric_continuity::Revolution_surface_3}
-\cgalHasModelsEnd
+\cgalHasModels{CGAL::Geometric_continuity::Rational_surface}: `Rational_bezier_patch`,
+`Rational_bspline_surface` \cgalHasModels{CGAL::Geometric_continuity::Extrusion_surface_3}
+\cgalHasModels{CGAL::Geometric_continuity::Revolution_surface_3} \cgalHasModelsEnd
 
 \sa `GeometricContinuityTraits`
 \sa `ParametricCurve`
@@ -50,11 +49,13 @@ public:
   std::pair<Traits::FT, Traits::FT> domain_v() const;
 
   /*!
-  Returns the point of the surface at the parameters (`u`, `v`) of its domain, and all partial derivatives
-  \f$ \partial^{i+j} S / \partial u^i \partial v^j \f$ with `i + j <= k`, for `k >= 0`. Derivatives that vanish, such as
-  those beyond the degree of a polynomial surface, must be given as zero vectors.
+  Returns the point of the surface at the parameters (`u`, `v`) of its domain, and all partial
+  derivatives \f$ \partial^{i+j} S / \partial u^i \partial v^j \f$ with `i + j <= k`, for `k >= 0`.
+  Derivatives that vanish, such as those beyond the degree of a polynomial surface, must be given as
+  zero vectors.
 
-  `CGAL::Geometric_continuity::normal()` of the result with `k == 1` is the normal \f$ S_u \times S_v \f$.
+  `CGAL::Geometric_continuity::normal()` of the result with `k == 1` is the normal
+  \f$ S_u \times S_v \f$.
   */
   CGAL::Geometric_continuity::Surface_jet<Traits> jet(const Traits::FT& u, const Traits::FT& v, int k) const;
 

@@ -78,8 +78,8 @@ void cubic_bases(const std::string& file) {
                  .add(blending_functions("uniform B-spline", GC::Uniform_bspline_basis(), points)));
 }
 
-// A corner, a kink and a join without one, at a node of the letter S of Latin Modern Sans 12. The handle behind the node and the line on
-// which it lies where there is no kink.
+// A corner, a kink and a join without one, at a node of the letter S of Latin Modern Sans 12. The
+// handle behind the node and the line on which it lies where there is no kink.
 void kinks_and_corners(const std::string& file) {
   const P node(171, 446);
   GC::Svg_figure figure("A corner is meant; a kink is not, and is mended: both handles move by one unit", 3);
@@ -103,7 +103,8 @@ void kinks_and_corners(const std::string& file) {
   save(file, figure);
 }
 
-// Hagen's families in space: the line of all b2 with the right curvature, the plane of all b3 with the right torsion behind one of them.
+// Hagen's families in space: the line of all b2 with the right curvature, the plane of all b3 with
+// the right torsion behind one of them.
 void hagen_families(const std::string& file) {
   const Space_curve left{Q(-6, -3, 0), Q(-6, 0, 1), Q(-4, 2, 2), Q(-1, 2, 2)};
   const auto line = GC::curvature_alternatives(left);
@@ -144,8 +145,8 @@ void hagen_families(const std::string& file) {
                  .add(torsion));
 }
 
-// Portnov's figure 3 in space, where the lines l and B1 B2 do not meet: C is the point of l that is nearest to B1 B2, and H is nearest
-// to it, (23).
+// Portnov's figure 3 in space, where the lines l and B1 B2 do not meet: C is the point of l that is
+// nearest to B1 B2, and H is nearest to it, (23).
 void portnov_figure_3(const std::string& file) {
   typedef Space::Vector Vector;
   const Q a(-4, 0, 0), b1(-1, 0, 0), b2(4, 3, -3);

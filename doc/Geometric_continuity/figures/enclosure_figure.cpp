@@ -11,8 +11,9 @@
 #include <string>
 #include <vector>
 
-// A plane and a spline face that meet along a line, at an angle that differs from 0 between two of 21 samples only: the defect of
-// defect_between_samples.step. The enclosure of the angle on 40 parts of the edge, beside the samples.
+// A plane and a spline face that meet along a line, at an angle that differs from 0 between two of
+// 21 samples only: the defect of defect_between_samples.step. The enclosure of the angle on 40
+// parts of the edge, beside the samples.
 void draw_enclosure(const std::string& folder) {
   typedef Plane::Point P;
   typedef GC::Bezier_curve<Plane> Curve;
@@ -53,7 +54,8 @@ void draw_enclosure(const std::string& folder) {
                  y = angle(last, last);
     if (x > 1e-6 || y > 1e-6) panel.add(Curve{point(first, x), point(last, y)}, named(given, "angle of the normals"));
   }
-  for (int i = 0; i <= 20; ++i) { // at a hundredth of the length from both ends, as OpenCASCADE takes them
+  // at a hundredth of the length from both ends, as OpenCASCADE takes them
+  for (int i = 0; i <= 20; ++i) {
     const double t = length * (0.01 + 0.98 * i / 20);
     panel.add(Curve{point(t, angle(t, t))}, named(given, "sample")).join();
   }

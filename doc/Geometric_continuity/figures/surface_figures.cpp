@@ -31,7 +31,8 @@ void add_polyline(GC::Svg_panel& panel, Function point, int pieces, const GC::Sv
   for (int i = 0; i < pieces; ++i) panel.add(Curve{point(i / double(pieces)), point((i + 1) / double(pieces))}, style);
 }
 
-// Two surfaces along a curve with given twists: their cross derivatives T, and at the ends how these turn. Of exact numbers.
+// Two surfaces along a curve with given twists: their cross derivatives T, and at the ends how
+// these turn. Of exact numbers.
 void ribbon(const std::string& file) {
   typedef CGAL::Exact_rational FT;
   typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;
@@ -104,7 +105,8 @@ void swept_normals(const std::string& file) {
   save(file, GC::Svg_figure("Normals of swept surfaces", 2).add(extrusion).add(revolution));
 }
 
-// A fillet of a plane and a cylinder, by a circle and by a blend: surfaces of revolution of exact numbers.
+// A fillet of a plane and a cylinder, by a circle and by a blend: surfaces of revolution of exact
+// numbers.
 void edge_pair(const std::string& folder) {
   typedef CGAL::Exact_rational FT;
   typedef GC::Traits_3<CGAL::Simple_cartesian<FT>> Traits;

@@ -13,11 +13,12 @@
 #include <string>
 
 /// \file Error.h
-/// What the package refuses: bad input, by a typed exception, and compiler options with which it would decide wrongly.
+/// The package refuses bad input, by a typed exception, and compiler options with which it would
+/// decide wrongly.
 
-// The stages of a decision that are made in floating-point arithmetic rest on the rounding of each operation, as IEEE
-// 754 defines it, and on the recognition of infinite and undefined numbers. -fno-math-errno and -frounding-math leave
-// both alone.
+// The stages of a decision that are made in floating-point arithmetic rest on the rounding of each
+// operation, as IEEE 754 defines it, and on the recognition of infinite and undefined numbers.
+// -fno-math-errno and -frounding-math leave both alone.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                         \
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "Geometric_continuity: with -ffast-math or -Ofast exact predicates would be wrong; -fno-math-errno is allowed."
@@ -41,23 +42,27 @@ enum class Error_code {
   too_many_knots,           ///< the result would have more knots than are allowed
   parameter_outside_domain, ///< a parameter lies outside the domain
   empty_domain,             ///< a parameter interval has no positive length
-  zero_weight,              ///< the denominator of a rational curve or surface is not positive somewhere
-  wrong_number_of_points,   ///< too few or too many control points
-  dimension_mismatch,       ///< points, vectors or curves of different dimensions meet
-  jet_order_too_low,        ///< a jet has fewer derivatives than the construction reads
-  not_finite,               ///< a floating-point coordinate is infinite or not a number
-  curves_do_not_meet,       ///< a curve does not start where the one before it ends
-  incompatible_corner,      ///< what is given along a side of a blend contradicts a surface at a corner
-  already_smooth,           ///< an edge that is to be rounded has the continuity already
-  nonpositive_curvature,    ///< a curvature that must be positive is not
-  unreachable_tolerance,    ///< a tolerance is not positive, or cannot be kept in floating-point arithmetic
-  not_a_manifold,           ///< triangles do not meet two by two along their edges, in one orientation
-  negative_count,           ///< a number of times, points, knots, cells or derivatives is negative
-  work_limit,               ///< the answer would cost more work than is allowed, see `Work_limit`
-  not_representable,        ///< no floating-point numbers with the demanded property exist
-  malformed_input,          ///< the text of a file or of a number is not what it should be
-  cannot_read_file,         ///< a file cannot be opened or read, for a reason of the system
-  cannot_write_file         ///< a file, or a number in it, cannot be written
+  /// the denominator of a rational curve or surface is not positive somewhere
+  zero_weight,
+  wrong_number_of_points, ///< too few or too many control points
+  dimension_mismatch,     ///< points, vectors or curves of different dimensions meet
+  jet_order_too_low,      ///< a jet has fewer derivatives than the construction reads
+  not_finite,             ///< a floating-point coordinate is infinite or not a number
+  curves_do_not_meet,     ///< a curve does not start where the one before it ends
+  /// what is given along a side of a blend contradicts a surface at a corner
+  incompatible_corner,
+  already_smooth,        ///< an edge that is to be rounded has the continuity already
+  nonpositive_curvature, ///< a curvature that must be positive is not
+  /// a tolerance is not positive, or cannot be kept in floating-point arithmetic
+  unreachable_tolerance,
+  /// triangles do not meet two by two along their edges, in one orientation
+  not_a_manifold,
+  negative_count,    ///< a number of times, points, knots, cells or derivatives is negative
+  work_limit,        ///< the answer would cost more work than is allowed, see `Work_limit`
+  not_representable, ///< no floating-point numbers with the demanded property exist
+  malformed_input,   ///< the text of a file or of a number is not what it should be
+  cannot_read_file,  ///< a file cannot be opened or read, for a reason of the system
+  cannot_write_file  ///< a file, or a number in it, cannot be written
 };
 
 /// \ingroup PkgGeometricContinuityErrors
@@ -100,8 +105,8 @@ inline std::string to_string(Error_code code) {
 /// anything has been changed, in release builds as well.
 class Error : public std::runtime_error {
 public:
-  /// Constructs an exception; `place` says where the input is wrong, e.g. "blend: end of the first curve".
-  /// Compiled apart, so that functions that refuse something stay short.
+  /// Constructs an exception; `place` says where the input is wrong, e.g. "blend: end of the first
+  /// curve". Compiled apart, so that functions that refuse something stay short.
   BOOST_NOINLINE Error(Error_code code, const std::string& place)
       : std::runtime_error(to_string(code).append(": ").append(place)), code_(code) {}
 

@@ -20,13 +20,16 @@
 #include <utility>
 
 /// \file Traits.h
-/// What a kernel calls its things: the traits classes for kernels of CGAL, models of `GeometricContinuityTraits`; the border between the
-/// points and vectors of a traits class and the columns of numbers (`Coordinate_vector`) on which all formulas are written; and
-/// homogeneous points \f$ (p, w) = (w x, w) \f$, of one dimension more: rational curves and surfaces are polynomial ones of such points.
+/// The names of the types of a kernel: the traits classes for kernels of CGAL, models of
+/// `GeometricContinuityTraits`; the border between the points and vectors of a traits class and the
+/// columns of numbers (`Coordinate_vector`) on which all formulas are written; and homogeneous
+/// points \f$ (p, w) = (w x, w) \f$, of one dimension more: rational curves and surfaces are
+/// polynomial ones of such points.
 
 namespace CGAL {
 
-// A type of CGAL that is declared here and not defined, so that Eigen is not needed. It does not name its exact field.
+// A type of CGAL that is declared here and not defined, so that Eigen is not needed. It does not
+// name its exact field.
 template <class Dimension> struct Epick_d;
 
 namespace Geometric_continuity {
@@ -41,20 +44,24 @@ template <class Dimension> struct Predicate_field_d<Epick_d<Dimension>> {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityTraits
-/// The traits class for curves of dimension 2 over a CGAL kernel, with the types and functions of `GeometricContinuityTraits`.
+/// The traits class for curves of dimension 2 over a CGAL kernel, with the types and functions of
+/// `GeometricContinuityTraits`.
 ///
-/// With `Exact_predicates_inexact_constructions_kernel` predicates are decided in `Exact_field<double>::type` on
-/// the coordinates as given; with every other kernel they are decided in the field of the kernel.
+/// With `Exact_predicates_inexact_constructions_kernel` predicates are decided in
+/// `Exact_field<double>::type` on the coordinates as given; with every other kernel they are
+/// decided in the field of the kernel.
 ///
 /// \tparam K a model of the CGAL concept `Kernel`
 /// \cgalModels{GeometricContinuityTraits}
 template <class K> class Traits_2 : public internal::Kernel_traits<K, typename K::Point_2, typename K::Vector_2, 2> {};
 
 /// \ingroup PkgGeometricContinuityTraits
-/// The traits class for curves of dimension 3 over a CGAL kernel, with the types and functions of `GeometricContinuityTraits`.
+/// The traits class for curves of dimension 3 over a CGAL kernel, with the types and functions of
+/// `GeometricContinuityTraits`.
 ///
-/// With `Exact_predicates_inexact_constructions_kernel` predicates are decided in `Exact_field<double>::type` on
-/// the coordinates as given; with every other kernel they are decided in the field of the kernel.
+/// With `Exact_predicates_inexact_constructions_kernel` predicates are decided in
+/// `Exact_field<double>::type` on the coordinates as given; with every other kernel they are
+/// decided in the field of the kernel.
 ///
 /// \tparam K a model of the CGAL concept `Kernel`
 /// \cgalModels{GeometricContinuityTraits}
@@ -62,11 +69,11 @@ template <class K> class Traits_3 : public internal::Kernel_traits<K, typename K
 
 /// \ingroup PkgGeometricContinuityTraits
 /// The traits class for curves whose dimension is known at run time, over a dD kernel such as
-/// `Cartesian_d<FT>`, `Epick_d<Dynamic_dimension_tag>` or `Epeck_d<Dynamic_dimension_tag>` (the last two
-/// need Eigen).
+/// `Cartesian_d<FT>`, `Epick_d<Dynamic_dimension_tag>` or `Epeck_d<Dynamic_dimension_tag>` (the
+/// last two need Eigen).
 ///
-/// With `Epick_d` predicates are decided in `Exact_field<double>::type` on the coordinates as given; with every
-/// other kernel they are decided in the field of the kernel.
+/// With `Epick_d` predicates are decided in `Exact_field<double>::type` on the coordinates as
+/// given; with every other kernel they are decided in the field of the kernel.
 ///
 /// \tparam K a model of the CGAL concept `Kernel_d`
 /// \cgalModels{GeometricContinuityTraits}
@@ -126,7 +133,8 @@ struct Is_traits<Traits, std::void_t<typename Traits::Dimension,
                                      decltype(std::declval<const Traits&>().compute_coordinate_object())>>
     : std::true_type {};
 
-// In place of what is no traits class: it models all that is asked of one, so that the compiler has nothing else to complain about.
+// Replaces an argument that is no traits class. It models all requirements on one, so that the
+// compiler has nothing else to complain about.
 struct No_traits {
   typedef double FT;
   struct Point {
@@ -149,7 +157,8 @@ struct No_traits {
   auto construct_vector_object() const { return construct_point_object(); }
 };
 
-// What curves and surfaces ask of their first argument, so that the compiler says at once what is wrong with it; and what they go on with.
+// Curves and surfaces check their first argument with this class, so that the compiler reports at
+// once what is wrong with it, and continue with its member.
 template <class T> struct Checked_traits {
   static_assert(
       Is_traits<T>::value,
@@ -183,11 +192,13 @@ template <class Point> struct Traits_given<Of_points, Point> : Traits_of_point<P
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityTraits
-/// The traits class of points of a \cgal kernel, of type `Point_2` or `Point_3`: functions that take such points need not be told.
+/// The traits class of points of a \cgal kernel, of type `Point_2` or `Point_3`: functions that
+/// take such points need not be told.
 template <class Point> using Traits_of = typename internal::Traits_of_point<Point>::type;
 
 /// \ingroup PkgGeometricContinuityTraits
-/// The traits class `Given`, or `Traits_of<Point>` where a function is called without template arguments.
+/// The traits class `Given`, or `Traits_of<Point>` where a function is called without template
+/// arguments.
 template <class Given, class Point> using Traits_or_of = typename internal::Traits_given<Given, Point>::type;
 
 /// \ingroup PkgGeometricContinuityTraits
@@ -199,11 +210,13 @@ template <class Traits> constexpr int dimension_v = internal::Dimension_value<ty
 template <class Traits> using Coordinates = Coordinate_vector<typename Traits::FT, dimension_v<Traits>>;
 
 /// \ingroup PkgGeometricContinuityTraits
-/// The field in which predicates are decided: `Traits::Predicate_FT` where the traits class has one, otherwise `Traits::FT`.
+/// The field in which predicates are decided: `Traits::Predicate_FT` where the traits class has
+/// one, otherwise `Traits::FT`.
 template <class Traits> using Predicate_FT = typename internal::Predicate_field<Traits>::type;
 
 /// \ingroup PkgGeometricContinuityTraits
-/// Returns the coordinates of a point or a vector `p` of the traits class, in its own field or converted to `Field`.
+/// Returns the coordinates of a point or a vector `p` of the traits class, in its own field or
+/// converted to `Field`.
 /// \throws Error `not_finite` when a coordinate that is converted is an infinity or not a number
 template <class Traits, class Field = typename Traits::FT, class Point_or_vector>
 Coordinate_vector<Field, dimension_v<Traits>> coordinates(const Point_or_vector& p) {
@@ -220,7 +233,7 @@ Coordinate_vector<Field, dimension_v<Traits>> coordinates(const Point_or_vector&
 
 namespace internal {
 
-// Of points and vectors, and of what converts to them.
+// Returns the coordinates of a point or vector, or of an object that converts to one.
 template <class Traits> Coordinates<Traits> point_column(const typename Traits::Point& p) {
   return Geometric_continuity::coordinates<Traits>(p);
 }
@@ -243,9 +256,9 @@ template <class Traits> typename Traits::Vector to_vector(const Coordinates<Trai
 }
 
 /// \ingroup PkgGeometricContinuityTraits
-/// The traits class for the homogeneous points of another one: columns \f$ (w x_1, \dots, w x_n, w) \f$. A polynomial curve or
-/// surface over it is the numerator and the denominator of a rational one over `Traits`, and so every algorithm for polynomials
-/// serves both.
+/// The traits class for the homogeneous points of another one: columns
+/// \f$ (w x_1, \dots, w x_n, w) \f$. A polynomial curve or surface over it is the numerator and the
+/// denominator of a rational one over `Traits`, and so every algorithm for polynomials serves both.
 ///
 /// \tparam Traits_ a model of `GeometricContinuityTraits`
 /// \cgalModels{GeometricContinuityTraits}
@@ -253,10 +266,12 @@ template <class Traits_> class Homogeneous_traits {
   static constexpr int N = dimension_v<Traits_>;
 
 public:
-  typedef Traits_ Affine_traits;                             ///< the traits class of the points \f$ x \f$
+  /// the traits class of the points \f$ x \f$
+  typedef Traits_ Affine_traits;
   typedef typename Traits_::FT FT;                           ///< its numbers
   typedef Coordinate_vector<FT, (N == 0 ? 0 : N + 1)> Point; ///< a homogeneous point
-  typedef Point Vector;                                      ///< a difference or a derivative of such points
+  /// a difference or a derivative of such points
+  typedef Point Vector;
   /// One dimension more than that of the points \f$ x \f$.
   typedef std::conditional_t<N == 0, Dynamic_dimension_tag, Dimension_tag<N + 1>> Dimension;
   /// The field in which predicates are decided.
@@ -292,8 +307,8 @@ public:
 };
 
 /// \ingroup PkgGeometricContinuityTraits
-/// Returns the homogeneous point \f$ (w x, w) \f$, or \f$ (x, 0) \f$ for the weight 0: the infinite point in the direction
-/// \f$ x \f$. \tparam N the dimension of `x`, or 0
+/// Returns the homogeneous point \f$ (w x, w) \f$, or \f$ (x, 0) \f$ for the weight 0: the infinite
+/// point in the direction \f$ x \f$. \tparam N the dimension of `x`, or 0
 template <class FT, int N>
 Coordinate_vector<FT, (N == 0 ? 0 : N + 1)> homogeneous_point(const Coordinate_vector<FT, N>& x, const FT& w) {
   const int n = x.dimension();
@@ -305,8 +320,9 @@ Coordinate_vector<FT, (N == 0 ? 0 : N + 1)> homogeneous_point(const Coordinate_v
 }
 
 /// \ingroup PkgGeometricContinuityTraits
-/// Returns \f$ x \f$ of a homogeneous point \f$ (w x, w) \f$, or of an infinite point \f$ (x, 0) \f$; the weight is its last
-/// coordinate. \tparam M the dimension of `p`, one more than that of `x`, or 0
+/// Returns \f$ x \f$ of a homogeneous point \f$ (w x, w) \f$, or of an infinite point
+/// \f$ (x, 0) \f$; the weight is its last coordinate. \tparam M the dimension of `p`, one more than
+/// that of `x`, or 0
 template <class FT, int M> Coordinate_vector<FT, (M == 0 ? 0 : M - 1)> affine_point(const Coordinate_vector<FT, M>& p) {
   const int n = p.dimension() - 1;
   Coordinate_vector<FT, (M == 0 ? 0 : M - 1)> x(n);

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Numbers as they are written: they are the rational numbers that parse_number() reads, in all forms, and so are their order and
-// their multiples of powers of ten.
+// Numbers as they are written: they are the rational numbers that parse_number() reads, in all
+// forms, and so are their order and their multiples of powers of ten.
 
 #include "support/test.h"
 
@@ -32,8 +32,8 @@ std::string digits(int n) {
   return text;
 }
 
-// A decimal with up to 25 digits, and how many of them a short one must keep: not the zeros in front, nor those behind the last
-// other digit behind the point.
+// A decimal with up to 25 digits, and how many of them a short one must keep: not the zeros in
+// front, nor those behind the last other digit behind the point.
 std::pair<std::string, std::size_t> random_decimal(bool far = true) {
   const int n = 1 + below(25), before = below(n + 1);
   std::string integer = before == 0 ? "" : digits(before), fraction = before == n ? "" : digits(n - before);
@@ -59,7 +59,7 @@ std::string random_fraction() {
 
 Q power_of_ten(int exponent) { return GC::parse_number<Q>("1e" + std::to_string(exponent)); }
 
-// What becomes of a text: an error, or nothing.
+// Returns the error for a text, or nothing.
 std::string refusal_of_text_number(const std::string& text) {
   return error_of([&] { GC::Decimal{text}; });
 }

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Surfaces as they are written: the same as those of rational numbers, and, where they become surfaces of integers, with the same
-// continuity along all edges.
+// Surfaces as they are written: the same as those of rational numbers, and, where they become
+// surfaces of integers, with the same continuity along all edges.
 
 #include "support/test.h"
 
@@ -124,7 +124,8 @@ std::string flat(const std::string& u, const std::string& v, const std::string& 
   return header + "2 2\n" + u + "\n2 2\n" + v + '\n' + points + '\n';
 }
 
-// A surface of order 3 in u and 2 in v, from (x, y, z) by these three rows of two points (x, y) at y = 0 and 1: a profile.
+// A surface of order 3 in u and 2 in v, from (x, y, z) by these three rows of two points (x, y) at
+// y = 0 and 1: a profile.
 std::string profile(const std::string& knots, const std::vector<std::pair<std::string, std::string>>& points) {
   std::string file = header + std::to_string(points.size()) + " 3\n" + knots + "\n2 2\n0 0 .7 .7\n";
   for (const char* y : {"0", "0.30"})
@@ -197,7 +198,8 @@ BOOST_AUTO_TEST_CASE(units) {
   BOOST_CHECK_EQUAL(surfaces[0].coordinates(0, 0)[1], -9007199254740992.0);
 }
 
-// Numbers of which one is no integer below the limit: nothing is appended, whatever knots would become of it.
+// Numbers of which one is no integer below the limit: nothing is appended, whatever knots would
+// become of it.
 BOOST_AUTO_TEST_CASE(not_on_a_grid) {
   const std::string knots = "0 0 1 1", good = flat(knots, knots);
   const auto with = [&](const std::string& x) { return flat(knots, knots, x + " 0 0 1 0 0 0 1 0 1 1 0"); };
@@ -258,7 +260,8 @@ BOOST_AUTO_TEST_CASE(orders_of_models) {
   check_model(strip(knots, "0", ".1", "0") + strip("0 0 .3 .3", "-.1", "0", "0"), "1 0 0 6");
 }
 
-// Random models of bilinear and biquadratic patches: a net that is one polynomial surface, with some points moved.
+// Random models of bilinear and biquadratic patches: a net that is one polynomial surface, with
+// some points moved.
 BOOST_AUTO_TEST_CASE(random_models) {
   std::mt19937 random = seeded(20261122);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };

@@ -51,7 +51,8 @@ BOOST_AUTO_TEST_CASE(the_pieces_are_those_of_the_curves) {
   std::ostringstream text;
   for (int i = 0; i < 200; ++i) {
     const int order = i % 25 == 0 ? 15 + i / 25 % 4 : 1 + i % 6, points = order + static_cast<int>(random() % 12);
-    std::vector<int> knots(points + order); // in halves; u_{j + order} > u_j, and the domain is not empty
+    // in halves; u_{j + order} > u_j, and the domain is not empty
+    std::vector<int> knots(points + order);
     for (int j = 0; j < points + order; ++j) {
       knots[j] = j == 0 ? -3 : knots[j - 1] + (random() % 3 == 0 ? static_cast<int>(random() % 4) : 0);
       if (j >= order && knots[j] == knots[j - order]) ++knots[j];

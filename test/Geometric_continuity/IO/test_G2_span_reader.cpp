@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Joins of curves in .g2 files: the answers from decimals are those from rational numbers. With an argument, that many joins of each
-// class.
+// Joins of curves in .g2 files: the answers from decimals are those from rational numbers. With an
+// argument, that many joins of each class.
 
 #define BOOST_TEST_MODULE G2_span_reader
 #include <boost/test/unit_test.hpp>
@@ -192,8 +192,8 @@ template <class Traits, class Number> int check_roads(const std::string& file) {
   return check_join(spans[0], spans[1], file);
 }
 
-// A B-spline curve with knots of all multiplicities; every point or knot with a few digits, or points or knots with too many for
-// integers of fixed length.
+// A B-spline curve with knots of all multiplicities; every point or knot with a few digits, or
+// points or knots with too many for integers of fixed length.
 std::string spline(int dimension, bool is_long, bool has_long_knots = false) {
   const int order = 1 + below(6), points = order + below(8), places = below(4);
   std::vector<int> knots(points + order);
@@ -283,7 +283,8 @@ template <int N, class Traits> void check_all_classes() {
       ++counts[check_roads<Traits, GC::Decimal>(file)];
       if (i % 3 == 0) check_roads<Traits, double>(file);
     }
-  for (int order = -1; order <= 3; ++order) BOOST_CHECK_GT(counts[order], repetitions / 4); // each class occurs
+  // each class occurs
+  for (int order = -1; order <= 3; ++order) BOOST_CHECK_GT(counts[order], repetitions / 4);
 }
 
 } // namespace
@@ -297,8 +298,8 @@ BOOST_AUTO_TEST_CASE(inner_knots) {
   check_other_curves<3, Exact_3>();
 }
 
-// Parameters and coordinates that have no common grid of short integers, weights, and high degrees and orders: the answers are those
-// of the jets.
+// Parameters and coordinates that have no common grid of short integers, weights, and high degrees
+// and orders: the answers are those of the jets.
 BOOST_AUTO_TEST_CASE(spans_off_the_grid) {
   const std::string head = "100 1 0 0 2 0\n4 4\n", points = " 0 0 1 2 3 1 4 0\n", next = " 4 0 5 -1 6 1 8 2\n",
                     usual = "0 0 0 0 1 1 1 1";
@@ -393,7 +394,8 @@ bool has_enclosures(const Span& left, const Span& right, const Q& left_length, c
   return Span::visit_enclosures(left, right, check_both);
 }
 
-// On grids: short decimals, decimals of more than 22 places, integers that no double has, and fractions; not beyond them.
+// On grids: short decimals, decimals of more than 22 places, integers that no double has, and
+// fractions; not beyond them.
 template <class Number> void check_enclosures() {
   typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
   constexpr bool rounded = std::is_floating_point_v<Number>;
@@ -416,8 +418,8 @@ template <class Number> void check_enclosures() {
     BOOST_CHECK(is_enclosed(planar, next, 4, 1) && is_enclosed(next, planar, 1, 4));
     BOOST_CHECK(is_enclosed(spatial, spatial, 1, 1));
     BOOST_CHECK(!is_enclosed(of_four, of_four, 1, 1) && !is_enclosed(planar, spatial, 4, 1));
-    const std::string inner =
-        curve(2, "0 1 2 3 7 9 10 12\n", {12, 5, -7, 3, 9, 9, 31, -8}); // has Bezier points with denominators
+    // has Bezier points with denominators
+    const std::string inner = curve(2, "0 1 2 3 7 9 10 12\n", {12, 5, -7, 3, 9, 9, 31, -8});
     BOOST_CHECK_EQUAL(is_enclosed(inner, next, 4, 1), !rounded && end.size() < 5);
     const std::string weighted = "100 1 0 0 2 1\n2 2\n0 0 1 1 0 0 1 1 1 2\n";
     BOOST_CHECK(!is_enclosed(weighted, next, 1, 1) && !is_enclosed(next, weighted, 1, 1));
@@ -431,8 +433,9 @@ BOOST_AUTO_TEST_CASE(enclosed_jets) {
   check_enclosures<double>();
 }
 
-// Coordinates that are no doubles, with legs that are multiples of 2^32: the form for G2 is a multiple of 2^128, so that short residues
-// of it are 0, and smaller than the rounding errors, but not always 0.
+// Coordinates that are no doubles, with legs that are multiples of 2^32: the form for G2 is a
+// multiple of 2^128, so that short residues of it are 0, and smaller than the rounding errors, but
+// not always 0.
 BOOST_AUTO_TEST_CASE(residues_that_vanish) {
   random_bits.seed(20261124);
   const std::int64_t offset = (std::int64_t(1) << 58) - 1, unit = std::int64_t(1) << 32;

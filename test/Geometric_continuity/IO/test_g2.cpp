@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized" // false alarms in the cpp_rational of Boost 1.74
+// false alarms in the cpp_rational of Boost 1.74
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
 #define BOOST_TEST_MODULE io
@@ -33,7 +34,8 @@ typedef GC::Traits_3<Epeck> Epeck_3;
 
 constexpr unsigned seed = 20260719;
 
-// A field with nothing but what parse_number() and write_number() ask for; nothing is converted implicitly.
+// A field with nothing but what parse_number() and write_number() ask for; nothing is converted
+// implicitly.
 class Archetype {
   Q q_;
   struct Private {};
@@ -491,7 +493,8 @@ BOOST_AUTO_TEST_CASE(texts_in_messages_are_quoted) {
 
 // errors
 
-// `text` in dimension 2 is refused, in every number type, with a message that begins and ends as said.
+// `text` in dimension 2 is refused, in every number type, with a message that begins and ends as
+// said.
 void check_g2_error(const std::string& text, int line, const std::string& reason) {
   const std::string expected = "malformed_input: f.g2:" + std::to_string(line) + ": " + reason;
   BOOST_CHECK_EQUAL(g2_error<Exact_2>(text), expected);

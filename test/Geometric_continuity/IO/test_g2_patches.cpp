@@ -39,7 +39,8 @@ BOOST_AUTO_TEST_CASE(g2_surfaces_are_read) {
   BOOST_CHECK(s[0].domain_u() == std::make_pair(Q(0), Q(2)));
   BOOST_CHECK(s[0].domain_v() == std::make_pair(Q(-1), Q(Q(1) / Q(2))));
   typedef Exact_3::Point P;
-  BOOST_CHECK(s[0].control_point(1, 0) == P(1, 0, Q(Q(1) / Q(10)))); // u runs fastest; exact decimals
+  // u runs fastest; exact decimals
+  BOOST_CHECK(s[0].control_point(1, 0) == P(1, 0, Q(Q(1) / Q(10))));
   BOOST_CHECK(s[0].control_point(0, 1) == P(0, 1, Q(Q(1) / Q(3))));
   BOOST_CHECK(s[0].control_point(2, 1) == P(2, 1, Q(Q(1) / Q(10))));
   // auxiliary values and other white space

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Rational curves and surfaces in .g2 files: written and read without loss, and refused where the text or the type does not allow
-// them.
+// Rational curves and surfaces in .g2 files: written and read without loss, and refused where the
+// text or the type does not allow them.
 
 #include "support/test.h"
 
@@ -133,7 +133,8 @@ BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
                     "malformed_input: f.g2:10: zero_weight: Ra");
 }
 
-// Elementary classes: lines with ends are curves of degree 1, all others are refused with their name and a way out.
+// Elementary classes: lines with ends are curves of degree 1, all others are refused with their
+// name and a way out.
 BOOST_AUTO_TEST_CASE(elementary_classes) {
   const std::string line = "120 1 0 0\n2\n1 2\n3 1/2\n1\n-1 4\n";
   for (const auto& c : {curves_in<Exact_2>(line).front(),
@@ -226,7 +227,8 @@ BOOST_AUTO_TEST_CASE(planes) {
                     "malformed_input: f.g2:7: the ends of the domain of a plane are the same floating-point number");
 }
 
-// (u-v)^2 + epsilon: that it costs too much to know whether this is positive is not an error of the text.
+// (u-v)^2 + epsilon: that it costs too much to know whether this is positive is not an error of the
+// text.
 BOOST_AUTO_TEST_CASE(denominators_close_to_zero) {
   const auto with = [](const Q& epsilon) {
     std::ostringstream os;

@@ -170,7 +170,8 @@ BOOST_AUTO_TEST_CASE(wrong_headers) {
   check_refused("\n3 0\n", "\n-3 0\n", 2, "the dimension is '-3'" + natural);
   check_refused("\n3 0\n", "\n3 1\n", 2, "a rational surface where a polynomial one is expected");
   check_refused("\n3 0\n", "\n3 2\n", 2, "the rational flag is '2' where an integer from 0 to 1 is expected");
-  check_refused("3 1 -7", "3 1 -7 5", 14, "5 where a surface (200) is expected"); // a number too many
+  // a number too many
+  check_refused("3 1 -7", "3 1 -7 5", 14, "5 where a surface (200) is expected");
   BOOST_CHECK_EQUAL(error_of([&] { read<Exact_d>(good + "200 1 0 0\n4 0\n"); }),
                     "malformed_input: f.g2:16: dimension 4 after a surface of dimension 3");
   BOOST_CHECK_EQUAL(error_of([&] { read<Exact_d>("200 1 0 0\n17 0\n"); }),
@@ -225,7 +226,8 @@ BOOST_AUTO_TEST_CASE(wrong_coordinates) {
   BOOST_CHECK_EQUAL(read<Exact_3>(altered("1/3", "1e309")).size(), 1); // an exact number
 }
 
-// However a text is cut or one of its words replaced: it is read, or refused with file, line and reason.
+// However a text is cut or one of its words replaced: it is read, or refused with file, line and
+// reason.
 BOOST_AUTO_TEST_CASE(every_word_is_checked) {
   const std::vector<std::string> words = words_of(good);
   const auto joined = [](const std::vector<std::string>& w) {

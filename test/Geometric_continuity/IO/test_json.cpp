@@ -37,7 +37,8 @@ BOOST_AUTO_TEST_CASE(texts_that_are_not_utf_8) {
   const auto check = [](const std::string& text, const std::string& expected) {
     BOOST_CHECK_EQUAL(json(text), '"' + expected + '"');
   };
-  // the least and the largest character of each length, what surrounds the surrogates, and noncharacters stay
+  // the least and the largest character of each length, what surrounds the surrogates, and
+  // noncharacters stay
   for (const char* text : {"\x7f", "\xc2\x80", "\xdf\xbf", "\xe0\xa0\x80", "\xed\x9f\xbf", "\xee\x80\x80",
                            "\xef\xbf\xbe", "\xef\xbf\xbf", "\xf0\x90\x80\x80", "\xf4\x8f\xbf\xbf"})
     check(text, text);

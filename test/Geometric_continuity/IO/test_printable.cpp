@@ -16,7 +16,8 @@ BOOST_AUTO_TEST_CASE(what_can_be_shown_stays) {
 BOOST_AUTO_TEST_CASE(controls_are_escaped) {
   BOOST_CHECK_EQUAL(GC::printable("a\nb\r\tc"), "a\\nb\\r\\tc");
   BOOST_CHECK_EQUAL(GC::printable(std::string_view("\0\x1b[2J\x7f", 6)), "\\x00\\x1b[2J\\x7f");
-  BOOST_CHECK_EQUAL(GC::printable("\xc2\x80\xc2\x9b\xc2\x9f"), "\\u0080\\u009b\\u009f"); // which some terminals obey
+  // which some terminals obey
+  BOOST_CHECK_EQUAL(GC::printable("\xc2\x80\xc2\x9b\xc2\x9f"), "\\u0080\\u009b\\u009f");
   BOOST_CHECK_EQUAL(GC::printable("\xe2\x80\xa8\xe2\x80\xa9"), "\\u2028\\u2029");
   BOOST_CHECK_EQUAL(GC::printable("\xe2\x80\xaa\xe2\x80\xae"), "\\u202a\\u202e");
   BOOST_CHECK_EQUAL(GC::printable("\xe2\x81\xa6\xe2\x81\xa9"), "\\u2066\\u2069");

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Power polynomials: the Bernstein form and back, division, greatest common divisors; and sets of signs.
+// Power polynomials: the Bernstein form and back, division, greatest common divisors; and sets of
+// signs.
 
 #include "support/random.h"
 
@@ -53,7 +54,8 @@ BOOST_AUTO_TEST_CASE(forms) {
   BOOST_CHECK(power({0, 0}) == Power() && power({1}) != Power());
   BOOST_CHECK(Power().bernstein() == Bernstein{Q(0)});
   BOOST_CHECK(Power(Bernstein{Q(0), Q(0), Q(0)}).is_zero());
-  BOOST_CHECK(Power(Bernstein{Q(0), Q(1), Q(2)}) == power({0, 2})); // 2 t, of degree 2 in Bernstein form
+  // 2 t, of degree 2 in Bernstein form
+  BOOST_CHECK(Power(Bernstein{Q(0), Q(1), Q(2)}) == power({0, 2}));
   BOOST_CHECK(Power(Bernstein{Q(1), Q(0), Q(1)}) == power({1, -2, 2}));
   BOOST_CHECK(power({1, -2, 2}).bernstein() == (Bernstein{Q(1), Q(0), Q(1)}));
   BOOST_CHECK(power({5, 0, 3, 1}).derivative() == power({0, 6, 3}));

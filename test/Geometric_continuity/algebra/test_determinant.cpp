@@ -17,7 +17,8 @@ template <class FT> FT determinant(const std::vector<std::vector<FT>>& a) {
   return GC::determinant<FT>(static_cast<int>(a.size()), [&](int i, int j) -> const FT& { return a[i][j]; });
 }
 
-// The rows (1, x, x^2, ...) for x = 0, 1, ..., n - 1, in another order: odd rows first. Zeros are met as pivots.
+// The rows (1, x, x^2, ...) for x = 0, 1, ..., n - 1, in another order: odd rows first. Zeros are
+// met as pivots.
 std::vector<std::vector<Q>> vandermonde(int n, Q& expected) {
   std::vector<int> x;
   for (int i = 1; i < n; i += 2) x.push_back(i);
@@ -82,7 +83,7 @@ BOOST_AUTO_TEST_CASE(vectors_without_a_cross_product) {
   BOOST_CHECK(cross_product(space, space) == space);
 }
 
-// Of whole numbers only matrices of determinant 1 or -1 have an inverse.
+// Among matrices of whole numbers only those of determinant 1 or -1 have an inverse.
 BOOST_AUTO_TEST_CASE(inverses_of_whole_numbers) {
   typedef GC::Basis_matrix<int> Matrix;
   const auto matrix = [](int a, int b) {

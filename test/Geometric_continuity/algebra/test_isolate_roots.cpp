@@ -98,6 +98,7 @@ BOOST_AUTO_TEST_CASE(limits_of_the_work) {
   CHECK_ERROR(isolate_roots(p, width), work_limit);
   CHECK_ERROR(isolate_roots(p, Q(1), -1), negative_count);
   CHECK_ERROR(isolate_roots(p, Q(1), 0), work_limit);
-  BOOST_CHECK_EQUAL(isolate_roots(p, Q(1), 1).size(), 2u);                    // one bisection separates them,
+  // one bisection separates them,
+  BOOST_CHECK_EQUAL(isolate_roots(p, Q(1), 1).size(), 2u);
   BOOST_CHECK_EQUAL(isolate_roots(factor(Q(1) / Q(3)), width, 0).size(), 1u); // and none is needed
 }

@@ -13,9 +13,10 @@ BOOST_AUTO_TEST_SUITE(algebra)
 typedef GC::Bernstein_polynomial<FT> Polynomial;
 typedef GC::Sign_pattern Sign;
 
-// In rounded kernels coefficients and parameters are multiples of 1/8 of modulus at most 2, and up to degree 3 the
-// values below are doubles without rounding. Where a division by 3 or 5 comes in, at most 100 roundings happen, of
-// numbers of modulus at most (2 * 5^3)^2, the sum of the moduli of all terms.
+// In rounded kernels coefficients and parameters are multiples of 1/8 of modulus at most 2, and up
+// to degree 3 the values below are doubles without rounding. Where a division by 3 or 5 comes in,
+// at most 100 roundings happen, of numbers of modulus at most (2 * 5^3)^2, the sum of the moduli of
+// all terms.
 constexpr int max_degree = exact && cancels ? 6 : 3;
 inline bool nearly_equal(const FT& x, const FT& y) { return close(x, y, FT(62500), 100); }
 
@@ -236,7 +237,8 @@ BOOST_AUTO_TEST_CASE(signs_of_near_misses, *boost::unit_test::enable_if<cancels>
 }
 
 BOOST_AUTO_TEST_CASE(signs_on_intervals) {
-  const Polynomial square = whole({1, -1, 1}), circle = whole({3, 3, 1, -3, 3}); // touch at 1/2 and at sqrt(1/2)
+  // touch at 1/2 and at sqrt(1/2)
+  const Polynomial square = whole({1, -1, 1}), circle = whole({3, 3, 1, -3, 3});
   const FT half = ratio(1, 2), quarter = ratio(1, 4);
   BOOST_CHECK_EQUAL(GC::sign_pattern(square, FT(0), quarter), Sign::positive);
   BOOST_CHECK_EQUAL(GC::sign_pattern(square, quarter, half), Sign::nonnegative);
@@ -294,7 +296,8 @@ BOOST_AUTO_TEST_CASE(signs_of_random_products, *boost::unit_test::enable_if<exac
     Polynomial p = constant(FT(random.integer(0, 1) == 0 ? 1 : -1));
     bool touches = false, crosses = false;
     for (int factors = random.integer(1, 3); factors > 0; --factors) {
-      const int place = random.integer(-3, 9), multiplicity = random.integer(1, 3); // root at place/6
+      // root at place/6
+      const int place = random.integer(-3, 9), multiplicity = random.integer(1, 3);
       p = p * repeated(root(ratio(place, 6)), multiplicity);
       touches = touches || (0 <= place && place <= 6);
     }
@@ -343,7 +346,7 @@ BOOST_AUTO_TEST_CASE(names) {
   }
 }
 
-// ---------------------------------------------------------------- determinants, Bell polynomials, vectors
+// --------------------------------------------------------- determinants, Bell polynomials, vectors
 
 typedef std::vector<std::vector<FT>> Matrix;
 

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Fair blends are as fair as they can be: compared with an optimum that shares nothing with the package. E is computed by the
-// textbook formulas of curvature and torsion, and minimised without derivatives.
+// Fair blends are as fair as they can be: compared with an optimum that shares nothing with the
+// package. E is computed by the textbook formulas of curvature and torsion, and minimised without
+// derivatives.
 
 #define BOOST_TEST_MODULE Fair
 
@@ -18,7 +19,8 @@
 
 typedef std::tuple<Double_2, Double_3> Traits_classes;
 
-// The method of Nelder and Mead, from x with edges of the given lengths. Returns the least value; x is where it is.
+// The method of Nelder and Mead, from x with edges of the given lengths. Returns the least value; x
+// is where it is.
 template <std::size_t n, class Function>
 double least_value(const Function& f, std::array<double, n>& x, const std::array<double, n>& edges) {
   typedef std::pair<double, std::array<double, n>> Corner;
@@ -59,11 +61,13 @@ double least_value(const Function& f, std::array<double, n>& x, const std::array
   return simplex[0].first;
 }
 
-// The least E near the automatic shape, over the logarithms of the changes of beta and eta, and s1 and s2.
+// The least E near the automatic shape, over the logarithms of the changes of beta and eta, and s1
+// and s2.
 template <class Traits, int N = Traits::Dimension::value>
 double independent_optimum(const GC::Curve_jet<Traits>& phi, const GC::Curve_jet<Traits>& psi) {
   const GC::Quintic_blend<Traits> automatic = GC::blend(phi, psi);
-  // a point 2/5 + s of the tangent, and a twentieth of the second derivative's normal part, away from the end
+  // a point 2/5 + s of the tangent, and a twentieth of the second derivative's normal part, away
+  // from the end
   const auto add_end = [&](const GC::Curve_jet<Traits>& jet, double beta, double s, int sign, Vector<N>& b,
                            Vector<N>& c) {
     double g = 0, h = 0;
@@ -100,8 +104,8 @@ double quantile(std::vector<double> x, double part) {
   return x[static_cast<std::size_t>(part * static_cast<double>(x.size() - 1))];
 }
 
-// On pairs with seeds for which a search from the automatic blend alone ends in space at 1.9 to 2.4 times the optimum, and in the
-// plane at 1.6 times.
+// On pairs with seeds for which a search from the automatic blend alone ends in space at 1.9 to 2.4
+// times the optimum, and in the plane at 1.6 times.
 template <class Traits> void compare_with_optimum() {
   constexpr int pairs_of_a_seed = 160;
   std::vector<double> ratio;
@@ -156,7 +160,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wild_pairs, Traits, Traits_classes) {
   BOOST_CHECK_GE(quantile(gain, 0.5), 100);
 }
 
-// Shapes and domains of any size: a given shape is kept, what overflows is refused, and a search that finds nothing better says so.
+// Shapes and domains of any size: a given shape is kept, what overflows is refused, and a search
+// that finds nothing better says so.
 BOOST_AUTO_TEST_CASE(extreme_shapes) {
   typedef Double_2::Point P;
   typedef GC::Bezier_curve<Double_2> Curve;
@@ -171,7 +176,8 @@ BOOST_AUTO_TEST_CASE(extreme_shapes) {
     CHECK_ERROR(GC::blend(phi, psi, GC::Fair(), {beta, 1}), not_finite);
     CHECK_ERROR(GC::blend(phi, psi, GC::Fair_g3(), {beta, 1}), not_finite);
   }
-  const Curve short_end = {P(1e-150, 0), P(0, 0)}, short_start = {P(0, 0), P(0, 1e-150)}; // with one end in common
+  // with one end in common
+  const Curve short_end = {P(1e-150, 0), P(0, 0)}, short_start = {P(0, 0), P(0, 1e-150)};
   CHECK_ERROR(GC::blend(short_end, short_start, GC::Fair(), {1e-200, 1e-200}), not_finite);
   const auto over = [](const Curve& c, double length) { return Curve(c.begin(), c.end(), 0, length); };
   const double least = GC::blend(phi, psi, GC::Fair()).report.fairness;

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Fair blends are exactly smooth on exact kernels, are the same on all kernels, move with their curves, and are sensible or refused
-// where no good blend exists.
+// Fair blends are exactly smooth on exact kernels, are the same on all kernels, move with their
+// curves, and are sensible or refused where no good blend exists.
 
 #define BOOST_TEST_MODULE Fair_kernels
 #include "support/test.h"
@@ -70,7 +70,8 @@ template <class Traits> std::array<double, 4> check_exact(const Curves& curves) 
   const int f_order = phi.dimension() == 2 ? 2 : 3;
   BOOST_CHECK_GE(GC::continuity(phi, f3).f_order, f_order);
   BOOST_CHECK_GE(GC::continuity(f3, psi).f_order, f_order);
-  for (double x : numbers(gamma)) BOOST_CHECK_EQUAL(std::ldexp(x, 20), std::floor(std::ldexp(x, 20))); // short
+  // short
+  for (double x : numbers(gamma)) BOOST_CHECK_EQUAL(std::ldexp(x, 20), std::floor(std::ldexp(x, 20)));
   return numbers(gamma);
 }
 
@@ -90,7 +91,7 @@ BOOST_AUTO_TEST_CASE(exact_and_the_same_on_all_kernels) {
   for (int dimension : {2, 3, 4, 5}) check_exact<Exact_d>(Curves(random, dimension));
 }
 
-// What the caller left set does not matter to exact kernels.
+// The rounding mode that the caller left set does not matter to exact kernels.
 BOOST_AUTO_TEST_CASE(rounding_modes) {
   std::mt19937_64 random = seeded<std::mt19937_64>(14);
   const auto in_every_mode = [](const auto& phi, const auto& psi, const auto& strategy) {
@@ -141,7 +142,8 @@ BOOST_AUTO_TEST_CASE(exact_when_read_again) {
   BOOST_CHECK(GC::is_g2_join(read[0], read[1]) && GC::is_g2_join(read[1], read[2]));
 }
 
-// Scaled by a power of two: the same numbers. Turned, mirrored, and from the other side: as fair, and the same but for rounding.
+// Scaled by a power of two: the same numbers. Turned, mirrored, and from the other side: as fair,
+// and the same but for rounding.
 BOOST_AUTO_TEST_CASE(invariance) {
   std::mt19937_64 random(13);
   for (int i = 0; i < 10; ++i) {
@@ -205,7 +207,8 @@ BOOST_AUTO_TEST_CASE(lines) {
     BOOST_CHECK(line.control_point(j)[0] == 2 * line.control_point(j)[1]);
     if (j > 0) BOOST_CHECK(line.control_point(j - 1)[0] < line.control_point(j)[0]);
   }
-  // backwards on one line there is a cusp, and with tangents that point away from each other almost one
+  // backwards on one line there is a cusp, and with tangents that point away from each other almost
+  // one
   BOOST_CHECK(!sensible({{0, 0}, {-1, 0}}, {{3, 0}, {-1, 0}}, GC::Fair(), 30).report.converged);
   BOOST_CHECK_GE(sensible({{0, 0}, {-1, 0.3}}, {{3, 0}, {-1, 0}}, GC::Fair(), 30).report.fairness, 1e6);
 }
@@ -221,7 +224,8 @@ BOOST_AUTO_TEST_CASE(curvatures) {
   BOOST_CHECK(sensible({{0, 0}, {1, 1}}, {{1, 0}, {1, -3}}, GC::Fair(), 5).report.converged);
   BOOST_CHECK(sensible({{0, 0}, {1, 0}}, {{2, 1}, {0, 1}, {-2, 0}}, GC::Fair(), 5).report.converged);
   BOOST_CHECK(sensible({{0, 0}, {1, 0}, {0, 1e-6}}, {{2, 1}, {0, 1}, {-1, 0}}, GC::Fair(), 5).report.converged);
-  // next to which the chord is long: a curve that does not go far away, and is reported as not converged
+  // next to which the chord is long: a curve that does not go far away, and is reported as not
+  // converged
   for (double curvature : {1e6, -1e6, 1e9, -1e9, 1e12, -1e12}) {
     const auto curl = sensible({{0, 0}, {1, 0}, {0, 1}}, {{2, 1}, {0, 1}, {curvature, 0}}, GC::Fair(), 10);
     BOOST_CHECK(!curl.report.converged);

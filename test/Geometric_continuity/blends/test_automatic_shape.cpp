@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The shape parameters by the chord: rounded exactly, the same on every kernel, and defined for every chord.
+// The shape parameters by the chord: rounded exactly, the same on every kernel, and defined for
+// every chord.
 
 #include "support/rounding_modes.h"
 #include "support/test.h"
@@ -33,11 +34,13 @@ double beta(const std::vector<T>& a1, const std::vector<T>& a2, const std::vecto
   return CGAL::to_double(s.beta);
 }
 
-// Returns whether b has 8 binary digits, and no such number is nearer to the root of x/y; of two the larger one.
+// Returns whether b has 8 binary digits, and no such number is nearer to the root of x/y; of two
+// the larger one.
 bool is_nearest(double b, const Q& x, const Q& y) {
   const double unit = std::ldexp(1., std::ilogb(b) - 7);
   if (std::fmod(b, unit) != 0) return false;
-  const double below = std::ldexp(1., std::ilogb(b)) == b ? unit / 2 : unit; // to the next smaller number
+  // to the next smaller number
+  const double below = std::ldexp(1., std::ilogb(b)) == b ? unit / 2 : unit;
   const Q low = Q(b) - Q(below) / 2, high = Q(b) + Q(unit) / 2;
   return low * low * y <= x && x < high * high * y;
 }
@@ -65,7 +68,8 @@ BOOST_AUTO_TEST_CASE(nearest_short_number) {
   }
 }
 
-// A chord of 3, 4, 5 times a number in the middle of two short ones: the larger one, on every kernel and in every rounding mode.
+// A chord of 3, 4, 5 times a number in the middle of two short ones: the larger one, on every
+// kernel and in every rounding mode.
 BOOST_AUTO_TEST_CASE(ties) {
   for (int k = 128; k < 256; k += 5)
     for (int e : {-30, 0, 17}) {
@@ -135,7 +139,8 @@ BOOST_AUTO_TEST_CASE(default_of_blend) {
   BOOST_CHECK(gamma.end_jet(1)[1] == shape.eta * psi[1]);
 }
 
-// The default is a formula: of these curves another shape has the lower E, and the shape of the search an even lower one.
+// The default is a formula: of these curves another shape has the lower E, and the shape of the
+// search an even lower one.
 BOOST_AUTO_TEST_CASE(no_optimum) {
   const GC::Bezier_curve<Exact_2> phi{{9, 8}, {-4, 8}, {1, -6}, {0, 0}}, psi{{10, 3}, {16, -7}, {16, 0}, {21, -8}};
   const double of_default = GC::fairness(GC::blend(phi, psi)), of_ones = GC::fairness(GC::blend(phi, psi, {1, 1})),

@@ -33,7 +33,8 @@ TEST_FOR_EACH(splines_are_blended_and_joined, K, Kernels) {
       for (std::size_t i = 1; i < pieces.size(); ++i)
         BOOST_CHECK_EQUAL(continuity(Curve3<K>(pieces[i - 1]), Curve3<K>(pieces[i]), 3).c_order,
                           3 - phi.knots().multiplicity(pieces[i].domain().first));
-    } else if constexpr (exact_predicates_v<K>) // the clamped end point is a control point, taken over without rounding
+    } else if constexpr (exact_predicates_v<K>)
+      // the clamped end point is a control point, taken over without rounding
       BOOST_CHECK(continuity(phi.clamp(), blend(phi.clamp(), psi), 2).c_order >= 0);
   });
 }

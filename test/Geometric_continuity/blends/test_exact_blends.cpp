@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blends of rational numbers are computed on unreduced fractions, blends of lazy numbers as one lazy construction: the same
-// numbers as the formulas give with the operators of the number type.
+// Blends of rational numbers are computed on unreduced fractions, blends of lazy numbers as one
+// lazy construction: the same numbers as the formulas give with the operators of the number type.
 
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
@@ -43,7 +43,8 @@ template <class FT> FT number(int family) {
   case zeros: return FT(static_cast<int>(engine() % 3) - 1);
   case huge_and_tiny:
     return FT(FT(integer<FT>(20) / FT(3)) * power_of_two<FT>(engine() % 2 == 0 ? 150 : -150 - int(engine() % 9)));
-  case long_numbers: return FT(integer<FT>(1100) / FT(FT(7) * integer<FT>(200) + FT(1))); // longer than 1024 bits
+  // longer than 1024 bits
+  case long_numbers: return FT(integer<FT>(1100) / FT(FT(7) * integer<FT>(200) + FT(1)));
   default: return FT(FT(static_cast<int>(engine() % 2001) - 1000) / FT(1000));
   }
 }
@@ -136,7 +137,8 @@ template <class Traits, class FT = typename Traits::FT> void check_every_strateg
       Every_strategy<FT>::quintic(test);
       Every_strategy<FT>::septic(test);
       if (slow ? family == zeros
-               : family != long_numbers && family != huge_and_tiny) { // elsewhere operators take seconds
+               // elsewhere operators take seconds
+               : family != long_numbers && family != huge_and_tiny) {
         test(GC::Minimal_energy_g3<3>());
         test(GC::Minimal_energy_g3<4>());
       }
@@ -175,7 +177,8 @@ template <class Exact_FT> struct Own_septic {
   }
 };
 
-// Strategies of the user for every field. What each was called with is counted, to tell whether it was.
+// Strategies of the user for every field. What each was called with is counted, to tell whether it
+// was.
 template <class Number> std::size_t& calls() {
   static std::size_t n = 0;
   return n;
@@ -229,7 +232,8 @@ template <class Traits, class FT = typename Traits::FT> void check_strategies_in
     };
     BOOST_CHECK_EQUAL(calls_of(Slide_of_the_user<false>{3}), 1);
     BOOST_CHECK_EQUAL(calls_of(Septic_of_the_user()), 0);
-    if (std::is_same_v<FT, Lazy> && family == zeros) continue; // intervals may not tell the sign of u.v
+    // intervals may not tell the sign of u.v
+    if (std::is_same_v<FT, Lazy> && family == zeros) continue;
     BOOST_CHECK_EQUAL(calls_of(Slide_of_the_user<true>{3}), 0);
     BOOST_CHECK_EQUAL(calls_of(Foreign_strategy{{3}}), 0);
   }
@@ -267,7 +271,8 @@ template <class Traits, class FT = typename Traits::FT> void check_fallbacks(int
 template <class Traits, class FT = typename Traits::FT> void check_errors(int dimension) {
   const GC::Curve_jet<Traits> phi = jet<Traits>(dimension, 3, mixed);
   GC::Curve_jet<Traits> standing = phi;
-  for (int i = 0; i < dimension; ++i) standing[1][i] = FT(FT(FT(1) / FT(3)) * FT(3) - FT(1)); // 0, not only near it
+  // 0, not only near it
+  for (int i = 0; i < dimension; ++i) standing[1][i] = FT(FT(FT(1) / FT(3)) * FT(3) - FT(1));
   CHECK_ERROR(GC::blend(standing, phi), zero_tangent);
   CHECK_ERROR(GC::blend(phi, standing, GC::Near_line()), zero_tangent);
   CHECK_ERROR(GC::blend(phi, standing, GC::Sequential_g3()), zero_tangent);
@@ -319,7 +324,8 @@ BOOST_AUTO_TEST_CASE(given_parameters) {
   check_blend(x, y, GC::Given_parameters<Lazy>{Lazy(1) / Lazy(3), 2.5}, {});
 }
 
-// An infinity or a NaN that enters as a double is refused where it enters; GMP would stop the program.
+// An infinity or a NaN that enters as a double is refused where it enters; GMP would stop the
+// program.
 template <class FT, class Traits> void check_not_finite() {
   const GC::Curve_jet<Traits> phi = jet<Traits>(3, 3, small), psi = jet<Traits>(3, 3, small);
   typedef GC::Shape_parameters<FT> Shape;
@@ -408,13 +414,15 @@ BOOST_AUTO_TEST_CASE(quotients) {
 
 BOOST_AUTO_TEST_CASE(lazy_numbers) { check_every_strategy<Lazy_traits>(3); }
 
-// All numbers of a blend stay intervals until one of them is needed. These contain the exact values.
+// All numbers of a blend stay intervals until one of them is needed. These contain the exact
+// values.
 BOOST_AUTO_TEST_CASE(laziness) {
   const GC::Curve_jet<Lazy_traits> phi = jet<Lazy_traits>(3, 3, mixed), psi = jet<Lazy_traits>(3, 3, mixed);
   GC::Quintic_parameters<Lazy> p = GC::blend(phi, psi, GC::Near_line()).parameters;
   const CGAL::Interval_nt<false> before = p.s1.approx();
   BOOST_CHECK(!before.is_point() && before.sup() - before.inf() < 1e-6 * std::abs(before.sup()));
-  GC::Quintic_parameters<Exact> exact{p.s1.exact(), p.s2.exact(), false, false}; // the curve is gone
+  // the curve is gone
+  GC::Quintic_parameters<Exact> exact{p.s1.exact(), p.s2.exact(), false, false};
   const CGAL::Interval_nt<false> after = p.s1.approx();
   BOOST_CHECK(before.inf() <= after.inf() && after.sup() <= before.sup() && after.sup() - after.inf() <= 1e-15);
   check_number(p.s1.exact(), exact.s1);

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blends in fields that have nothing but what the concept asks for, and in those of Boost: what is chosen in floating-point numbers
-// is the same as in every other field. How blends are called.
+// Blends in fields that have nothing but what the concept asks for, and in those of Boost: what is
+// chosen in floating-point numbers is the same as in every other field. How blends are called.
 
 #include "support/archetype.h"
 #include "support/decided_joins.h"

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Fair splines through points: joins are decided exactly, and fairness is compared with that of cubic splines.
+// Fair splines through points: joins are decided exactly, and fairness is compared with that of
+// cubic splines.
 
 #include "support/decided_joins.h"
 #include "support/exact_splines.h"
@@ -99,7 +100,8 @@ BOOST_AUTO_TEST_CASE(degenerate_points) {
     for (const P& b : curve) BOOST_CHECK(CGAL::collinear(p[0], p[1], b));
   }
   spline<Plane>(back, Closure::open);
-  spline<Plane>(std::vector<P>{P(0, 0), P(1, 1), P(0, 0), P(2, 1)}, Closure::closed); // twice through a point
+  // twice through a point
+  spline<Plane>(std::vector<P>{P(0, 0), P(1, 1), P(0, 0), P(2, 1)}, Closure::closed);
   // with tangents that are given; those that do not lead forward, too
   const std::vector<std::optional<Plane::Vector>> up = {Plane::Vector(0, 1), std::nullopt, Plane::Vector(-3, 0),
                                                         std::nullopt};
@@ -126,7 +128,7 @@ BOOST_AUTO_TEST_CASE(degenerate_points) {
   }
 }
 
-// The same curve in other units, next to the ends of the range of doubles, too.
+// The curve is the same in other units, also next to the ends of the range of doubles.
 BOOST_AUTO_TEST_CASE(units) {
   const std::vector<std::pair<double, double>> five = {{0, 0}, {4, 3}, {9, 3}, {9, -1}, {2, -2}};
   const auto in_units = [&](int exponent, Closure closure) {
@@ -145,7 +147,8 @@ BOOST_AUTO_TEST_CASE(units) {
   }
 }
 
-// Chords of very different lengths, with full doubles: joins that rounding may break are listed, all others hold.
+// Chords of very different lengths, with full doubles: joins that rounding may break are listed,
+// all others hold.
 BOOST_AUTO_TEST_CASE(near_and_far) {
   typedef Plane::Point P;
   typedef Plane::Vector V;

@@ -106,7 +106,8 @@ BOOST_AUTO_TEST_CASE(strategies) {
     const Blend b = GC::representable_blend(phi, psi, strategy, {beta, eta});
     BOOST_CHECK(exactly_g2(b));
     BOOST_CHECK(std::abs(b.start_join.beta / beta - 1) <= 1.0 / 8 && std::abs(b.end_join.beta / eta - 1) <= 1.0 / 8);
-    // the blend with the shape parameters that were found differs by the rounding of e only: a 32nd of the legs
+    // the blend with the shape parameters that were found differs by the rounding of e only: a 32nd
+    // of the legs
     const auto near = GC::blend(phi, psi, strategy, {b.start_join.beta, b.end_join.beta});
     const int m = phi.degree();
     const double leg[2] = {length(phi.control_point(m) - phi.control_point(m - 1)),
@@ -199,7 +200,7 @@ BOOST_AUTO_TEST_CASE(tiny_and_huge_shape_parameters) {
     }
 }
 
-// What is refused says which number is beyond the range.
+// The error names the number that is beyond the range.
 BOOST_AUTO_TEST_CASE(beyond_the_range) {
   typedef GC::Bezier_curve<Plane> Curve_2;
   typedef Plane::Point P;

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What is said of joins of rounded numbers that miss an order by no more than rounding.
+// These tests check the words about joins of rounded numbers that miss an order by no more than
+// rounding.
 
 #include "support/test.h"
 
@@ -44,29 +45,36 @@ BOOST_AUTO_TEST_CASE(how_far) {
   };
   BOOST_CHECK(!join(0, 0, 0).up_to_rounding());
   BOOST_CHECK(
-      !continuity(left, Curve{Point(0, 0), Point(0.5, 0), Point(1, 1)}, 1).up_to_rounding()); // G1, as was asked
-  const Curve point{Point(ulp, 0), Point(ulp, 0)};                                            // has no tangent
+      // G1, as was asked
+      !continuity(left, Curve{Point(0, 0), Point(0.5, 0), Point(1, 1)}, 1).up_to_rounding());
+  // has no tangent
+  const Curve point{Point(ulp, 0), Point(ulp, 0)};
   BOOST_CHECK_EQUAL(continuity(left, point).up_to_rounding()->g_order, 0);
   BOOST_CHECK_EQUAL(continuity(point, left.reverse()).up_to_rounding()->g_order, 0);
-  BOOST_CHECK_EQUAL(continuity(left, Curve{Point(ulp, 0), Point(0, 1)}).up_to_rounding()->g_order, 0); // a corner
+  // a corner
+  BOOST_CHECK_EQUAL(continuity(left, Curve{Point(ulp, 0), Point(0, 1)}).up_to_rounding()->g_order, 0);
   typedef GC::Rational_bezier_curve<Traits> Rational;
   const Rational line(std::vector<Point>{Point(0, 3 * ulp), Point(1, 0)}, std::vector<double>{1, 2});
   BOOST_CHECK_EQUAL(continuity(Rational(left), line).up_to_rounding()->g_order, 2);
   BOOST_CHECK_EQUAL(text(join(0, 3 * ulp, 0)),
-                    "C0 G0 F0; G2 but for 6 units in the last place"); // the second leg turns twice as far
+                    // the second leg turns twice as far
+                    "C0 G0 F0; G2 but for 6 units in the last place");
   BOOST_CHECK_EQUAL(text(join(3 * ulp, 0, 0)), "gap; G2 but for 3 units in the last place");
   BOOST_CHECK_EQUAL(text(join(0, 0, 5 * ulp)), "C1 G1 F1, beta = (1); G2 but for 5 units in the last place");
   BOOST_CHECK_EQUAL(join(0, 12 * ulp, 0).up_to_rounding()->g_order, 1);
   BOOST_CHECK(!join(0, 17 * ulp, 0).up_to_rounding() && !join(17 * ulp, 0, 0).up_to_rounding());
   BOOST_CHECK(!join(0, 0, 17 * ulp).up_to_rounding() && !join(0, 0, 1).up_to_rounding());
-  BOOST_CHECK(!continuity(left, Curve{Point(0, 0), Point(-0.5, ulp), Point(-1, 0)}).up_to_rounding()); // it turns back
-  BOOST_CHECK(!continuity(left, Curve{Point(0, 0), Point(0, 0), Point(1, 0)}).up_to_rounding());       // no tangent
+  // it turns back
+  BOOST_CHECK(!continuity(left, Curve{Point(0, 0), Point(-0.5, ulp), Point(-1, 0)}).up_to_rounding());
+  // no tangent
+  BOOST_CHECK(!continuity(left, Curve{Point(0, 0), Point(0, 0), Point(1, 0)}).up_to_rounding());
   BOOST_CHECK_EQUAL(continuity(left, Curve{Point(0, 0), Point(0.5, ulp), Point(1, 0)}, 1).up_to_rounding()->g_order, 1);
   BOOST_CHECK(!continuity(left, Curve{Point(0, 0), Point(0.5, ulp), Point(1, 0)}, 0).up_to_rounding());
   BOOST_CHECK(!continuity(left, Curve{Point(0, 0), Point(0, 0)}).up_to_rounding());
 }
 
-// What is said depends neither on the unit of length nor on a common factor of the weights, however large or small they are.
+// The words depend neither on the unit of length nor on a common factor of the weights, however
+// large or small they are.
 BOOST_AUTO_TEST_CASE(powers_of_two) {
   typedef GC::Rational_bezier_curve<Traits> Rational;
   const double ulp = std::ldexp(1, -52);
@@ -81,7 +89,8 @@ BOOST_AUTO_TEST_CASE(powers_of_two) {
     BOOST_CHECK(!join(0.5, 0).up_to_rounding()); // a corner of 45 degrees
     BOOST_CHECK(!join(0, 1).up_to_rounding());   // a jump of the curvature
     BOOST_CHECK_EQUAL(text(join(3 * ulp, 0)), "C0 G0 F0; G2 but for 6 units in the last place");
-    const Curve far{point(0, 0), point(0, std::ldexp(1, -30)), point(0, 1)}; // at right angles, with short legs
+    // at right angles, with short legs
+    const Curve far{point(0, 0), point(0, std::ldexp(1, -30)), point(0, 1)};
     BOOST_CHECK(!continuity(Curve{point(-1, 0), point(-std::ldexp(1, -30), 0), point(0, 0)}, far).up_to_rounding());
   }
   for (const double w : {1e-160, 1e-300, 1., 1e160, 1e300}) {
@@ -128,7 +137,8 @@ BOOST_AUTO_TEST_CASE(rational_curves) {
   BOOST_CHECK_EQUAL(join.g_order, 0);
   BOOST_REQUIRE(join.up_to_rounding());
   BOOST_CHECK_EQUAL(join.up_to_rounding()->g_order, 2);
-  const auto other = continuity(left, arc({{0, 1, 0}, {-1, 1, z}, {-1, 0.5, 0}}, back)); // another circle
+  // another circle
+  const auto other = continuity(left, arc({{0, 1, 0}, {-1, 1, z}, {-1, 0.5, 0}}, back));
   BOOST_CHECK_EQUAL(other.up_to_rounding()->g_order, 1);
 }
 

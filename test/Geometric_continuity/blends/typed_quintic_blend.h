@@ -112,7 +112,8 @@ TEST_WITH_RANDOM_INPUT_IF(geometry_of_the_strategies, exact) {
   BOOST_CHECK(free.end_jet(2)[2] == FT(20) * (dn2 + free.parameters.s2 * v));
 }
 
-// The energy is a quadratic function of (s1, s2): at the minimum the values on both sides are equal, and larger.
+// The energy is a quadratic function of (s1, s2): at the minimum the values on both sides are
+// equal, and larger.
 template <int k, class Traits> void check_minimum(const Blend_input<Traits>& input) {
   const Blend<Traits> gamma = input(GC::Minimal_energy<k>());
   const FT least = gamma.energy(k), s1 = gamma.parameters.s1, s2 = gamma.parameters.s2;
@@ -228,7 +229,7 @@ TEST_IN_EVERY_SPACE(refused_blends) {
   }
 }
 
-// ---------------------------------------------------------------- strategies and curves of the user's own
+// --------------------------------------------------------- strategies and curves of the user's own
 
 struct Half_way { // between two strategies of the package
   template <class Number, int N> GC::Quintic_parameters<Number> operator()(const GC::Quintic_ends<Number, N>& e) const {

@@ -15,8 +15,8 @@ template <class Traits> using Strategies = std::vector<Any_strategy<Traits, Blen
 typedef GC::Septic_end_parameters<FT> End_parameters;
 typedef GC::Given_end_parameters<FT> Given;
 
-// The given parameters are not geometric: they multiply derivatives of the given curves. Backwards, all derivatives of odd
-// order change sign on both sides, and so does beta_2.
+// The given parameters are not geometric: they multiply derivatives of the given curves. Backwards,
+// all derivatives of odd order change sign on both sides, and so does beta_2.
 template <class Traits> Strategies<Traits> all_strategies() {
   typedef typename Traits::FT Number;
   const GC::Septic_end_parameters<Number> p{Number(1), Number(2), Number(-3)}, q{Number(-1), Number(4), Number(5)};
@@ -39,8 +39,8 @@ template <class Traits> Strategies<Traits> all_strategies() {
 
 inline FT mu_of_g3(const FT& beta, const End_parameters& p) { return FT(FT(3) * beta * p.beta2); }
 
-// The join of x with the blend y, seen from x, at either end: gamma' = beta d1, gamma'' = beta^2 d2 + beta_2 d1,
-// gamma''' = beta^3 d3 + mu d2 + beta_3 d1.
+// The join of x with the blend y, seen from x, at either end: gamma' = beta d1, gamma'' = beta^2
+// d2 + beta_2 d1, gamma''' = beta^3 d3 + mu d2 + beta_3 d1.
 template <class Traits>
 void check_join(const Jet<Traits>& x, const Jet<Traits>& y, const FT& beta, const End_parameters& p) {
   BOOST_CHECK(y[0] == x[0]);
@@ -84,7 +84,8 @@ TEST_WITH_RANDOM_INPUT_IF(joins, exact) {
   BOOST_CHECK_EQUAL(GC::continuity(gamma.end_jet(3), input.psi).c_order, 3);
 }
 
-// What the sequential and the joint strategies make orthogonal, at an end with the given jet x and the blend y
+// Checks the orthogonality that the sequential and the joint strategies produce, at an end with the
+// given jet x and the blend y.
 template <class Traits>
 void check_orthogonality(const Jet<Traits>& x, const Jet<Traits>& g3, const Jet<Traits>& f3, const Jet<Traits>& joint) {
   const Column<Traits> n = GC::orthogonal_component(x[2], x[1]);
@@ -212,7 +213,7 @@ TEST_IN_EVERY_SPACE(refused_blends) {
   check_blend_errors<Traits>(d, 3, GC::Joint_g3());
 }
 
-// ---------------------------------------------------------------- strategies and curves of the user's own
+// --------------------------------------------------------- strategies and curves of the user's own
 
 struct Own_strategy {
   template <class Number, int N> GC::Septic_parameters<Number> operator()(const GC::Septic_ends<Number, N>& e) const {

@@ -31,7 +31,8 @@ void check_is(const GC::Edge_enclosure& e, double gap, double angle, double jump
 
 // No sample exceeds the upper end, and where the lower end is said to be attained it is.
 void check_samples(const GC::Edge_side& a, const GC::Edge_side& b, double first, double last,
-                   const GC::Edge_enclosure& e, int samples = 1000, bool exact = false) { // a tenth of them exactly
+                   // a tenth of them exactly
+                   const GC::Edge_enclosure& e, int samples = 1000, bool exact = false) {
   const long double slack = 1e-15L;
   const auto singular = [&](double t) {
     for (const auto* ranges : {&e.curvature_undefined, &e.curvature_unresolved, &e.unresolved})
@@ -171,7 +172,7 @@ BOOST_AUTO_TEST_CASE(known_gaps) {
   check_is(e.angle->value, std::atan(1.5), 0);
 }
 
-// The same surfaces in different representations.
+// The tests take one surface in different representations.
 BOOST_AUTO_TEST_CASE(representations_of_one_surface) {
   const double radius = 2, height = 3, r = std::sqrt(0.5);
   const GC::Edge_side cylinder = side(Elementary{Kind::cylinder, standard, radius}, line(0.5, 1, 1, 0.25));
@@ -185,7 +186,8 @@ BOOST_AUTO_TEST_CASE(representations_of_one_surface) {
     check_is(e, 0, 0, 0);
     check_samples(cylinder, other, 0, 4, e, 100);
   }
-  // a quarter of the cylinder by a rational surface, and a plane through its upper circle by a rational curve
+  // a quarter of the cylinder by a rational surface, and a plane through its upper circle by a
+  // rational curve
   GC::Cad_spline_surface rational{2, 1, {0, 0, 0, 1, 1, 1}, {0, 0, 1, 1}, {}, {1, 1, r, r, 1, 1}};
   for (const P2& p : {P2{radius, 0}, P2{radius, radius}, P2{0, radius}})
     for (double z : {0., height}) rational.points.push_back({p[0], p[1], z});
@@ -298,7 +300,8 @@ BOOST_AUTO_TEST_CASE(random_splines) {
   }
 }
 
-// Meridians that end in a pole, rulings that end in an apex, a side of a patch that is one point: near these the normals are left out.
+// Meridians that end in a pole, rulings that end in an apex, a side of a patch that is one point:
+// near these the normals are left out.
 BOOST_AUTO_TEST_CASE(singular_points) {
   const auto tiny_at = [](const std::vector<std::pair<double, double>>& ranges, double t, double length) {
     return ranges.size() == 1 && ranges[0].first <= t && t <= ranges[0].second &&
@@ -315,7 +318,8 @@ BOOST_AUTO_TEST_CASE(singular_points) {
   check_is(e, 0, 0, 0);
   BOOST_TEST(e.singular.empty()); // the normal of a sphere at its pole is known
   BOOST_TEST(e.curvature_undefined.empty());
-  // a quarter of a cylinder of the radius 1 that touches the sphere of the radius 2 along the meridian, and mirrored
+  // a quarter of a cylinder of the radius 1 that touches the sphere of the radius 2 along the
+  // meridian, and mirrored
   const GC::Cad_frame lying{{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
   for (const GC::Cad_placement& p : {unmoved, mirrored}) {
     const GC::Edge_side meridian = side(sphere, line(0, 0, 0, 1), false, p),
@@ -412,7 +416,8 @@ BOOST_AUTO_TEST_CASE(knot_lines) {
   check_is(folded.angle->value, 0, 1e-8);
   BOOST_TEST(folded.singular.size() == 1u);
   BOOST_TEST(folded.gap.value.upper < 1e-9);
-  // where the knot is met exactly nothing is left out, nor where the surface is smooth across a knot of full multiplicity
+  // where the knot is met exactly nothing is left out, nor where the surface is smooth across a
+  // knot of full multiplicity
   BOOST_TEST(GC::edge_enclosure(side(roof, line(0, 0.5, 1, 0)), side(roof, line(0, 0.5, 1, 0)), 0, 1).singular.empty());
   GC::Cad_spline_surface smooth = roof;
   for (P3& p : smooth.points) p[2] = p[0];
@@ -424,7 +429,8 @@ BOOST_AUTO_TEST_CASE(knot_lines) {
 }
 
 // A budget of one range gives wide enclosures, which are still true.
-// Two patches, one of which has a side of a tiny length: the normal turns next to it, and is not left out unless it is proved to vanish.
+// Two patches, one of which has a side of a tiny length: the normal turns next to it, and is not
+// left out unless it is proved to vanish.
 BOOST_AUTO_TEST_CASE(sides_that_nearly_are_points) {
   const auto patch = [](double x, double z, double end) {
     return GC::Cad_spline_surface{1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 10, 0}, {x, 0, z}, {end, 10, z}},
@@ -488,7 +494,8 @@ BOOST_AUTO_TEST_CASE(limited_work) {
   BOOST_TEST(!GC::edge_enclosure(a, b, 0, 1, precision).curvature_jump);
 }
 
-// Normals that vanish at both ends of an edge: where the surface is a point, and where its derivatives are parallel.
+// Normals that vanish at both ends of an edge: where the surface is a point, and where its
+// derivatives are parallel.
 BOOST_AUTO_TEST_CASE(singular_ends) {
   typedef std::vector<std::pair<double, double>> Ranges;
   const auto is_at_ends = [](const Ranges& r) {
@@ -541,7 +548,8 @@ BOOST_AUTO_TEST_CASE(negative_radius) {
   check_samples(a, b, 0, 1, e, 100);
 }
 
-// Splines whose domain is a part of their knots, or with more equal knots at an end than there are functions, and parts of them.
+// Splines whose domain is a part of their knots, or with more equal knots at an end than there are
+// functions, and parts of them.
 BOOST_AUTO_TEST_CASE(knots_beyond_the_domain) {
   const auto check_flat = [](const GC::Edge_side& a, double first, double last) {
     const GC::Edge_enclosure e = GC::edge_enclosure(a, side(plane(), *a.curve), first, last);
@@ -579,7 +587,8 @@ BOOST_AUTO_TEST_CASE(knots_beyond_the_domain) {
         std::pair{1., 1.5 - 1e-14}, std::pair{1.5 - 1e-14, 2.}, std::pair{1., 1.5 + 1e-14}})
     check_flat(polyline, first, last);
   for (const auto& [first, last] :
-       {std::pair{9. / 7 - 1e-14, 1.8}, std::pair{1., 9. / 7 + 1e-14}}) // u = 1 at 9/7, which is no number
+       // u = 1 at 9/7, which is no number
+       {std::pair{9. / 7 - 1e-14, 1.8}, std::pair{1., 9. / 7 + 1e-14}})
     check_flat(side(bent, line(0.1, 0.25, 0.7, 0)), first, last);
   // a curve that crosses many knot lines, and back
   GC::Cad_spline_surface cells{1, 1, {0, 0, 1, 2, 3, 4, 4}, {0, 0, 1, 2, 3, 4, 4}, {}, {}};
@@ -618,7 +627,8 @@ BOOST_AUTO_TEST_CASE(repeated_offsets) {
   BOOST_TEST((1 <= most[0] && most[0] < 12 && 1 <= most[1] && most[1] < 12));
 }
 
-// A range whose length is no number, parameters beyond those of which something is known, and quotients without a least divisor.
+// A range whose length is no number, parameters beyond those of which something is known, and
+// quotients without a least divisor.
 BOOST_AUTO_TEST_CASE(ranges_beyond_numbers) {
   const GC::Edge_side low = side(plane(), line(0, 0, 1e-308, 0)),
                       high = side(plane({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}), line(0, 0, 1e-308, 0));

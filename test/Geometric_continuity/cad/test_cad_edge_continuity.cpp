@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Exact verdicts along whole edges: what continues each other exactly, what is off by one unit in the last place, and what is not decided.
+// Exact verdicts along whole edges: what continues each other exactly, what is off by one unit in
+// the last place, and what is not decided.
 
 #define BOOST_TEST_MODULE cad_edge_continuity
 
@@ -44,7 +45,8 @@ template <class Random> GC::Cad_spline_surface random_surface(Random& random, co
                           double(random() % 512) * 0x1p-9});
   return s;
 }
-// The surface over v in [0, 1] that continues another beyond v = 1, twice continuously differentiably.
+// The surface over v in [0, 1] that continues another beyond v = 1, twice continuously
+// differentiably.
 GC::Cad_spline_surface continuation(const GC::Cad_spline_surface& s) {
   GC::Cad_spline_surface t{3, 3, s.u_knots, clamped(3), {}, {}};
   const int n = s.v_points();
@@ -85,7 +87,8 @@ BOOST_AUTO_TEST_CASE(splines_that_continue_each_other) {
     BOOST_TEST(verdict(a, b) == "G2");
     BOOST_TEST(verdict(b, a, 0.25, 0.75) == "G2");
     BOOST_TEST(verdict(a, side(turned(t), line(1, 0, -1, 0), 0, true)) == "G2");
-    BOOST_TEST(verdict(a, side(turned(t), line(0, 0, 1, 0), 0, true)) == "gap"); // other points at equal parameters
+    // other points at equal parameters
+    BOOST_TEST(verdict(a, side(turned(t), line(0, 0, 1, 0), 0, true)) == "gap");
     BOOST_TEST(verdict(side(s, line(-2, 1, 0.5, 0)), side(turned(t), line(3, 0, -0.5, 0), 0, true), 4, 6) == "G2");
     BOOST_TEST(verdict(side(s, line(0, 1, 1, 0), 1, false, cyclic), side(t, line(0, 0, 1, 0), 1, false, cyclic)) ==
                "G2");
@@ -159,7 +162,8 @@ BOOST_AUTO_TEST_CASE(sides_of_knot_lines) {
   }
 }
 
-// x(t) is odd about t = 1/2 and vanishes at multiples of 1/4, y(t) is even: the edges agree at these, and as a whole when one is reversed.
+// x(t) is odd about t = 1/2 and vanishes at multiples of 1/4, y(t) is even: the edges agree at
+// these, and as a whole when one is reversed.
 BOOST_AUTO_TEST_CASE(edges_that_agree_backwards_only) {
   const double x[] = {0, 3, -6.5, 6.5, -3, 0}, y[] = {5, 1, -1, -1, 1, 5};
   GC::Cad_spline_surface a{5, 1, clamped(5, {}), clamped(1), {}, {}}, b = a;
@@ -206,7 +210,8 @@ BOOST_AUTO_TEST_CASE(seam_of_a_closed_spline) {
   BOOST_TEST(verdict(side(s, line(0, 0, 0, 1)), side(s, line(1, 0, 0, 1))) == "G1 curvature");
 }
 
-// The straight edge (t, 0, 0), and the same one with homogeneous points that are multiplied by 1 + 2 t.
+// The straight edge (t, 0, 0), and the same one with homogeneous points that are multiplied by 1 +
+// 2 t.
 BOOST_AUTO_TEST_CASE(factors_of_rational_edges) {
   const GC::Cad_spline_surface a{1, 1, {0, 0, 1, 1}, {0, 0, 1, 1}, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}}, {}},
       b{2,
@@ -300,7 +305,8 @@ BOOST_AUTO_TEST_CASE(representations_of_one_surface) {
                      side(GC::Cad_revolution{upright, {0, 0, 0}, {0, 0, 1}}, line(0.5, 0, 1, 0))) == "G2");
 }
 
-// Any surface continues itself, and not one of whose numbers one is off by one unit in the last place.
+// Any surface continues itself, and not one of whose numbers one is off by one unit in the last
+// place.
 BOOST_AUTO_TEST_CASE(random_elementary_surfaces) {
   std::mt19937 random(seed() + 3);
   std::uniform_real_distribution<double> unit(0.1, 0.9);
@@ -367,7 +373,8 @@ BOOST_AUTO_TEST_CASE(random_swept_surfaces) {
   }
 }
 
-// Polylines that meet at the parameters 0, 1/4, ..., 1: they differ next to one point, or one is a part of the other at another speed.
+// Polylines that meet at the parameters 0, 1/4, ..., 1: they differ next to one point, or one is a
+// part of the other at another speed.
 BOOST_AUTO_TEST_CASE(edges_that_meet_at_many_parameters) {
   const auto ruled = [](const std::vector<double>& at, const std::vector<P3>& points,
                         const std::vector<double>& weights) {
@@ -409,7 +416,8 @@ BOOST_AUTO_TEST_CASE(apices_and_poles) {
   BOOST_TEST(verdict(side(cone, line(0, 0, 0, 1)), side(cone, line(0, 0, 0, 1)), 0, 1) == "undecided");
   BOOST_TEST(verdict(side(cone, line(0, 0, 0, 1)), side(cone, line(0, 0, 0, 1)), 0.001, 1) == "G2");
   BOOST_TEST(verdict(side(sphere, line(0, 0, 0, 1)), side(sphere, line(0, 0, 0, 1)), 0, 1.6) == "undecided");
-  // the same as surfaces of revolution, of which it is not known beforehand where the normal vanishes
+  // the same as surfaces of revolution, of which it is not known beforehand where the normal
+  // vanishes
   const GC::Cad_conic<3> upright{GC::Cad_conic<3>::Kind::ellipse, {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 2, 2};
   const GC::Cad_revolution rotated{upright, {0, 0, 0}, {0, 0, 1}},
       of_line{GC::Cad_line<3>{{0, 0, 0}, {1, 0, 1}}, {0, 0, 0}, {0, 0, 1}};
@@ -470,7 +478,8 @@ BOOST_AUTO_TEST_CASE(what_is_not_decided) {
   const GC::Edge_side spline = side(random_surface(random, {}), line(0, 0, 1, 0));
   BOOST_TEST(verdict(ground, spline) == "undecided");
   BOOST_TEST(verdict(ground, fillet, 1, 1) == "undecided");
-  BOOST_TEST(verdict(spline, side(random_surface(random, {}), line(0, 2, 1, 0))) == "undecided"); // beside the surface
+  // beside the surface
+  BOOST_TEST(verdict(spline, side(random_surface(random, {}), line(0, 2, 1, 0))) == "undecided");
   const GC::Edge_side point = side(random_surface(random, {}), line(0.25, 0.5, 0, 0));
   BOOST_TEST(verdict(point, point) == "undecided");
   // profiles and curves of other kinds, and a surface without a normal
@@ -485,7 +494,8 @@ BOOST_AUTO_TEST_CASE(what_is_not_decided) {
       side(plane(), flat_parabola),
       side(plane(), bent),
       side(plane(),
-           GC::Cad_spline_curve<2>{1, {0, 0, 1, 1}, {{0, 0}, {1, 0}}, {1, 2}}), // straight, in another parameter
+           // straight, in another parameter
+           GC::Cad_spline_curve<2>{1, {0, 0, 1, 1}, {{0, 0}, {1, 0}}, {1, 2}}),
       side(Elementary{Kind::cylinder, standard, 1}, bent),
       side(Elementary{Kind::cylinder, standard, 1}, flat_parabola)};
   for (const GC::Edge_side& s : others) BOOST_TEST(verdict(s, s) == "undecided");

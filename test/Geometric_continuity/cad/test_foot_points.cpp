@@ -47,7 +47,8 @@ BOOST_AUTO_TEST_CASE(distances_of_curves) {
   const GC::Edge_maximum top = GC::curve_deviation(plane, in_space(roof), 0, 2);
   check_is(top.value, 0.125, 0);
   BOOST_TEST(top.parameter == 1);
-  for (const auto& [first, last] : {std::pair{0.25, 0.75}, std::pair{1.25, 1.75}}) // parts beside the corner
+  // parts beside the corner
+  for (const auto& [first, last] : {std::pair{0.25, 0.75}, std::pair{1.25, 1.75}})
     check_is(GC::curve_deviation(plane, in_space(roof), first, last).value, 0.09375, 0);
   // numbers that overflow: nothing is known
   const GC::Edge_side far = side(Elementary{Kind::plane, standard}, line(1e301, 0, 1e301, 0));
@@ -66,7 +67,8 @@ BOOST_AUTO_TEST_CASE(distances_of_curves) {
              std::numeric_limits<double>::infinity());
 }
 
-// Curves in the parameter plane that are computed anew lie below the curve in space, wherever the given ones lie.
+// Curves in the parameter plane that are computed anew lie below the curve in space, wherever the
+// given ones lie.
 BOOST_AUTO_TEST_CASE(projections) {
   const unsigned seed = first_seed();
   std::mt19937 random(seed);
@@ -122,7 +124,8 @@ BOOST_AUTO_TEST_CASE(curvatures) {
   BOOST_REQUIRE(f.has_value());
   BOOST_TEST(f->angle == 0);
   BOOST_TEST(f->curvature_jump == 1, boost::test_tools::tolerance(1e-12));
-  // along the outer circle of a torus, with the sphere around it; across it the curvatures are 1/2 and 1/7
+  // along the outer circle of a torus, with the sphere around it; across it the curvatures are 1/2
+  // and 1/7
   const GC::Edge_side torus = side(Elementary{Kind::torus, standard, 5, 2}, line(0, 0, 1, 0)),
                       around = side(Elementary{Kind::sphere, standard, 7}, line(0, 0, 1, 0));
   const auto g = GC::compare_at_feet(torus, around, {true, true}, in_space(circle(7, 0)), 1);
@@ -131,8 +134,9 @@ BOOST_AUTO_TEST_CASE(curvatures) {
   BOOST_TEST(g->curvature_jump == 5. / 7, boost::test_tools::tolerance(1e-9));
 }
 
-// z = c x^2 / 2 over (x, y) = (U + V, V + U) where U = u - 1/2, V = v - 1/2 and the other term of each is times `skew`: the lines of
-// constant parameters are neither orthogonal to each other nor to the edge x = 0, whose curve in the parameter plane is moved a little.
+// z = c x^2 / 2 over (x, y) = (U + V, V + U) where U = u - 1/2, V = v - 1/2 and the other term of
+// each is times `skew`: the lines of constant parameters are neither orthogonal to each other nor
+// to the edge x = 0, whose curve in the parameter plane is moved a little.
 BOOST_AUTO_TEST_CASE(skew_parameters) {
   const auto bent = [](double skew, double c, double wrong) {
     GC::Cad_spline_surface s{2, 2, {0, 0, 0, 1, 1, 1}, {0, 0, 0, 1, 1, 1}, {}, {}};
@@ -174,7 +178,8 @@ BOOST_AUTO_TEST_CASE(parameters_at_a_small_angle) {
   BOOST_TEST(distance({2.25, -0.75, 0}) == std::sqrt(17.) / 4, boost::test_tools::tolerance(1e-12));
 }
 
-// What is proved of the foot points on a parallelogram is its distance. (Next to its long sides the steps may end at another point.)
+// The proved distances of foot points on a parallelogram are the true ones. (Next to its long sides
+// the steps may end at another point.)
 BOOST_AUTO_TEST_CASE(distances_from_a_parallelogram) {
   const unsigned seed = 2026;
   std::mt19937 random(seed);
@@ -213,7 +218,8 @@ BOOST_AUTO_TEST_CASE(distances_from_a_parallelogram) {
     }
 }
 
-// Where the distance is not least, or the foot point is not the only one, or not on one piece of the surface.
+// Where the distance is not least, or the foot point is not the only one, or not on one piece of
+// the surface.
 BOOST_AUTO_TEST_CASE(what_is_not_proved) {
   const auto at = [](const GC::Edge_side& s, const GC::Cad_point<3>& x, bool is_projected = true) {
     return GC::compare_at_feet(s, s, {is_projected, is_projected}, in_space(GC::Cad_line<3>{x, {0, 1, 0}}), 0);
@@ -277,7 +283,8 @@ BOOST_AUTO_TEST_CASE(singular_surfaces) {
   BOOST_TEST(f->curvature_jump == 0);
 }
 
-// Numbers so large that rounding errors do not let the steps end, and so large that products overflow: then the curve stays.
+// Numbers so large that rounding errors do not let the steps end, and so large that products
+// overflow: then the curve stays.
 BOOST_AUTO_TEST_CASE(large_numbers) {
   typedef std::vector<GC::Cad_point<2>> Points;
   const auto points = [](const GC::Edge_side& s, const GC::Cad_line<3>& curve) {
@@ -294,7 +301,8 @@ BOOST_AUTO_TEST_CASE(large_numbers) {
   const Elementary huge{Kind::plane, {{0, 0, 0}, {1e200, 0, 0}, {0, 1e200, 0}, {0, 0, 1}}},
       plane{Kind::plane, {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {0, 0, 1}}};
   BOOST_TEST((points(side(huge, line(0.5, 0.25, 0, 0)), {{1, 2, 3}, {0, 0, 1}}) == Points(4, {0.5, 0.25})));
-  const Points p = points(side(plane, line(0, 0, 0, 0)), {{0, 0, 0}, {1e308, 0, 0}}); // a derivative that overflows
+  // a derivative that overflows
+  const Points p = points(side(plane, line(0, 0, 0, 0)), {{0, 0, 0}, {1e308, 0, 0}});
   for (const GC::Cad_point<2>& x : p) BOOST_TEST((std::isfinite(x[0]) && x[1] == 0));
 }
 

@@ -37,12 +37,15 @@ BOOST_AUTO_TEST_CASE(slopes) {
   BOOST_TEST(sharp(0.1, 1, 5 * degree) == Verdict::proved);
   BOOST_TEST(sharp(0.08, 1, 5 * degree) == Verdict::refuted); // tan 5 degrees = 0.0875
   BOOST_TEST(sharp(1, 1, GC::Enclosure{0.7853981633974482, 0.7853981633974485}) == Verdict::undecided);
-  BOOST_TEST(sharp(1, 2, GC::Enclosure{0.7853981633974482, 0.7853981633974485}) == Verdict::undecided); // at an end
+  // at an end
+  BOOST_TEST(sharp(1, 2, GC::Enclosure{0.7853981633974482, 0.7853981633974485}) == Verdict::undecided);
   BOOST_TEST(GC::is_sharp_edge(ground, ramp(1, 1), 0.5, 0.5, GC::Enclosure{0.7853981633974482, 0.7853981633974485}) ==
              Verdict::undecided);
-  BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 1, 26 * degree) == Verdict::proved); // a part
+  // a part
+  BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 1, 26 * degree) == Verdict::proved);
   BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 1, 27 * degree) == Verdict::refuted);
-  BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 0.5, 26 * degree) == Verdict::proved); // a point
+  // a point
+  BOOST_TEST(GC::is_sharp_edge(ground, ramp(0, 1), 0.5, 0.5, 26 * degree) == Verdict::proved);
   GC::Edge_precision little;
   little.most_boxes = 3;
   BOOST_TEST(GC::is_sharp_edge(ground, ramp(1, 0.0875), 0, 1, 5 * degree, little) == Verdict::undecided);
@@ -90,7 +93,8 @@ BOOST_AUTO_TEST_CASE(points_without_a_normal) {
   BOOST_TEST(GC::is_sharp_edge(ground, collapsed, 0, 1, 0.1) == GC::Verdict::undecided);
 }
 
-// Angles that the bound does not tell apart at both ends, and a fold of the surfaces themselves, which is left out.
+// Angles that the bound does not tell apart at both ends, and a fold of the surfaces themselves,
+// which is left out.
 BOOST_AUTO_TEST_CASE(undecided_parts) {
   const GC::Enclosure right_half{0.7853981633974482, 0.7853981633974485};
   const GC::Edge_side bulging =

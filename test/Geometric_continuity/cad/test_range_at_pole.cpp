@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What belongs to the poles of surfaces: lengths that are known, and what is no pole; foot points next to poles.
+// These tests check the ranges at poles of surfaces: known lengths, places that are no pole, and
+// foot points next to poles.
 
 #define BOOST_TEST_MODULE range_at_pole
 
@@ -25,7 +26,8 @@ void check_is(const Found& range, double from, double to) {
 }
 // The profile (x(v), 0, z(v)) around the axis of z.
 template <class Profile> GC::Cad_revolution revolved(const Profile& profile) { return {profile, {0, 0, 0}, {0, 0, 1}}; }
-// A part of the plane z = 0 in polar coordinates, as it were: a fan of the radius 2, whose side at v = 0 is these points.
+// A part of the plane z = 0 in polar coordinates, as it were: a fan of the radius 2, whose side at
+// v = 0 is these points.
 GC::Cad_spline_surface fan(const std::vector<GC::Cad_point<3>>& tip) {
   GC::Cad_spline_surface s{2, 1, {0, 0, 0, 1, 1, 1}, {0, 0, 1, 1}, {}, {}};
   const GC::Cad_point<3> rim[] = {{2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
@@ -44,7 +46,8 @@ BOOST_AUTO_TEST_CASE(elementary_surfaces) {
     const double r = radius(random), bound = std::pow(10, exponent(random)), u = longitude(random);
     BOOST_TEST_CONTEXT("seed " << seed << ", radius " << r << ", bound " << bound) {
       for (const GC::Cad_placement& p : {unmoved, turned}) {
-        // a chord of a sphere, along the cone of 30 degrees, and at the cusp of a spindle, where the circle passes
+        // a chord of a sphere, along the cone of 30 degrees, and at the cusp of a spindle, where
+        // the circle passes
         const double chord = 2 * std::asin(bound / (2 * r));
         const Elementary sphere{Kind::sphere, standard, r}, cone{Kind::cone, standard, r, pi / 6},
             spindle{Kind::torus, standard, r, 2 * r};
@@ -82,7 +85,8 @@ BOOST_AUTO_TEST_CASE(two_sides) {
   GC::Cad_conic<2> away = circle;
   away.centre = {0, 0.02};
   BOOST_TEST(!GC::range_at_pole(meridian, side(Elementary{Kind::plane, wall}, away), 0, pi / 2, pi / 2, 0.01));
-  away.centre = {0, -0.006}; // within the distance d of the pole up to sqrt(0.01^2 - 0.006^2) = 0.008
+  // within the distance d of the pole up to sqrt(0.01^2 - 0.006^2) = 0.008
+  away.centre = {0, -0.006};
   check_is(GC::range_at_pole(meridian, side(Elementary{Kind::plane, wall}, away), 0, pi / 2, pi / 2, 0.01),
            pi / 2 - std::asin(0.004), pi / 2);
   BOOST_TEST(!GC::range_at_pole(plane, plane, 0, pi / 2, pi / 2, 0.01));
@@ -135,7 +139,8 @@ BOOST_AUTO_TEST_CASE(spline_surfaces) {
   };
   check_is(reach({tip, tip, tip}, 0.01), 0, 0.005);
   check_is(reach({{1e-15, 0, 0}, {0, -1e-15, 0}, {0, 0, 1e-16}}, 0.01), 0, 0.005);
-  for (const double apart : {1e-12, 1e-10, 1e-4, 1e-22, 1e-200}) { // more than rounding, and so little that it is meant
+  // more than rounding, and so little that it is meant
+  for (const double apart : {1e-12, 1e-10, 1e-4, 1e-22, 1e-200}) {
     BOOST_TEST(!reach({{apart, 0, 0}, tip, tip}, 0.01));
     BOOST_TEST(!reach({tip, {0, apart, 0}, tip}, 0.01));
     BOOST_TEST(!reach({tip, tip, {0, 0, apart}}, 100));
@@ -196,10 +201,12 @@ BOOST_AUTO_TEST_CASE(projections) {
   for (int i = 0; i < 20; ++i) {
     const double u = longitude(random), wrong = off(random), h = height(random);
     BOOST_TEST_CONTEXT("seed " << seed << ", longitude " << u << ", wrong by " << wrong << ", height " << h) {
-      // a circle through the pole of a sphere of the radius 2, in a plane that is inclined to the axis
+      // a circle through the pole of a sphere of the radius 2, in a plane that is inclined to the
+      // axis
       const double centre[] = {0, 0, 2}, c = std::cos(u), s = std::sin(u), r = std::sqrt(4 / (1 + h * h));
       const double n = std::sqrt(1 + h * h);
-      // the plane through the pole with the normal (-s + ..): the centre of the circle lies below the pole
+      // the plane through the pole with the normal (-s + ..): the centre of the circle lies below
+      // the pole
       const GC::Cad_point<3> down{-s * h / n, c * h / n, -1 / n}, along{c, s, 0};
       const GC::Cad_conic<3> circle{GC::Cad_conic<3>::Kind::ellipse,
                                     {centre[0] + r * down[0], centre[1] + r * down[1], centre[2] + r * down[2]},

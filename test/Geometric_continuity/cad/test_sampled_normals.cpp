@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Verdicts along edges of rational patches against exact normals at many parameters: the surfaces are G1 exactly where all normals
-// of both sides have the same direction.
+// Verdicts along edges of rational patches against exact normals at many parameters: the surfaces
+// are G1 exactly where all normals of both sides have the same direction.
 
 #define BOOST_TEST_MODULE sampled_normals
 
@@ -37,8 +37,9 @@ Row random_row(Random& random, int p, int y) {
   return row;
 }
 
-// The row with which a patch continues the plane of the homogeneous rows `edge`, `layer` and the derivative of `edge`: tangent planes
-// agree, (edge + next difference) = edge - lambda (layer - edge) + mu edge' + nu edge.
+// The row with which a patch continues the plane of the homogeneous rows `edge`, `layer` and the
+// derivative of `edge`: tangent planes agree, (edge + next difference) = edge - lambda (layer -
+// edge) + mu edge' + nu edge.
 Row tangent_row(const Row& edge, const Row& layer, const Q& lambda, const Q& mu, const Q& nu) {
   const int p = static_cast<int>(edge.size()) - 1;
   Row row = edge;
@@ -56,8 +57,9 @@ bool same_direction(const Exact::Vector& a, const Exact::Vector& b) {
   return CGAL::cross_product(a, b) == CGAL::NULL_VECTOR && a * b > Q(0);
 }
 
-// In homogeneous coordinates the condition is the vanishing of det(edge, edge', one layer, other layer), which has a degree of at
-// most 4p - 2 <= 10: it holds at 20 parameters only if it holds at all.
+// In homogeneous coordinates the condition is the vanishing of det(edge, edge', one layer, other
+// layer), which has a degree of at most 4p - 2 <= 10: it holds at 20 parameters only if it holds at
+// all.
 template <class A, class B> bool normals_agree(const A& a, const B& b) {
   for (int l = 0; l < 20; ++l) {
     const Q u = fraction(2 * l + 1, 40);

@@ -19,7 +19,8 @@ template <class Traits> Function<typename Traits::FT> coordinate(const GC::Bspli
   return Function<typename Traits::FT>(c.knots(), x);
 }
 
-// Curves do what functions do, coordinate by coordinate, with the same arithmetic: compared with == in floating point, too.
+// Curves do what functions do, coordinate by coordinate, with the same arithmetic: compared with ==
+// in floating point, too.
 template <class Traits, class Test> void in_each_coordinate(const GC::Bspline_curve<Traits>& c, Test test) {
   for (int i = 0; i < c.dimension(); ++i) test(coordinate(c, i), i);
 }
@@ -95,7 +96,7 @@ BOOST_AUTO_TEST_CASE(curves_in_higher_dimension) {
   });
 }
 
-// What the concept of a traits class does not offer is not used.
+// Only the members that the concept of a traits class offers are used.
 BOOST_AUTO_TEST_CASE(curves_over_an_archetype) {
   typedef archetype::Traits<CGAL::Dimension_tag<2>> Traits;
   typedef archetype::Number FT;
@@ -216,7 +217,7 @@ TEST_FOR_EACH(refused_curves_equality_and_output, K, Kernels) {
   BOOST_CHECK(c.transform(shift).knots() == knots);
 }
 
-// The same curve with rational coordinates.
+// Returns the curve with rational coordinates.
 template <class K> Curve3<CGAL::Simple_cartesian<Q>> rational(const Curve3<K>& c) {
   typedef CGAL::Simple_cartesian<Q> Exact;
   std::vector<Exact::Point_3> points;

@@ -8,7 +8,7 @@
 
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 
-// --------------------------------------------------------------------------------------------- Hagen, definition 3.1
+// --------------------------------------------------------------------------- Hagen, definition 3.1
 
 TEST_FOR_EACH(evaluation_by_the_definition, Traits, All_traits) {
   Random random;
@@ -93,7 +93,7 @@ TEST_FOR_EACH(parameters_outside_the_domain, Traits, All_traits) {
   CHECK_ERROR(c.segment_range(0, 3), parameter_outside_domain);
 }
 
-// ------------------------------------------------------------------------------------------------------ construction
+// ------------------------------------------------------------------------------------ construction
 
 TEST_FOR_EACH(bad_points_and_knots, Traits, All_traits) {
   const std::vector<typename Traits::Point> b = points<Traits>({{0}, {1}, {2}, {3}, {4}, {5}, {6}});
@@ -161,9 +161,10 @@ TEST_FOR_EACH(from_curves_that_meet, Traits, All_traits) {
   BOOST_CHECK_EQUAL(d.number_of_segments(), 3);
   for (int l = 0; l < 3; ++l) {
     const FT u = inside<Traits>(d, l, ratio<FT>(1, 2));
-    if constexpr (is_exact<Traits>)
-      BOOST_CHECK(d.jet(u, 4) == mixed[l].jet(u, 4));
-    else // elevation divides by 2, 3 and 4; the coordinates are below 2, and few roundings of 2^-53 are made
+    if constexpr (is_exact<Traits>) BOOST_CHECK(d.jet(u, 4) == mixed[l].jet(u, 4));
+    // elevation divides by 2, 3 and 4; the coordinates are below 2, and few roundings of 2^-53 are
+    // made
+    else
       for (int i = 0; i < d.dimension(); ++i) BOOST_CHECK_SMALL(d.jet(u, 0)[0][i] - mixed[l].jet(u, 0)[0][i], 1e-14);
   }
   typedef GC::Composite_bezier_curve<Traits, 5> Quintic;
@@ -192,7 +193,7 @@ BOOST_AUTO_TEST_CASE(adjacent_domains_are_not_rounded) {
   CHECK_ERROR(Composite<Double_2>(tiny.begin(), tiny.end()), empty_domain);
 }
 
-// --------------------------------------------------------------------------------------------------------- iteration
+// --------------------------------------------------------------------------------------- iteration
 
 TEST_FOR_EACH(segments_and_joins, Traits, All_traits) {
   Random random;
@@ -221,7 +222,7 @@ TEST_FOR_EACH(segments_and_joins, Traits, All_traits) {
     }
 }
 
-// ------------------------------------------------------------------------------------------------------ other curves
+// ------------------------------------------------------------------------------------ other curves
 
 TEST_FOR_EACH(a_knot_is_inserted, Traits, All_traits) {
   Random random;
@@ -298,7 +299,8 @@ BOOST_AUTO_TEST_CASE(reversal_of_rounded_knots) {
   for (double u : {-0.05, 0.03, 0.07, 0.19}) {
     const Composite<Double_2> r = Composite<Double_2>(b.begin(), b.end(), {x, u, y}).reverse();
     BOOST_CHECK(r.domain() == std::make_pair(x, y));
-    BOOST_CHECK_SMALL(r.knots()[1] - (x + y - u), 1e-15); // at most four roundings of numbers below 1
+    // at most four roundings of numbers below 1
+    BOOST_CHECK_SMALL(r.knots()[1] - (x + y - u), 1e-15);
   }
   CHECK_ERROR(Composite<Double_2>(b.begin(), b.end(), {0, 1e-20, 1}).reverse(), empty_domain);
 }

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Extrema of curvature and inflections: of curves where they are known, and of random ones, where dense sampling finds them.
+// Extrema of curvature and inflections: of curves where they are known, and of random ones, where
+// dense sampling finds them.
 
 #include "support/test.h"
 
@@ -56,12 +57,14 @@ Rows in_space(Rows rows, int dimension) {
 const Rows parabola = {{-1, 1}, {0, -1}, {1, 1}};       // y = x^2
 const Rows s_curve = {{0, 0}, {1, 2}, {2, -2}, {3, 0}}; // turns right, then left
 const Rows two_inflections = {{-3, 2}, {4, -1}, {2, -2}, {2, 4}};
-const Rows quarter = {{1, 0}, {1, 0.55078125}, {0.55078125, 1}, {0, 1}};    // nearly a quarter of a circle
+// nearly a quarter of a circle
+const Rows quarter = {{1, 0}, {1, 0.55078125}, {0.55078125, 1}, {0, 1}};
 const Rows undulation = {{0, 0}, {0.25, 0}, {0.5, 0}, {0.75, 0}, {1, 1}};   // y = x^4
 const Rows flat_s = {{-5, -1}, {-3, 1}, {-1, -1}, {1, 1}, {3, -1}, {5, 1}}; // y = (x/5)^5
 const Rows cubic_graph = {{-1, -1}, {-1. / 2, 1}, {1. / 2, -1}, {1, 1}};
 
-// What dense sampling sees: how often the curvature of a planar curve turns, and how often it changes its sign.
+// Counts by dense sampling how often the curvature of a planar curve turns, and how often it
+// changes its sign.
 std::array<int, 2> sampled(const Rows& rows) {
   const GC::Bezier_curve<Double_d> curve = bezier<Double_d>(rows);
   constexpr int n = 4000;
@@ -249,7 +252,8 @@ TEST_FOR_EACH(pieces, Traits, Planar_traits) {
       BOOST_CHECK_EQUAL(d.inflections.size(), c.inflections.size());
     }
   }
-  // a parabola, a straight line, and a parabola that bends the other way: curvature falls to 2, jumps to 0, and so on
+  // a parabola, a straight line, and a parabola that bends the other way: curvature falls to 2,
+  // jumps to 0, and so on
   const Bezier left = bezier<Traits>({{-2, 0}, {-1, 0}, {-0, 2}}), line = bezier<Traits>({{0, 2}, {1, 4}}, 1, 2),
                right = bezier<Traits>({{1, 4}, {2, 6}, {3, 6}}, 2, 3);
   const GC::Curvature_extrema bent = of({left, line, right});
@@ -280,7 +284,8 @@ TEST_FOR_EACH(splines, Traits, Planar_traits) {
   std::size_t inner = 0;
   for (const GC::Bezier_curve<Traits>& piece : curve.bezier_pieces())
     inner += GC::curvature_extrema(piece).extrema.size();
-  BOOST_CHECK(inner <= c.extrema.size() && c.extrema.size() <= inner + 2); // the curvature is continuous
+  // the curvature is continuous
+  BOOST_CHECK(inner <= c.extrema.size() && c.extrema.size() <= inner + 2);
   BOOST_CHECK_EQUAL(back.inflections.size(), c.inflections.size());
   BOOST_CHECK_EQUAL(back.extrema.size(), c.extrema.size());
 }
@@ -301,7 +306,8 @@ BOOST_AUTO_TEST_CASE(pieces_in_space) {
       GC::curvature_extrema(GC::Composite_bezier_curve<Traits>(turned.begin(), turned.end())).inflections.size(), 1u);
 }
 
-// Extrema at 1/3, which is no binary fraction, where the speed or the curvature is nearly zero: they have bounds all the same.
+// Extrema at 1/3, which is no binary fraction, where the speed or the curvature is nearly zero:
+// they have bounds all the same.
 BOOST_AUTO_TEST_CASE(extrema_that_are_hard_to_enclose) {
   typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Traits;
   // the Bezier curve with these coefficients of powers of t - 1/3
@@ -311,7 +317,8 @@ BOOST_AUTO_TEST_CASE(extrema_that_are_hard_to_enclose) {
     for (int j = 0; j <= n; ++j) { // by blossoms
       const auto blossom = [&](const std::vector<Q>& c) {
         Q sum(0);
-        for (int k = 0; k <= n; ++k) { // the mean of all products of k of the arguments 1 - 1/3, j times, and -1/3
+        // the mean of all products of k of the arguments 1 - 1/3, j times, and -1/3
+        for (int k = 0; k <= n; ++k) {
           Q mean(0), all(1);
           for (int ones = 0; ones <= k; ++ones) {
             Q term(1);

@@ -52,10 +52,11 @@ void check_integration(const Curvatures& kappa, const Jet<Traits>& start, double
                                       << ", bound " << curve.error_bound);
     BOOST_CHECK_LE(error, curve.error_bound + rounding);
     BOOST_CHECK_CLOSE(curve.error_bound, steps * tolerance * (std::sqrt(n) + std::sqrt(2) * n * length), 1e-10);
-    // The estimates are those of a method of order 4, the result has order 5: the error is far below one tolerance a step.
+    // The estimates are those of a method of order 4, the result has order 5: the error is far
+    // below one tolerance a step.
     BOOST_CHECK_LE(error, steps * tolerance / 4 + rounding);
-    // The fifth order of the method divides the error by about 100^(5/6) = 46 with the tolerance, when rounding and the
-    // upper limit of the step are out of sight.
+    // The fifth order of the method divides the error by about 100^(5/6) = 46 with the tolerance,
+    // when rounding and the upper limit of the step are out of sight.
     if (previous > 0 && steps > 32 && error > rounding) BOOST_CHECK_LE(error, previous / 10);
     previous = error;
 
@@ -67,7 +68,8 @@ void check_integration(const Curvatures& kappa, const Jet<Traits>& start, double
     // The frames add an error of the size of that of the points.
     BOOST_CHECK_LE(curve_error<Traits>(curve, x), 2 * error + std::pow(h, 6) / 46080 * sixth + rounding);
 
-    for (const GC::Framed_point<Traits>& sample : curve.samples) // orthonormal, whatever the tolerance
+    // orthonormal, whatever the tolerance
+    for (const GC::Framed_point<Traits>& sample : curve.samples)
       for (int i = 1; i <= n; ++i)
         for (int j = 1; j <= i; ++j)
           BOOST_CHECK_SMALL(dot(sample.frame.coordinates(i), sample.frame.coordinates(j)) - (i == j), 32 * n * unit);
@@ -89,7 +91,8 @@ typedef std::vector<std::function<double(double)>> Functions;
 // int_0^s exp(i (u^2/2 + b u)) du by its Taylor series with 50 digits: Fresnel's integrals.
 std::pair<double, double> fresnel(double s, double b) {
   typedef boost::multiprecision::cpp_bin_float_50 Real;
-  // The k-th derivative f_k of f(u) = exp(i (u^2/2 + b u)) at 0: f' = i (u + b) f gives f_{k+1} = i (b f_k + k f_{k-1}).
+  // The k-th derivative f_k of f(u) = exp(i (u^2/2 + b u)) at 0: f' = i (u + b) f gives f_{k+1} = i
+  // (b f_k + k f_{k-1}).
   Real re(1), im(0), re_before(0), im_before(0), term(s), x(0), y(0);
   for (int k = 0; abs(term) * (abs(re) + abs(im) + abs(re_before) + abs(im_before)) > 1e-20; ++k) {
     x += re * term; // s^{k+1} / (k+1)!
@@ -140,7 +143,8 @@ BOOST_AUTO_TEST_CASE(helix) {
 }
 
 BOOST_AUTO_TEST_CASE(clothoid) {
-  // kappa = s + b, from an S with a point of inflection to an arc; |x^(6)| <= kappa^5 + 10 kappa^3 + 15 kappa (Faa di Bruno)
+  // kappa = s + b, from an S with a point of inflection to an arc; |x^(6)| <= kappa^5 + 10
+  // kappa^3 + 15 kappa (Faa di Bruno)
   for (double b : {0., -2., 1.}) {
     const double most = std::max(5 + b, -b), sixth = std::pow(most, 5) + 10 * std::pow(most, 3) + 15 * most;
     check_integration<Double_2>([=](double s) { return s + b; }, jet<Double_2>(2, {{0}, {1, 0}}), 5, sixth,
@@ -150,7 +154,8 @@ BOOST_AUTO_TEST_CASE(clothoid) {
 }
 
 BOOST_AUTO_TEST_CASE(slope_curve_over_a_clothoid) {
-  // It rises with the constant slope sin a = 4/5: kappa = 3/5 (s + 1), tau = 4/5 (s + 1); |x^(6)| as before, with s + 1 <= 4.
+  // It rises with the constant slope sin a = 4/5: kappa = 3/5 (s + 1), tau = 4/5 (s + 1); |x^(6)|
+  // as before, with s + 1 <= 4.
   const Functions kappas = {[](double s) { return 0.6 * (s + 1); }, [](double s) { return 0.8 * (s + 1); }};
   check_integration<Double_3>(kappas, jet<Double_3>(3, {{0, 0, 0}, {3, 0, 4}, {0, 1, 0}}), 3, 0.6 * 1724,
                               coordinate_functions<Double_3>([](double s) { return 0.6 * fresnel(s, 1).first; },
@@ -159,7 +164,8 @@ BOOST_AUTO_TEST_CASE(slope_curve_over_a_clothoid) {
 }
 
 BOOST_AUTO_TEST_CASE(two_circles_in_four_dimensions) {
-  // (a cos s, a sin s, b cos 2s, b sin 2s) with a = 3/5, 2b = 4/5 has unit speed and constant curvatures
+  // (a cos s, a sin s, b cos 2s, b sin 2s) with a = 3/5, 2b = 4/5 has unit speed and constant
+  // curvatures
   const auto at = [](double s, int n, int k) {
     Jet<Double_d> x = zero_jet<Double_d>(n, k);
     for (int j = 0; j <= k; ++j) {
@@ -210,7 +216,8 @@ BOOST_AUTO_TEST_CASE(joins_of_the_bezier_curve) {
       double h = 8; // of the shorter neighbour
       if (i > 0) h = std::min(h, bezier.lambda(i - 1));
       if (i < bezier.number_of_segments()) h = std::min(h, bezier.lambda(i));
-      // Control points of modulus at most 8 carry 8 roundings each; 20 (b2 - 2 b1 + b0) / h^2 multiplies them by 80 / h^2.
+      // Control points of modulus at most 8 carry 8 roundings each; 20 (b2 - 2 b1 + b0) / h^2
+      // multiplies them by 80 / h^2.
       const double bound = 80 / (h * h) * 8 * 8 * unit;
       for (const Jet<Double_3>& x : {bezier.left_jet(sample.s, 2), bezier.right_jet(sample.s, 2)})
         for (int j = 0; j <= 2; ++j)
@@ -223,7 +230,8 @@ BOOST_AUTO_TEST_CASE(joins_of_the_bezier_curve) {
 }
 
 BOOST_AUTO_TEST_CASE(the_curve_has_the_given_curvatures) {
-  // Between the samples the second derivative of the interpolant is in error by h^4/1920 |x^(6)|, the third by h^3/120.
+  // Between the samples the second derivative of the interpolant is in error by h^4/1920 |x^(6)|,
+  // the third by h^3/120.
   const Functions kappas = {[](double s) { return 1.5 + std::sin(s); }, [](double s) { return std::cos(2 * s); }};
   const auto errors = [&](double tolerance) {
     const auto bezier = GC::curve_from_curvatures<Double_3>(kappas, 8., tolerance).bezier_curve();
@@ -320,7 +328,8 @@ BOOST_AUTO_TEST_CASE(curvatures_that_are_refused) {
   // a jump of the curvature is passed, where it becomes infinite no step is small enough
   BOOST_CHECK_GT(plane([](double s) { return s < 0.3 ? 1. : -1.; }), 16);
   CHECK_ERROR(plane([](double s) { return 1 / (0.3 - s); }), unreachable_tolerance);
-  CHECK_ERROR(plane([](double) { return 1e6; }), unreachable_tolerance); // more than the largest number of steps
+  // more than the largest number of steps
+  CHECK_ERROR(plane([](double) { return 1e6; }), unreachable_tolerance);
 }
 
 BOOST_AUTO_TEST_CASE(samples_that_are_no_curve) {

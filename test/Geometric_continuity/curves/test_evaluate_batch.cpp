@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Many jets at once: the same numbers as one by one, exactly with rational numbers, and within rounding with doubles.
+// Many jets at once: the same numbers as one by one, exactly with rational numbers, and within
+// rounding with doubles.
 
 #include "support/random_points.h"
 
@@ -48,9 +49,10 @@ struct Bounds {
     return 8 * (m + 1) * std::ldexp(1, m - 53) * factor(j) * (j == 0 ? points[i] : differences[i]) *
            std::pow(x, std::max(m - j, 0));
   }
-  // In the domain each level of de Casteljau's algorithm adds an error of at most 5 roundings of the largest point R, a
-  // difference of order j multiplies it by 2^j; the parameter is off by 3 roundings, and the derivative of the j-th one is at
-  // most 2^(j+1) m R; the factor has at most 3j roundings.
+  // In the domain each level of de Casteljau's algorithm adds an error of at most 5 roundings of
+  // the largest point R, a difference of order j multiplies it by 2^j; the parameter is off by 3
+  // roundings, and the derivative of the j-th one is at most 2^(j+1) m R; the factor has at most 3j
+  // roundings.
   double single(int j, int i) const { return 16 * (m + 1) * std::ldexp(1, j - 53) * factor(j) * points[i]; }
 };
 
@@ -70,7 +72,8 @@ template <class FT, class Curve, class Prepared> void check_jets(const Curve& cu
     for (int j = 0; j <= 4; ++j)
       for (int i = 0; i < 3; ++i) {
         const FT x = jets.jet(l)[j][i];
-        if (std::is_same_v<FT, Exact> || curve.degree() > 9) // beyond, evaluate() takes the way of jet()
+        // beyond, evaluate() takes the way of jet()
+        if (std::is_same_v<FT, Exact> || curve.degree() > 9)
           BOOST_CHECK_EQUAL(x, jet[j][i]);
         else {
           const double bound = bounds.prepared(CGAL::to_double(parameters[l]), j, i);
@@ -137,7 +140,8 @@ BOOST_AUTO_TEST_CASE(jets) {
   CHECK_ERROR(GC::evaluate(GC::Bezier_curve<Any>{p, p}, x, 3, plane), dimension_mismatch);
 }
 
-// Against the jets one by one: exactly, and with doubles up to roundings that grow with 2^m as Jet_polynomials says.
+// Against the jets one by one: exactly, and with doubles up to roundings that grow with 2^m as
+// Jet_polynomials says.
 typedef std::tuple<double, Exact> Field_types;
 BOOST_AUTO_TEST_CASE_TEMPLATE(rational_curves_one_by_one_or_together, FT, Field_types) {
   typedef GC::Rational_bezier_curve<Traits<FT>> Curve;

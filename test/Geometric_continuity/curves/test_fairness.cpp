@@ -45,8 +45,8 @@ struct Arc {
   }
 };
 
-// L, the integrals of the squared curvature and of what E integrates, by the trapezoidal rule in the curvature and the torsion,
-// which are taken from jets of the curve.
+// L, the integrals of the squared curvature and of what E integrates, by the trapezoidal rule in
+// the curvature and the torsion, which are taken from jets of the curve.
 std::array<double, 2> summed(const GC::Bezier_curve<Double_d>& curve) {
   constexpr int n = 2000;
   double length = 0, bending = 0, variation = 0;
@@ -117,7 +117,8 @@ BOOST_AUTO_TEST_CASE(random_curves_against_sums) {
     const std::array<double, 2> sum = summed(curve);
     BOOST_TEST_CONTEXT("run " << run) {
       if (run % 2 == 1)
-        BOOST_CHECK(near(GC::fairness(curve), sum[0], 1e-4)); // |kappa| has a kink where it is 0 in the plane
+        // |kappa| has a kink where it is 0 in the plane
+        BOOST_CHECK(near(GC::fairness(curve), sum[0], 1e-4));
       BOOST_CHECK(near(GC::bending_energy(curve), sum[1], 1e-4));
     }
     BOOST_CHECK(near(GC::fairness(curve.reverse()), GC::fairness(curve), 1e-10));
@@ -171,7 +172,8 @@ BOOST_AUTO_TEST_CASE(nearly_cusps) {
   }
 }
 
-// More changes of side than common points, or more common points than the polygon has changes, contradict each other.
+// More changes of side than common points, or more common points than the polygon has changes,
+// contradict each other.
 BOOST_AUTO_TEST_CASE(crossings_of_polygons) {
   BOOST_CHECK((GC::Crossings{3, 1, 3}.diminished()));
   BOOST_CHECK((!GC::Crossings{3, 2, 1}.diminished()) && (!GC::Crossings{1, 1, 2}.diminished()));

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Curves near polylines. Joins are decided exactly on the control points; distances are compared with those of many points.
+// Curves near polylines. Joins are decided exactly on the control points; distances are compared
+// with those of many points.
 
 #include "support/decided_joins.h"
 #include "support/exact_splines.h"
@@ -41,8 +42,8 @@ double distance(const Column& x, const std::vector<Column>& polyline) {
   return least;
 }
 
-// The joins have the order, but at corners; the distance is at most what is said, and that is at most the tolerance. Returns the
-// number of pieces.
+// The joins have the order, but at corners; the distance is at most what is said, and that is at
+// most the tolerance. Returns the number of pieces.
 template <class Traits, class P>
 int check(const GC::Fitted_curve<Traits>& curve, const P& points, double tolerance, Closure closure, int order) {
   typedef typename GC::Composite_bezier_curve<Traits>::Segment Segment;
@@ -148,7 +149,8 @@ BOOST_AUTO_TEST_CASE(corners) {
   }
 }
 
-// Zigzags that are narrower than the tolerance, where they start and end as well, and a square that is smaller than it.
+// Zigzags that are narrower than the tolerance, where they start and end as well, and a square that
+// is smaller than it.
 BOOST_AUTO_TEST_CASE(polylines_within_the_tolerance) {
   typedef Epick_2::Point P;
   Points zigzag, square = {P(5, 5), P(6, 5), P(6, 6), P(5, 6)};
@@ -193,7 +195,8 @@ BOOST_AUTO_TEST_CASE(degenerate_polylines) {
   }
 }
 
-// Parameters are found as closely as small tolerances need, also where the middle of a segment is that of the curve.
+// Parameters are found as closely as small tolerances need, also where the middle of a segment is
+// that of the curve.
 BOOST_AUTO_TEST_CASE(small_tolerances, *boost::unit_test::label("long")) {
   const Points regular = circle(5), p = {{0, 0}, {4, 0}, {5, 3}, {2, 5}, {-1, 3}};
   const auto fits = [](const Points& pentagon, double tolerance, int order) {
@@ -231,7 +234,8 @@ BOOST_AUTO_TEST_CASE(random_polylines) {
   });
 }
 
-// On exact numbers in space and in any dimension: control points have few digits, and the vertices are not rounded in vain.
+// On exact numbers in space and in any dimension: control points have few digits, and the vertices
+// are not rounded in vain.
 BOOST_AUTO_TEST_CASE(exact_numbers) {
   typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Any;
   std::vector<Space::Point> p;
@@ -278,7 +282,8 @@ BOOST_AUTO_TEST_CASE(single_precision) {
   CHECK_ERROR(GC::fit<Float>(p.begin(), p.end(), 1e-4f), unreachable_tolerance);
 }
 
-// Rounded numbers that CGAL knows nothing of give the same curve as those of type double that they are.
+// Rounded numbers that CGAL knows nothing of give the same curve as those of type double that they
+// are.
 BOOST_AUTO_TEST_CASE(floating_point_numbers_of_boost) {
   typedef boost::multiprecision::cpp_bin_float_100 Number;
   typedef Plain_traits<Number> Plain;

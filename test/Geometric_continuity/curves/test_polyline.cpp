@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Polylines and boxes of curves. That they are near enough, or contain the curve, is checked in rational numbers without any
-// square root, on curves with `double` coordinates as well: a double is a rational number.
+// Polylines and boxes of curves. That they are near enough, or contain the curve, is checked in
+// rational numbers without any square root, on curves with `double` coordinates as well: a double
+// is a rational number.
 
 #include "support/random.h"
 
@@ -14,7 +15,8 @@ BOOST_AUTO_TEST_SUITE(polylines)
 typedef std::tuple<Exact_2, Exact_3, Exact_d, Double_2, Double_3> All_traits;
 
 template <class Traits> using Curve = GC::Bezier_curve<Traits>;
-template <class Traits> using Column = GC::Coordinate_vector<Q, Curve<Traits>::N>; // always of rational numbers
+// always of rational numbers
+template <class Traits> using Column = GC::Coordinate_vector<Q, Curve<Traits>::N>;
 template <class Traits> constexpr bool is_exact = !std::is_floating_point_v<typename Traits::FT>;
 template <class Traits> constexpr int test_dimension = Curve<Traits>::N == 0 ? 4 : Curve<Traits>::N;
 
@@ -78,7 +80,8 @@ std::vector<typename Any_curve::Point> chords(const Any_curve& c, const typename
   return result;
 }
 
-// Points of the curve are near the polyline, and points of the polyline near the curve; no two vertices in a row are equal.
+// Points of the curve are near the polyline, and points of the polyline near the curve; no two
+// vertices in a row are equal.
 template <class Traits>
 void check_near(const std::vector<Curve<Traits>>& pieces, const std::vector<typename Traits::Point>& vertices,
                 const Q& tolerance) {
@@ -98,7 +101,8 @@ void check_near(const std::vector<Curve<Traits>>& pieces, const std::vector<type
   for (std::size_t i = 1; i < polyline.size(); ++i) {
     BOOST_CHECK(polyline[i - 1] != polyline[i]);
     const Column<Traits> middle = (polyline[i - 1] + polyline[i]) / Q(2);
-    // the polyline of the samples is itself within one step of the curve: (r + s)^2 <= 2 (r^2 + s^2)
+    // the polyline of the samples is itself within one step of the curve: (r + s)^2 <= 2 (r^2 +
+    // s^2)
     BOOST_CHECK(squared_distance(middle, curve) <= 2 * (tolerance * tolerance + step));
   }
   BOOST_CHECK(polyline.front() == curve.front());
@@ -163,11 +167,13 @@ TEST_FOR_EACH(degenerate_curves, Traits, All_traits) {
   BOOST_CHECK_EQUAL(chords(bezier<Traits>({{1, 2, 3}}), tolerance).size(), 1u);
   BOOST_CHECK_EQUAL(chords(bezier<Traits>({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}), tolerance).size(), 1u);
   BOOST_CHECK_EQUAL(chords(bezier<Traits>({{0, 0, 0}, {0, 0, 0}}), tolerance).size(), 1u);
-  check(bezier<Traits>({{0, 0}, {1, 1}, {0, 1}, {1, 0}}));           // cusp
-  check(bezier<Traits>({{0, 0}, {0, 0}, {0, 0}, {3, 1}, {4, 0}}));   // zero derivatives at the start
-  check(bezier<Traits>({{0, 0}, {9, 9}, {-9, 9}, {0, 0}}));          // closed: its chord is a point
-  check(bezier<Traits>({{0, 0}, {8, 8}, {0, 0}, {-8, -8}, {0, 0}})); // through its start again half way
-  check(bezier<Traits>({{0, 0}, {3, 0}, {-3, 0}, {0, 0}}));          // closed and straight
+  check(bezier<Traits>({{0, 0}, {1, 1}, {0, 1}, {1, 0}})); // cusp
+  // zero derivatives at the start
+  check(bezier<Traits>({{0, 0}, {0, 0}, {0, 0}, {3, 1}, {4, 0}}));
+  check(bezier<Traits>({{0, 0}, {9, 9}, {-9, 9}, {0, 0}})); // closed: its chord is a point
+  // through its start again half way
+  check(bezier<Traits>({{0, 0}, {8, 8}, {0, 0}, {-8, -8}, {0, 0}}));
+  check(bezier<Traits>({{0, 0}, {3, 0}, {-3, 0}, {0, 0}})); // closed and straight
   const std::vector<typename Traits::Point> loop = chords(bezier<Traits>({{0, 0}, {9, 9}, {-9, 9}, {0, 0}}), tolerance);
   BOOST_CHECK(rational<Traits>(loop.front()) == rational<Traits>(loop.back()));
   BOOST_CHECK(loop.size() > 10);
@@ -206,7 +212,8 @@ TEST_FOR_EACH(bspline_curves, Traits, All_traits) {
 }
 
 BOOST_AUTO_TEST_CASE(doubles_keep_the_tolerance_with_all_roundings) {
-  // far from the origin, with the smallest tolerance that is accepted: (m + 1) 2^-42 times the largest coordinate
+  // far from the origin, with the smallest tolerance that is accepted: (m + 1) 2^-42 times the
+  // largest coordinate
   Random random;
   for (int degree : {2, 3, 7, 12}) {
     const Double_2::FT far = 1 << 20;
@@ -250,7 +257,7 @@ TEST_FOR_EACH(tolerances_that_are_refused, Traits, All_traits) {
   BOOST_CHECK(out.empty());
 }
 
-// ---------------------------------------------------------------- polylines by number, and by a bound
+// ------------------------------------------------------------- polylines by number, and by a bound
 
 TEST_FOR_EACH(equal_parts, Traits, All_traits) {
   const Curve<Traits> c = bezier<Traits>({{0, 0, 0}, {1, 2, 4}, {4, 0, 8}}).with_domain(FT(2), FT(4));
@@ -331,7 +338,8 @@ TEST_FOR_EACH(boxes_contain_their_pieces, Traits, Traits_with_boxes) {
 }
 
 BOOST_AUTO_TEST_CASE(boxes_are_tight) {
-  const Curve<Exact_2> parabola = bezier<Exact_2>({{0, 0}, {0.5, 2}, {1, 0}}); // its highest point is (1/2, 1)
+  // its highest point is (1/2, 1)
+  const Curve<Exact_2> parabola = bezier<Exact_2>({{0, 0}, {0.5, 2}, {1, 0}});
   for (int k = 1; k <= 8; ++k) {
     std::vector<GC::Curve_piece_box<Exact_2, const Curve<Exact_2>*>> boxes;
     GC::bounding_boxes(parabola, k, &parabola, std::back_inserter(boxes));

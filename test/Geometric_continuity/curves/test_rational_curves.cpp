@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Rational Bezier and B-spline curves and arcs of conics: on random curves with big rational numbers, where an identity that holds
-// is one, on doubles within the bound of their roundings, and where weights are negative or zero.
+// Rational Bezier and B-spline curves and arcs of conics: on random curves with big rational
+// numbers, where an identity that holds is one, on doubles within the bound of their roundings, and
+// where weights are negative or zero.
 
 #include "support/random.h"
 
@@ -65,7 +66,8 @@ template <class Traits, class FT = typename Traits::FT> GC::Rational_bspline_cur
   return {points, weights, GC::Knot_vector<FT>(p, knots)};
 }
 
-// Equal for exact numbers; doubles after `size` in units of 2^-44: a few hundred roundings of numbers up to this size.
+// Equal for exact numbers; doubles after `size` in units of 2^-44: a few hundred roundings of
+// numbers up to this size.
 template <class FT, int N>
 bool same(const GC::Coordinate_vector<FT, N>& x, const GC::Coordinate_vector<FT, N>& y, double size = 1) {
   if constexpr (std::is_floating_point_v<FT>) {

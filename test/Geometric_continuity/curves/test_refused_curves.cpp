@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Counts, domains and numbers that curves refuse, and what large degrees and large coordinates do not disturb.
+// Counts, domains and numbers that curves refuse, and what large degrees and large coordinates do
+// not disturb.
 
 #include "support/errors.h"
 
@@ -151,7 +152,8 @@ BOOST_AUTO_TEST_CASE(energy_of_high_degree) {
     first[0] = first[m] = Point(0, 1, 0);
     const Curve c(constant.begin(), constant.end(), 1, 3), l(line.begin(), line.end(), 0, 2),
         f(first.begin(), first.end());
-    const double percent = 1e-9; // 4 m roundings in each of the quotients of binomials, all of them positive
+    // 4 m roundings in each of the quotients of binomials, all of them positive
+    const double percent = 1e-9;
     BOOST_CHECK_CLOSE(c.energy(0), 98, percent);
     BOOST_CHECK_EQUAL(c.energy(1), 0);
     BOOST_CHECK_CLOSE(l.energy(0), 10. / 3, percent);

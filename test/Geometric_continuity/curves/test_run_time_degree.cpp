@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// A degree that is known at run time only changes no bit of a point, a jet or a part of a curve of doubles, and up to degree 9 its
-// points and jets allocate no memory.
+// A degree that is known at run time only changes no bit of a point, a jet or a part of a curve of
+// doubles, and up to degree 9 its points and jets allocate no memory.
 
 #define BOOST_TEST_MODULE run_time_degree
 

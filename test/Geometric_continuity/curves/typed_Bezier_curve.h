@@ -13,10 +13,11 @@
 
 BOOST_AUTO_TEST_SUITE(bezier_curve)
 
-// In rounded kernels coordinates and parameters are multiples of 1/8 of modulus at most 2 and domains have length 2, so
-// that the local parameter (u-a)/(b-a) is a multiple of 1/16 of modulus at most 2; up to degree 3 all values and
-// derivatives are doubles without rounding. Elevation and energies divide by 3, 5 and 7: at most 200 roundings, of numbers
-// of modulus at most 4 * 6^2 * 5^3, the squared second derivatives times their growth outside the domain.
+// In rounded kernels coordinates and parameters are multiples of 1/8 of modulus at most 2 and
+// domains have length 2, so that the local parameter (u-a)/(b-a) is a multiple of 1/16 of modulus
+// at most 2; up to degree 3 all values and derivatives are doubles without rounding. Elevation and
+// energies divide by 3, 5 and 7: at most 200 roundings, of numbers of modulus at most 4 * 6^2 *
+// 5^3, the squared second derivatives times their growth outside the domain.
 constexpr int max_degree = exact && cancels ? 6 : 3;
 template <class T> bool nearly_equal(const T& x, const T& y) { return close(x, y, T(18000), 200); }
 
@@ -200,7 +201,7 @@ TEST_IN_EVERY_SPACE(energies) {
   }
 }
 
-// ---------------------------------------------------------------- what only the kernels of CGAL have
+// -------------------------------------------------------------- what only the kernels of CGAL have
 
 // The transformations of homogeneous kernels are not function objects.
 template <class C, class Map> C transformed(const C& c, const Map& map) {
@@ -286,8 +287,9 @@ TEST_IN_EVERY_SPACE(equality_and_output) {
 
 // ---------------------------------------------------------------- polygon and jet
 
-// The invariants of the last and the first legs are those of the jets. In rounded kernels this needs whole numbers, for
-// which the determinants agree without rounding, so that quotients are off by a few roundings of their own size.
+// The invariants of the last and the first legs are those of the jets. In rounded kernels this
+// needs whole numbers, for which the determinants agree without rounding, so that quotients are off
+// by a few roundings of their own size.
 BOOST_AUTO_TEST_CASE(polygon_invariants) {
   with_random_input([](auto traits, int d, Random& random) {
     typedef decltype(traits) Traits;
@@ -320,7 +322,8 @@ BOOST_AUTO_TEST_CASE(polygon_invariants) {
     BOOST_CHECK(!GC::end_invariants(curve<Traits>(d, {{1, 2}})).curvature_squared);
     BOOST_CHECK(GC::end_invariants(curve<Traits>(d, {{1, 2}, {3, 4}})).curvature_squared == FT(0));
     BOOST_CHECK(!GC::end_invariants(curve<Traits>(d, {{1, 2}, {3, 4}})).torsion);
-    const Curve<Traits> doubled = curve<Traits>(d, {{0, 0}, {1, 1}, {3, 0}, {3, 0}}); // the last leg is zero
+    // the last leg is zero
+    const Curve<Traits> doubled = curve<Traits>(d, {{0, 0}, {1, 1}, {3, 0}, {3, 0}});
     BOOST_CHECK(!GC::end_invariants(doubled).curvature_squared && !GC::end_invariants(doubled).torsion);
     BOOST_CHECK(GC::start_invariants(doubled).curvature_squared == ratio(4 * 9, 9 * 8));
     const Curve<Traits> straight = curve<Traits>(d, {{0, 0}, {1, 1}, {3, 3}, {3, 0}});
@@ -350,7 +353,8 @@ BOOST_AUTO_TEST_CASE(control_points_from_jets) {
         last.insert(last.begin(), others.begin(), others.end());
         const Jet<Traits> start = Curve<Traits>(first.begin(), first.end(), a, b).start_jet(k),
                           end = Curve<Traits>(last.begin(), last.end(), a, b).end_jet(k);
-        // control points are below 2^7, and the 6th difference times 6!/2^6 multiplies their errors by at most 2^10
+        // control points are below 2^7, and the 6th difference times 6!/2^6 multiplies their errors
+        // by at most 2^10
         for (int j = 0; j <= k; ++j)
           for (int i = 0; i < d; ++i) {
             BOOST_CHECK(close(start[j][i], x[j][i], FT(1 << 17), 100));

@@ -11,9 +11,10 @@ BOOST_AUTO_TEST_SUITE(cubic_curves)
 typedef GC::Basis_matrix<FT> Matrix;
 typedef GC::Bernstein_polynomial<FT> Polynomial;
 
-// In rounded kernels coordinates, parameters and entries of matrices are multiples of 1/8 of modulus at most 2, or come from
-// the given bases, with entries of modulus at most 6. A value or derivative up to the third has at most 200 roundings, of
-// numbers of modulus at most 4 * 2 * 6 * (8 + 4 + 2 + 1) * 6; that of a changed basis has entries up to 6 times as large.
+// In rounded kernels coordinates, parameters and entries of matrices are multiples of 1/8 of
+// modulus at most 2, or come from the given bases, with entries of modulus at most 6. A value or
+// derivative up to the third has at most 200 roundings, of numbers of modulus at most 4 * 2 * 6 *
+// (8 + 4 + 2 + 1) * 6; that of a changed basis has entries up to 6 times as large.
 inline bool nearly_equal(const FT& x, const FT& y) { return close(x, y, FT(30000), 200); }
 template <class Column_type> bool nearly_equal_columns(const Column_type& x, const Column_type& y) {
   return std::equal(x.begin(), x.end(), y.begin(), y.end(), nearly_equal);
@@ -122,8 +123,10 @@ template <class T> void check_rounded_inverse() {
     for (const T& bad : {std::numeric_limits<T>::infinity(), std::numeric_limits<T>::quiet_NaN()})
       CHECK_ERROR(diagonal(bad, 1).inverse(), not_finite);
     const T tiny = std::numeric_limits<T>::denorm_min(), small = std::ldexp(T(1), -600);
-    CHECK_ERROR(diagonal(tiny, 1).inverse(), not_finite);                         // the inverse overflows
-    BOOST_CHECK(diagonal(small, small).inverse()(0, 0) == std::ldexp(T(1), 600)); // the determinant rounds to 0
+    // the inverse overflows
+    CHECK_ERROR(diagonal(tiny, 1).inverse(), not_finite);
+    // the determinant rounds to 0
+    BOOST_CHECK(diagonal(small, small).inverse()(0, 0) == std::ldexp(T(1), 600));
   }
 }
 
@@ -186,7 +189,8 @@ BOOST_AUTO_TEST_CASE(blending_functions) {
   BOOST_CHECK(!GC::is_partition_of_unity(hermite)); // only the functions of its two points are one
   BOOST_CHECK(GC::is_partition_of_unity(std::vector<Polynomial>{hermite[0], hermite[1]}));
   BOOST_CHECK(GC::is_partition_of_unity(bezier) && GC::has_convex_hull_property(bezier));
-  const Matrix scanned = matrix({{{1, 3, -3, 1}, {3, -6, 3, 0}, {3, 3, 0, 0}, {1, 0, 0, 0}}}); // signs lost
+  // signs lost
+  const Matrix scanned = matrix({{{1, 3, -3, 1}, {3, -6, 3, 0}, {3, 3, 0, 0}, {1, 0, 0, 0}}});
   BOOST_CHECK(!GC::is_partition_of_unity(GC::blending_functions(scanned)));
   BOOST_CHECK(GC::is_partition_of_unity(catmull_rom) && !GC::has_convex_hull_property(catmull_rom));
   BOOST_CHECK(!GC::is_nonnegative(catmull_rom[0]) && GC::is_nonnegative(catmull_rom[1]));
@@ -211,7 +215,8 @@ BOOST_AUTO_TEST_CASE(bernstein_polynomials) {
   }
   BOOST_CHECK(!GC::is_partition_of_unity(std::vector<Polynomial>()));
   BOOST_CHECK(
-      GC::is_partition_of_unity(std::vector<Polynomial>{{FT(2), FT(0)}, {FT(-1), FT(0), FT(1)}})); // 2 - 2t, -1 + 2t
+      // 2 - 2t, -1 + 2t
+      GC::is_partition_of_unity(std::vector<Polynomial>{{FT(2), FT(0)}, {FT(-1), FT(0), FT(1)}}));
   const FT o(0), e(1);
   BOOST_CHECK(GC::is_nonnegative(Polynomial{o}) && GC::is_nonnegative(Polynomial{e}));
   BOOST_CHECK(!GC::is_nonnegative(Polynomial{FT(-1)}) && !GC::is_nonnegative(Polynomial{o, FT(-1), o}));
@@ -336,8 +341,8 @@ TEST_IN_EVERY_SPACE(degenerate_geometry) {
 
 inline GC::Closure closure(bool closed) { return closed ? GC::Closure::closed : GC::Closure::open; }
 
-// The least orders C and G of all joins. No points are constructed, so that exact predicates are exact also where
-// constructions are rounded.
+// The least orders C and G of all joins. No points are constructed, so that exact predicates are
+// exact also where constructions are rounded.
 template <class Traits, class Basis>
 std::pair<int, int> orders(const std::vector<Point<Traits>>& p, const Basis& basis, bool closed) {
   const int n = static_cast<int>(p.size());
@@ -348,7 +353,7 @@ std::pair<int, int> orders(const std::vector<Point<Traits>>& p, const Basis& bas
   return {s.c_order().value(), s.g_order().value()};
 }
 
-// The same for the constructed curve, in exact kernels.
+// Returns the orders of the constructed curve, in exact kernels.
 template <class C> std::pair<int, int> orders(const C& curve) {
   const GC::Chain_summary s = GC::chain_continuity(curve).summary;
   return {s.c_order().value(), s.g_order().value()};
@@ -456,7 +461,8 @@ TEST_IN_EVERY_SPACE(piecewise_degenerate) {
 
 // ---------------------------------------------------------------- properties of Bezier curves
 
-// Returns whether p is in a triangle of the points, for points in the plane: Caratheodory's theorem.
+// Returns whether p is in a triangle of the points, for points in the plane: Caratheodory's
+// theorem.
 template <class Traits> bool in_some_triangle(const std::vector<Column<Traits>>& q, const Column<Traits>& p) {
   const auto turn = [](const Column<Traits>& a, const Column<Traits>& b, const Column<Traits>& c) {
     const FT x = (b[0] - a[0]) * (c[1] - a[1]), y = (b[1] - a[1]) * (c[0] - a[0]);
@@ -478,7 +484,8 @@ BOOST_AUTO_TEST_CASE(convex_hull) {
     for (int m = 0; m <= 6; ++m) {
       const Curve<Traits> c = random_curve<Traits>(random, d, m);
       const FT u = c.domain().first + ratio(random.integer(0, 4), 4) * (c.domain().second - c.domain().first);
-      if (exact || m <= 3) BOOST_CHECK(GC::is_in_convex_hull(c, c(u))); // no rounding up to degree 3
+      // no rounding up to degree 3
+      if (exact || m <= 3) BOOST_CHECK(GC::is_in_convex_hull(c, c(u)));
       for (int j = 0; j <= m; ++j) BOOST_CHECK(GC::is_in_convex_hull(c, c.control_point(j)));
 
       // the weights prove what they say
@@ -530,7 +537,8 @@ BOOST_AUTO_TEST_CASE(convex_hull) {
     Column<Traits> x = column<Traits>(d, {2, 2});
     x[0] = next_to(x[0]);
     BOOST_CHECK(!GC::is_in_convex_hull(triangle, point<Traits>(x)));
-    BOOST_CHECK(!GC::is_in_convex_hull(curve<Traits>(d, {{0, 0}, {1, 0}, {2, 0}}), point<Traits>(d, {4, 0}))); // t = 2
+    // t = 2
+    BOOST_CHECK(!GC::is_in_convex_hull(curve<Traits>(d, {{0, 0}, {1, 0}, {2, 0}}), point<Traits>(d, {4, 0})));
     if constexpr (Curve<Traits>::N == 0)
       CHECK_ERROR(GC::is_in_convex_hull(triangle, point<Traits>(d + 1, {1})), dimension_mismatch);
     if constexpr (std::is_floating_point_v<typename Traits::FT>) {
@@ -560,7 +568,8 @@ BOOST_AUTO_TEST_CASE(crossings) {
     typedef decltype(traits) Traits;
     const Point<Traits> origin = point<Traits>(d, {7});
     const Vector<Traits> up = vector<Traits>(d, {0, 1});
-    const auto count = [&](std::initializer_list<int> heights) { // a curve with these distances from the x-axis
+    // a curve with these distances from the x-axis
+    const auto count = [&](std::initializer_list<int> heights) {
       std::vector<Point<Traits>> p;
       for (int y : heights) p.push_back(point<Traits>(d, {static_cast<int>(p.size()), y, y}));
       return GC::count_crossings(Curve<Traits>(p.begin(), p.end()), origin, up);

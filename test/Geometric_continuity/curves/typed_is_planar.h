@@ -92,7 +92,8 @@ BOOST_AUTO_TEST_CASE(rational_curves) {
     for (const Row& x : rows) points.push_back(column<GC::Homogeneous_traits<Traits3>>(4, x));
     return GC::is_planar(Rational(typename Rational::Homogeneous(points.begin(), points.end())));
   };
-  BOOST_CHECK(is_planar({{1, 0, 4, 1}, {0, 1, 0, 0}, {-1, 0, 4, 1}})); // half a circle, one point is infinite
+  // half a circle, one point is infinite
+  BOOST_CHECK(is_planar({{1, 0, 4, 1}, {0, 1, 0, 0}, {-1, 0, 4, 1}}));
   BOOST_CHECK(is_planar({{1, 0, 4, 1}, {0, 1, 0, 0}, {6, 9, 12, 3}, {-1, 0, 4, 1}}));
   BOOST_CHECK(!is_planar({{1, 0, 4, 1}, {0, 1, 1, 0}, {6, 9, 12, 3}, {-1, 0, 4, 1}}));
   BOOST_CHECK(!is_planar({{1, 0, 4, 1}, {0, 1, 0, 1}, {6, 9, 12, 3}, {-1, 0, 4, 1}}));

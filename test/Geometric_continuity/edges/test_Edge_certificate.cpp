@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What certifies the order along an edge: the polynomials vanish where it says so, and the factors are those of the construction.
+// The certificate of the order along an edge is checked: the polynomials vanish where it says so,
+// and the factors are those of the construction.
 
 #include "support/nets.h"
 
@@ -78,7 +79,8 @@ BOOST_AUTO_TEST_CASE(constructed_edges) {
   }
 }
 
-// In each coordinate plane, where two coordinates of the normal are zero; and of a wrong verdict on surfaces without a normal.
+// In each coordinate plane, where two coordinates of the normal are zero; and of a wrong verdict on
+// surfaces without a normal.
 BOOST_AUTO_TEST_CASE(planes) {
   for (int x = 0; x < 3; ++x) {
     const auto patch = [&](int u, int v) {
@@ -101,11 +103,13 @@ BOOST_AUTO_TEST_CASE(planes) {
     BOOST_CHECK(value(c[0].factors[2], Q(0)) == Q(-2) * value(c[0].factors[0], Q(0)));
     const std::vector<Certificate> wrong = GC::edge_certificates(line, v0, line, v0, verdict);
     BOOST_REQUIRE(wrong.size() == 1 && wrong[0].factors.size() == 3);
-    BOOST_CHECK(wrong[0].side->is_zero() && wrong[0].factors[0].is_zero()); // which shows that it is wrong
+    // which shows that it is wrong
+    BOOST_CHECK(wrong[0].side->is_zero() && wrong[0].factors[0].is_zero());
   }
 }
 
-// A knot line at which the surface jumps has only rows; each span of the line has its own certificate.
+// A knot line at which the surface jumps has only rows; each span of the line has its own
+// certificate.
 BOOST_AUTO_TEST_CASE(knot_lines) {
   typedef GC::Bspline_surface<GC::Traits_3<Kernel>> Surface;
   typedef Kernel::Point_3 Point;

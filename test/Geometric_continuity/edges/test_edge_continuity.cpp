@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The order of continuity of Bezier patches along edges, degenerate edges, and the angle between the normals.
+// The order of continuity of Bezier patches along edges, degenerate edges, and the angle between
+// the normals.
 
 #include "support/enclosures.h"
 #include "support/nets.h"
@@ -300,7 +301,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vanishing_normals, K, All_kernels) {
     BOOST_CHECK(!e.deviation);
   }
 
-  // a crease whose normal vanishes at an end, where the angle has a limit; and inside, where it has none
+  // a crease whose normal vanishes at an end, where the angle has a limit; and inside, where it has
+  // none
   const auto end = edge_along_x<K>(y_direction, direction(constant(0), line(0, -1), line(0, 1)));
   BOOST_CHECK_EQUAL(end.defect, Edge_defect::crease);
   BOOST_CHECK(end.normal_vanishes && end.vanishing && end.vanishing->second == 0);
@@ -351,7 +353,8 @@ TEST_FOR_EACH(the_angle_is_enclosed, K, All_kernels) {
     BOOST_CHECK_LE(ulps(e.deviation->angle()), 4);
     BOOST_CHECK_LE(largest, upper * (1 + 1e-12));
     BOOST_CHECK_LE(upper, largest * 1.002);
-    if (begin <= 0 || end >= 1) BOOST_CHECK_GE(inside, largest * (1 - 1e-12)); // else no sample need be inside
+    // else no sample need be inside
+    if (begin <= 0 || end >= 1) BOOST_CHECK_GE(inside, largest * (1 - 1e-12));
     // the angle at the place that is found
     const double found = sampled_angle<K>(p[0], p[1], FT((begin + end) / 2));
     if (0 < begin && end < 1) BOOST_CHECK_CLOSE(found, upper, 1e-6);

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The certified deviation along edges: the enclosures contain the exact value, are at most four units in the last place
-// wide on well-scaled numbers, and lead to honest verdicts.
+// The certified deviation along edges: the enclosures contain the exact value, are at most four
+// units in the last place wide on well-scaled numbers, and lead to honest verdicts.
 
 #include "support/enclosures.h"
 
@@ -45,7 +45,8 @@ Rows surface(const Polynomial& y, const Polynomial& z, const Rows::Row& edge = r
 }
 const Rows flat = surface(one, zero);
 
-// Returns whether the largest angle is that with the squared sine, beyond the right angle if `obtuse`.
+// Returns whether the largest angle is that with the squared sine, beyond the right angle if
+// `obtuse`.
 void check_largest_angle(const Rows& a, const Rows& b, const Exact& sine_squared, bool obtuse = false) {
   const auto e = GC::edge_continuity(a, b);
   BOOST_REQUIRE(e.deviation);
@@ -98,8 +99,8 @@ BOOST_AUTO_TEST_CASE(largest_angle_along_an_edge) {
   }
 }
 
-// Where a normal vanishes the angle has limits on both sides; the sign of the cosine changes with a factor of odd
-// multiplicity only.
+// Where a normal vanishes the angle has limits on both sides; the sign of the cosine changes with a
+// factor of odd multiplicity only.
 BOOST_AUTO_TEST_CASE(largest_angle_beside_vanishing_normals) {
   const Polynomial minus = constant(-1), w = constant(2) * t * t - one, g = t - t * t * t;
   for (const Exact& c : {Exact(1), Exact(0.001)}) {
@@ -107,7 +108,8 @@ BOOST_AUTO_TEST_CASE(largest_angle_beside_vanishing_normals) {
     check_largest_angle(flat, surface(minus * w * w, c * (g * w * w)), largest);
     check_largest_angle(surface(w * w * t, zero), surface(minus * (one - t), c * (g * (one - t))), largest);
     check_largest_angle(surface(w, zero), surface(minus * w * w * w, c * (g * w * w * w)), largest);
-    // on one side for t < sqrt(1/2), then on the other: largest beyond the right angle where the slope is least, t = 0 or 1
+    // on one side for t < sqrt(1/2), then on the other: largest beyond the right angle where the
+    // slope is least, t = 0 or 1
     check_largest_angle(surface(w, zero), surface(one, c * g), 0, true);
     check_largest_angle(surface(w, zero), surface(w * w, c * (g * w * w)), 0, true);
     // the least slope where the side changes, sqrt(1/2): the angle is a limit from one side
@@ -157,8 +159,9 @@ BOOST_AUTO_TEST_CASE(random_edges) {
     const auto measure = [&](const Exact& x) {
       const auto d = value(rows[0].edge, x, true), t1 = value(rows[0].cross, x, false),
                  t2 = value(rows[1].cross, x, false);
-      const Exact dd = dot(d, d), d1 = dot(d, t1), d2 = dot(d, t2), // (d x t1).(d x t2) = d.d t1.t2 - d.t1 d.t2
-          side = dd * dot(t1, t2) - d1 * d2, square = (dd * dot(t1, t1) - d1 * d1) * (dd * dot(t2, t2) - d2 * d2);
+      // (d x t1).(d x t2) = d.d t1.t2 - d.t1 d.t2
+      const Exact dd = dot(d, d), d1 = dot(d, t1), d2 = dot(d, t2), side = dd * dot(t1, t2) - d1 * d2,
+                  square = (dd * dot(t1, t1) - d1 * d1) * (dd * dot(t2, t2) - d2 * d2);
       return Exact(1 + (side < 0 ? -1 : 1) * side * side / square);
     };
     for (int k = 0; k <= 64; ++k) BOOST_CHECK(measure(Exact(k) / 64) <= e.deviation->upper);
@@ -302,7 +305,8 @@ BOOST_AUTO_TEST_CASE(edges_that_have_nothing_in_common) {
   BOOST_CHECK_EQUAL(apart(1), Verdict::refuted);
   BOOST_CHECK_EQUAL(apart.proved_order(), -1);
   BOOST_CHECK_EQUAL(apart.deviation.gap, (GC::Enclosure{5, 5}));
-  BOOST_CHECK_EQUAL(GC::order_within(a, v0, b, v0, {0, 5}).proved_order(), 1); // the gap is tolerated
+  // the gap is tolerated
+  BOOST_CHECK_EQUAL(GC::order_within(a, v0, b, v0, {0, 5}).proved_order(), 1);
 }
 
 // A knot line with a jump is continuous within a tolerance.

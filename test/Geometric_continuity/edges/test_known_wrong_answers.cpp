@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Joins and edges that other programs are known to judge wrongly. Each test writes down the rule that is led astray, shows
-// that it is, and checks the exact answer.
+// Joins and edges that other programs are known to judge wrongly. Each test writes down the rule
+// that is led astray, shows that it is, and checks the exact answer.
 
 #include "support/decided_joins.h"
 #include "support/test.h"
@@ -70,7 +70,8 @@ template <class K> double normal_angle(const Patch<K>& a, const Patch<K>& b, con
   return angle_of(a.normal(u, typename K::FT(0)), b.normal(u, typename K::FT(0)));
 }
 
-// Angles of lines: those beyond 90 degrees are folded back, which is right for lines and wrong for tangents and normals.
+// Angles of lines: those beyond 90 degrees are folded back, which is right for lines and wrong for
+// tangents and normals.
 double folded(double angle) { return std::min(angle, pi - angle); }
 
 // ---------------------------------------------------------------- angles modulo pi
@@ -93,7 +94,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_cusp_is_not_g1, K, Kernels) {
   BOOST_CHECK(smooth.g_order >= 1 && *smooth.tangent_equal);
 }
 
-// The same along an edge: the surfaces lie on one side, as the two halves of a folded sheet do.
+// Along an edge the surfaces lie on one side, as the two halves of a folded sheet do.
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_folded_sheet_is_not_g1, K, Kernels) {
   const Patch<K> a = patch<K>(x_axis, direction(0, 1, 0), zero), b = patch<K>(x_axis, direction(1, 2, 0), zero),
                  c = patch<K>(x_axis, direction(1, -2, 0), zero);
@@ -111,7 +112,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_folded_sheet_is_not_g1, K, Kernels) {
   BOOST_CHECK(fold.deviation->lower == 2 && fold.deviation->upper == 2);
   BOOST_CHECK_GT(fold.deviation->largest_angle(), 3.14159265358979);
   BOOST_CHECK_EQUAL(GC::edge_continuity(a, v0, c, v0).g_order, 2);
-  BOOST_CHECK_EQUAL(GC::edge_continuity(a, v0, a, v0).defect, Edge_defect::fold); // a patch with itself
+  // a patch with itself
+  BOOST_CHECK_EQUAL(GC::edge_continuity(a, v0, a, v0).defect, Edge_defect::fold);
 
   // on the other side on three quarters of the edge, then on the same side
   const Patch<K> mixed = patch<K>(x_axis, direction(constant(0), Polynomial{Q(-3), Q(1)}, constant(0)), zero);
@@ -128,7 +130,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_folded_sheet_is_not_g1, K, Kernels) {
 
 // ---------------------------------------------------------------- opposite normals
 
-// Wrong: "tangents agree, curvatures are equal". The curves bend to opposite sides, or in perpendicular planes.
+// Wrong: "tangents agree, curvatures are equal". The curves bend to opposite sides, or in
+// perpendicular planes.
 BOOST_AUTO_TEST_CASE_TEMPLATE(opposite_principal_normals_are_not_g2, K, Kernels) {
   typedef typename K::Point_3 P;
   const Curve3<K> in{P(-2, 2, 0), P(-1, 0, 0), P(0, 0, 0)}, up{P(0, 0, 0), P(1, 0, 0), P(2, 2, 0)},
@@ -146,8 +149,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(opposite_principal_normals_are_not_g2, K, Kernels)
   }
 }
 
-// Wrong: "second fundamental forms agree up to the sign of the normal". The sheet is folded flat, and each half is bent in
-// the same way.
+// Wrong: "second fundamental forms agree up to the sign of the normal". The sheet is folded flat,
+// and each half is bent in the same way.
 BOOST_AUTO_TEST_CASE_TEMPLATE(opposite_normals_are_not_g2, K, Kernels) {
   typedef GC::Edge_field<GC::Traits_3<K>> Field;
   const Column c{Polynomial{Q(0), Q(1)}, constant(0), Polynomial{Q(0), Q(0), Q(2)}}, bent = direction(0, 0, 3);
@@ -185,7 +188,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(differences_have_no_sign, K, Kernels) {
   }
 }
 
-// ---------------------------------------------------------------- cross derivatives that are not parallel
+// --------------------------------------------------------- cross derivatives that are not parallel
 
 // Wrong: "T1 and T2 are parallel", or the control points across the edge collinear. Both may have a part along the edge.
 template <class K, class FT = typename K::FT> bool parallel_cross_derivatives(const Patch<K>& a, const Patch<K>& b) {

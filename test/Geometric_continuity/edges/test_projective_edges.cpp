@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The orders G^k are those of the points in projective space: they do not change under a projective map, which makes rational
-// patches from polynomial ones that are connected in all ways.
+// The orders G^k are those of the points in projective space: they do not change under a projective
+// map, which makes rational patches from polynomial ones that are connected in all ways.
 
 #include "support/nets.h"
 

@@ -56,7 +56,8 @@ template <class A, class B> int order(const A& a, Patch_edge ea, const B& b, Pat
   return edge.g_order;
 }
 
-// A quarter of the cylinder of radius 1 about the y-axis, from (0, 0, 1) to (1, 0, 0), for y in [0, 1].
+// A quarter of the cylinder of radius 1 about the y-axis, from (0, 0, 1) to (1, 0, 0), for y in [0,
+// 1].
 template <class Traits> Patch<Traits> quarter_cylinder(int factor = 1, int y = 1) {
   typedef typename Traits::Point P;
   typedef typename Traits::FT FT;
@@ -112,7 +113,8 @@ BOOST_AUTO_TEST_CASE(a_surface_cut_in_two) {
   }
 }
 
-// Edges that have the middle of their polynomials in common only, collapsed edges, and surfaces in one point.
+// Edges that have the middle of their polynomials in common only, collapsed edges, and surfaces in
+// one point.
 BOOST_AUTO_TEST_CASE_TEMPLATE(edges_with_little_in_common, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef typename Traits::FT FT;
@@ -145,7 +147,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(edges_with_little_in_common, Traits, All_traits) {
   BOOST_CHECK_EQUAL(is_g2_edge(cylinder, v0, next.elevate(0, 12), v0), is_g2_edge(cylinder, v0, next, v0));
 }
 
-// What nothing has been decided about has no spans.
+// An edge about which nothing has been decided has no spans.
 BOOST_AUTO_TEST_CASE(output_of_nothing) {
   BOOST_CHECK_EQUAL(text(GC::Spline_edge_continuity<Q>()), text(GC::Edge_continuity<Q>()));
 }
@@ -243,7 +245,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(collapsed_edges_and_vanishing_normals, Traits, All
 }
 
 BOOST_AUTO_TEST_CASE(another_rational_parameter_along_the_edge) {
-  // the same points, but other parameters: not recognised, and the distance of equal parameters is enclosed
+  // the same points, but other parameters: not recognised, and the distance of equal parameters is
+  // enclosed
   const Patch<Exact> a = quarter_cylinder<Exact>();
   const Patch<Exact> b({{Exact::Point(0, 0, 1), Exact::Point(0, -1, 1)},
                         {Exact::Point(1, 0, 1), Exact::Point(1, -1, 1)},
@@ -266,7 +269,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(deviations, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef typename Traits::Vector V;
   typedef typename Traits::FT FT;
-  // circles of radius 1 and 2 in three quarters of a turn with a weight that is not positive, about the same axis
+  // circles of radius 1 and 2 in three quarters of a turn with a weight that is not positive, about
+  // the same axis
   typedef GC::Revolution_surface_3<GC::Bezier_curve<Traits>> Revolution;
   const auto ring = [](int from, int to) {
     return bezier_patch(
@@ -307,7 +311,8 @@ BOOST_AUTO_TEST_CASE(knot_lines) {
                          knots, one);
   };
   BOOST_CHECK_EQUAL(knot_line_continuity(jump(Q(7), Q(0)))[0].continuity.g_order, 2);
-  BOOST_CHECK_EQUAL(knot_line_continuity(jump(Q(8), Q(0)))[0].continuity.g_order, -1); // other parameters
+  // other parameters
+  BOOST_CHECK_EQUAL(knot_line_continuity(jump(Q(8), Q(0)))[0].continuity.g_order, -1);
   const Spline<Exact> gap = jump(Q(7), Q(2));
   BOOST_CHECK_EQUAL(knot_line_continuity(gap)[0].continuity.g_order, -1);
   const auto within = order_within(gap, knot_line_continuity(gap)[0], {0.1, 3});

@@ -147,7 +147,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(one_long_edge_meets_several, K, Kernels) {
   const auto long_one = edge_continuity(in<K>(right), v0, in<K>(low), v1);
   BOOST_CHECK_EQUAL(spans(long_one), "2 G2 6 G2 8");
   BOOST_CHECK_EQUAL(parts(long_one), "2..8 whole, 1..4");
-  BOOST_CHECK_EQUAL(edge_continuity(in<K>(left), v0, in<K>(right), v0).g_order, -1); // one point in common
+  // one point in common
+  BOOST_CHECK_EQUAL(edge_continuity(in<K>(left), v0, in<K>(right), v0).g_order, -1);
   BOOST_CHECK_EQUAL(edge_continuity(in<K>(lifted(low, 0, 2)), v1, in<K>(left), v0).g_order, 0);
 }
 
@@ -199,13 +200,15 @@ BOOST_AUTO_TEST_CASE(edges_in_a_power_of_the_parameter) {
   even[0] = {{{0}, {0}, {1}, {0}}};
   even[1] = {{{0, 1}}};
   const S low = spline(even, knots(0, 2), knots(0, 1)), high = spline(even, knots(0, 2, {1}), knots(1, 2));
-  BOOST_CHECK_EQUAL(spans(edge_continuity(low, v1, with_knots(high, 3, 1), v0)), "0 G0 1 G2 2"); // C' = 0 at 0
+  // C' = 0 at 0
+  BOOST_CHECK_EQUAL(spans(edge_continuity(low, v1, with_knots(high, 3, 1), v0)), "0 G0 1 G2 2");
   BOOST_CHECK_EQUAL(edge_continuity(low, v1, high, v0).defect, Edge_defect::vanishing_normal);
   BOOST_CHECK_EQUAL(edge_continuity(low, v1, part(high, 0, 1), v0).defect, Edge_defect::gap);
 }
 
 BOOST_AUTO_TEST_CASE(collapsed_edges_and_spans) {
-  const auto collapse = [](const S& s, int last) { // the control points (0, 0), ..., (last, 0) become one
+  // the control points (0, 0), ..., (last, 0) become one
+  const auto collapse = [](const S& s, int last) {
     return with_points(s, [&, last](int i, int j, const Exact::Point_3& p) {
       return j == 0 && i <= last ? s.control_point(0, 0) : p;
     });
@@ -234,7 +237,8 @@ BOOST_AUTO_TEST_CASE(numbers_are_taken_as_they_are) {
     return Surface<K>(net, high.knots_u(), high.knots_v());
   };
   BOOST_CHECK_EQUAL(edge_continuity(low, v1, high, v0).g_order, 2);
-  BOOST_CHECK_EQUAL(spans(edge_continuity(low, v1, moved(4, 0), v0)), "0 G2 1"); // different on the last span
+  // different on the last span
+  BOOST_CHECK_EQUAL(spans(edge_continuity(low, v1, moved(4, 0), v0)), "0 G2 1");
   BOOST_CHECK_EQUAL(spans(edge_continuity(low, v1, moved(4, 1), v0)), "0 G2 1 G0 4");
   BOOST_CHECK_EQUAL(spans(edge_continuity(low, v1, moved(4, 2), v0)), "0 G2 1 G1 4");
   // a knot that is one unit in the last place away
@@ -284,7 +288,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(knot_lines, K, Kernels) {
   BOOST_CHECK_EQUAL(spans(lines[2].continuity), "0 G2 1 G2 2 G2 3 G2 4");
   BOOST_CHECK(lines[0].constant_u && !lines[2].constant_u && lines[2].knot == 4);
 
-  // u: 0 0 0 0 2 2 4 4 4 4; the control points 2 and 3 are next to the knot 2, on both sides of the plane C' of the line
+  // u: 0 0 0 0 2 2 4 4 4 4; the control points 2 and 3 are next to the knot 2, on both sides of the
+  // plane C' of the line
   const S twice = spline(graph({}), knots(0, 4, {2, 2}), knots(0, 2, {1}));
   BOOST_CHECK_EQUAL(spans(knot_line_continuity(in<K>(lifted(twice, 1, 0)))[0].continuity), "0 G1 1 G2 2");
   BOOST_CHECK_EQUAL(spans(knot_line_continuity(in<K>(lifted(twice, 5, 4)))[0].continuity), "0 G2 1 G2 2");

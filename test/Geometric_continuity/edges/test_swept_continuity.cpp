@@ -67,7 +67,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(defects_of_revolution, Traits, Deciding_kernels) {
               !d.points[0].normal_flips);
   BOOST_CHECK(sign_pattern(*signed_radius(s)) == Sign_pattern::nonnegative);
 
-  // a skew line through the axis at its middle is no line in a plane through it, unless it meets it: here it does
+  // a skew line through the axis at its middle is no line in a plane through it, unless it meets
+  // it: here it does
   d = sweep_defects(revolve({{1, 2, 0}, {-1, -2, 3}}));
   BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
   BOOST_CHECK(is_at(d.points[0], half, half));
@@ -178,7 +179,8 @@ Curve continued(const Revolution& s, Random& random, const Q& p, const Q& normal
   return curve_from(j(0, 0), d1, d2);
 }
 
-// The order that the meridian has: (r^2, h), which is a smooth map of the distance r > 0 and the height.
+// The order that the meridian has: (r^2, h), which is a smooth map of the distance r > 0 and the
+// height.
 int meridian_order(const Curve& left, const Curve& right, const Point& a, const Vector& w) {
   typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Plane;
   const auto meridian = [&](const GC::Curve_jet<Exact>& c) {
@@ -290,12 +292,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(degenerate_joins, Traits, All_kernels) {
   const auto c = int_curve<Traits>({{1, 0, 0}, {2, 0, 1}, {3, 0, 2}});
   const auto r = [](std::initializer_list<std::array<int, 3>> rows) { return int_curve<Traits>(rows); };
   BOOST_CHECK(extrude(c, r({{3, 0, 3}, {4, 0, 4}})) == Edge_defect::gap);
-  BOOST_CHECK(revolve(c, r({{3, 0, 3}, {4, 0, 4}})) == Edge_defect::gap);  // another height
-  BOOST_CHECK(revolve(c, r({{3, 1, 2}, {4, 0, 4}})) == Edge_defect::gap);  // another radius
-  BOOST_CHECK(extrude(c, r({{3, 0, 2}, {4, 0, 3}})) == Edge_defect::none); // a straight line goes on
+  BOOST_CHECK(revolve(c, r({{3, 0, 3}, {4, 0, 4}})) == Edge_defect::gap); // another height
+  BOOST_CHECK(revolve(c, r({{3, 1, 2}, {4, 0, 4}})) == Edge_defect::gap); // another radius
+  // a straight line goes on
+  BOOST_CHECK(extrude(c, r({{3, 0, 2}, {4, 0, 3}})) == Edge_defect::none);
   BOOST_CHECK(revolve(c, r({{3, 0, 2}, {4, 0, 3}})) == Edge_defect::none);
   BOOST_CHECK(revolve(c, r({{0, -3, 2}, {0, -4, 3}})) == Edge_defect::none); // on the other side
-  BOOST_CHECK(revolve(c, r({{-3, 0, 2}, {-4, 0, 3}})) == Edge_defect::none); // at the opposite point
+  // at the opposite point
+  BOOST_CHECK(revolve(c, r({{-3, 0, 2}, {-4, 0, 3}})) == Edge_defect::none);
   BOOST_CHECK(revolve(c, r({{-3, 0, 2}, {-2, 0, 3}})) == Edge_defect::crease);
   BOOST_CHECK(extrude(c, r({{3, 0, 2}, {2, 0, 1}})) == Edge_defect::fold);
   BOOST_CHECK(revolve(c, r({{3, 0, 2}, {2, 0, 1}})) == Edge_defect::fold);
@@ -346,7 +350,8 @@ BOOST_AUTO_TEST_CASE(other_profiles_join) {
   const Curve bent = curve_from(vec(2, 0, 1), vec(-1, 0, 0), vec(0, 0, -1));
   BOOST_CHECK_EQUAL(revolution_continuity(Quarter_circle(), bent, Point(0, 0, 0), Vector(0, 0, 1)).g_order, 2);
   BOOST_CHECK_EQUAL(extrusion_continuity(Quarter_circle(), bent, Vector(0, 1, 0)).g_order, 2);
-  // a B-spline of degree 3 with a double knot is C1 there; its pieces, and the curve as a whole, swept
+  // a B-spline of degree 3 with a double knot is C1 there; its pieces, and the curve as a whole,
+  // swept
   const std::vector<Point> points{Point(2, 0, 0), Point(3, 0, 1), Point(2, 0, 3),
                                   Point(4, 0, 4), Point(1, 0, 6), Point(2, 0, 7)};
   typedef GC::Knot_vector<Q>::Knot Knot;

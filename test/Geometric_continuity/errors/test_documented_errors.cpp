@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The errors that the reference names for public functions, where no test of a module has them: what is refused, and by which code.
+// The errors that the reference names for public functions, where no test of a module has them:
+// what is refused, and by which code.
 
 #define BOOST_TEST_MODULE documented_errors
 
@@ -132,7 +133,8 @@ BOOST_AUTO_TEST_CASE(curves) {
   CHECK_ERROR(R2(p, std::vector<double>{1, 1, 1, 1}), wrong_number_of_points);
   typedef GC::Traits_2<CGAL::Simple_cartesian<Q>> Exact;
   const std::vector<Exact::Point> exact{Exact::Point(0, 0), Exact::Point(1, 1), Exact::Point(2, 0)};
-  const GC::Rational_bezier_curve<Exact> almost(exact, std::vector<Q>{Q(1), Q(Q(-2) + Q(1e-60)), Q(4)}); // zero at 1/3
+  // zero at 1/3
+  const GC::Rational_bezier_curve<Exact> almost(exact, std::vector<Q>{Q(1), Q(Q(-2) + Q(1e-60)), Q(4)});
   CHECK_ERROR(almost.positive_parts(), work_limit);
   CHECK_ERROR(almost.bounding_box(), work_limit);
   const std::vector<Rd> of_two{Rd(std::vector<Dd::Point>{point({0, 0}), point({1, 1}), point({2, 0})}, w),

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Limits of the work of constructions, and of what is said about their results: ordinary input is far below the default, long
-// numbers are refused by a typed error, and floating-point numbers are never.
+// Limits of the work of constructions, and of what is said about their results: ordinary input is
+// far below the default, long numbers are refused by a typed error, and floating-point numbers are
+// never.
 
 #include "support/limited.h"
 #include "support/test.h"
@@ -90,7 +91,7 @@ BOOST_AUTO_TEST_CASE(exact_numbers) {
               work_limit);
 }
 
-// What takes no limit of its own counts in a scope, and what takes one counts there as well.
+// A function without a limit of its own counts in a scope, and so does a function with one.
 BOOST_AUTO_TEST_CASE(scopes) {
   const Bezier<Q> left = random_curve<Q>(5, 8), long_left = random_curve<Q>(5, 600);
   const Bezier<Q> right = left.reverse(), long_right = long_left.reverse();
@@ -143,7 +144,7 @@ BOOST_AUTO_TEST_CASE(floating_point_numbers) {
   BOOST_CHECK_GT(GC::extend_toward(c, GC::Frenet_order::curvature, c.control_point(0)).energy(2), 0);
 }
 
-// What is long can be interrupted by a scope with a function, whatever its numbers are.
+// A scope with a function can interrupt long work, whatever its numbers are.
 BOOST_AUTO_TEST_CASE(interruption) {
   struct Interrupted {};
   const auto is_interruptible = [](auto work) {

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What extensions refuse: numbers that are not finite, wherever they enter, and degrees without alternatives. What they make is
-// tested on every kernel, in kernels/typed/alternatives.h.
+// Extensions refuse numbers that are not finite, wherever they enter, and degrees without
+// alternatives. Their results are tested on every kernel, in typed_alternatives.h.
 
 #include "support/test.h"
 

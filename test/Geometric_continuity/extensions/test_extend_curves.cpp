@@ -8,7 +8,8 @@
 
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 
-// A curve keeps its segments when it is extended or closed, and the new joins have the order that was asked for.
+// A curve keeps its segments when it is extended or closed, and the new joins have the order that
+// was asked for.
 BOOST_AUTO_TEST_CASE(extended_and_closed) {
   Random random;
   typedef GC::Composite_bezier_curve<Exact_3> Composite;

@@ -53,7 +53,8 @@ TEST_FOR_EACH(splines_are_extended, K, Kernels) {
     CHECK_ERROR(GC::extend_toward(c, GC::Frenet_order::tangent, wished, FT(-1)), nonpositive_beta);
   });
   typedef typename K::Point_3 P;
-  // only the last span is asked whether it can be extended: its points are equal, then those before it
+  // only the last span is asked whether it can be extended: its points are equal, then those before
+  // it
   const GC::Knot_vector<FT> knots(1, FT(0), FT(2), {{FT(1), 1}});
   const std::vector<P> stops{P(0, 0, 0), P(1, 0, 0), P(1, 0, 0)}, starts{P(1, 0, 0), P(1, 0, 0), P(2, 0, 0)};
   CHECK_ERROR(GC::extend(Curve3<K>(stops.begin(), stops.end(), knots), GC::Frenet_order::tangent), zero_tangent);

@@ -12,8 +12,8 @@
 
 BOOST_AUTO_TEST_SUITE(alternatives)
 
-// Exact kernels whose numbers cancel take rational numbers; the others take whole numbers and powers of two, with which all
-// but quotients is exact.
+// Exact kernels whose numbers cancel take rational numbers; the others take whole numbers and
+// powers of two, with which all but quotients is exact.
 constexpr bool rational_numbers = exact && cancels;
 
 typedef GC::Frenet_order Order;
@@ -59,7 +59,7 @@ template <class Traits> Curve<Traits> curve_on(const Points<Traits>& points, con
 }
 template <class Traits> Curve<Traits> unit(const Curve<Traits>& c) { return c.with_domain(FT(0), FT(1)); }
 
-// Of degree m, with a nonzero curvature at its end, on a random domain.
+// Makes a curve of degree m with a nonzero curvature at its end, on a random domain.
 template <class Traits> Curve<Traits> random_left(Random& random, int d, int m) {
   for (;;) {
     const FT a = value(random);
@@ -70,7 +70,8 @@ template <class Traits> Curve<Traits> random_left(Random& random, int d, int m) 
   }
 }
 
-// The next segment with these first points and random others, on a domain beta times as long as that of `left`.
+// The next segment with these first points and random others, on a domain beta times as long as
+// that of `left`.
 template <class Traits>
 Curve<Traits> next(const Curve<Traits>& left, const FT& beta, Points<Traits> first, Random& random) {
   first.insert(first.begin(), left.control_point(left.degree()));
@@ -224,7 +225,7 @@ TEST_WITH_RANDOM_INPUT(third_derivative) {
   check_join(left, next(left, beta, {b1, b2, plane.point_at({FT(c.c1 + FT(1)), c.c2})}, random), 3, 2, 3, 3);
 }
 
-// ---------------------------------------------------------------- the nearest member and that of least energy
+// ----------------------------------------------------- the nearest member and that of least energy
 
 // x.y = 0; in rounded kernels the terms are below 1000 and have gone through at most 100 roundings
 template <class Traits> bool orthogonal(const Column<Traits>& x, const Column<Traits>& y) {
@@ -251,7 +252,8 @@ TEST_WITH_RANDOM_INPUT(nearest_member) {
   BOOST_CHECK(plane.nearest_parameters(plane.point_at(c)) == c);
 }
 
-// The energy of the polygon has its least value: it is larger, and equally large, when a point is moved either way.
+// The energy of the polygon has its least value: it is larger, and equally large, when a point is
+// moved either way.
 template <class Traits> void check_stationary(const Curve<Traits>& c, int index, const Column<Traits>& direction) {
   const auto energy = [&](int sign) {
     Points<Traits> points(c.begin(), c.end());
@@ -395,7 +397,8 @@ BOOST_AUTO_TEST_CASE(planar_curve_in_space) {
 
 // ---------------------------------------------------------------- the source, corrected
 
-// The printed (3.2.3), b3 = C1 p + C2 r, does not move with the curve; the corrected one moves with it.
+// The printed (3.2.3), b3 = C1 p + C2 r, does not move with the curve; the corrected one moves with
+// it.
 BOOST_AUTO_TEST_CASE(printed_fourth_point) {
   const Column<Traits3> shift = column<Traits3>(3, {1, -2, 3});
   const GC::Torsion_parameters<FT> c{FT(2), FT(-1)};
@@ -441,8 +444,9 @@ BOOST_AUTO_TEST_CASE(similarity) {
   });
 }
 
-// Two planar projections with different C0 fit together where the tangent is orthogonal to the axis that they share, and
-// give a join in space that is not curvature-continuous; with the same C0 it is.
+// Two planar projections with different C0 fit together where the tangent is orthogonal to the axis
+// that they share, and give a join in space that is not curvature-continuous; with the same C0 it
+// is.
 BOOST_AUTO_TEST_CASE(two_projections) {
   const auto project = [](const Curve<Traits3>& c, int axis) {
     Points<Traits2> points;
@@ -529,7 +533,8 @@ BOOST_AUTO_TEST_CASE(polygon_tests) {
       Points<Traits> points;
       for (int j = 0; j <= m; ++j) points.push_back(point<Traits>(small()));
       const Curve<Traits> left = curve_on<Traits>(points, FT(0), FT(1));
-      // the right polygon follows the families up to some point, and is small and random from there on
+      // the right polygon follows the families up to some point, and is small and random from there
+      // on
       const int sign = random.integer(0, 4) == 0 ? -1 : 1;
       const FT beta(sign * random.integer(1, 2));
       std::vector<Column<Traits>> b{left.coordinates(m)};

@@ -248,7 +248,7 @@ BOOST_AUTO_TEST_CASE(coordinates_of_all_sizes) {
   BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "given curve\n"); // as it was before
 }
 
-// Of many curves each is drawn, with its comb, its polygon and its join; labels only where there is room.
+// Each of many curves is drawn, with its comb, its polygon and its join; labels only where there is room.
 BOOST_AUTO_TEST_CASE(many_curves) {
   const auto count = [](const std::string& text, const std::string& word) {
     int n = 0;
@@ -474,7 +474,7 @@ BOOST_AUTO_TEST_CASE(lines_of_surfaces) {
   BOOST_CHECK_EQUAL(drawn({flat, corner}), first + "edge, G1 but where a normal vanishes\nboundary\n");
 }
 
-// The same surface with and without infinite control points; what cannot be drawn is told by its number.
+// The test draws one surface with and without infinite control points. A surface that cannot be drawn is named by its number.
 BOOST_AUTO_TEST_CASE(rational_and_exact_surfaces) {
   const auto drawn = [](const auto& surfaces) {
     std::ostringstream os;

@@ -1,5 +1,6 @@
-# Configures the project from SOURCE without its program, for which CGAL is enough, and installs it into WORK without building anything;
-# configures, builds and runs the separate project in USER, which finds it, and then has it as a part of its own.
+# Configures the project from SOURCE without its program, for which CGAL is enough, and installs it
+# into WORK without building anything; configures, builds and runs the separate project in USER,
+# which finds it, and then has it as a part of its own.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT code EQUAL 0)

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Joins of curves of several segments, and of the user's own: the decisions read the ends where they are.
+// Joins of curves of several segments, and of the user's own: the decisions read the ends where
+// they are.
 
 #include "support/test.h"
 
@@ -49,7 +50,7 @@ struct Own_curve {
   GC::Curve_jet<Traits> jet(double u, int k) const { return curve.jet(u, k); }
 };
 
-// ---------------------------------------------------------------- the pieces at the ends, in an exact kernel
+// ------------------------------------------------------ the pieces at the ends, in an exact kernel
 
 template <class Curve> std::vector<Exact_2::Point> exact_points(const Curve& c) {
   std::vector<Exact_2::Point> points;
@@ -77,7 +78,8 @@ std::vector<Exact_bezier> pieces(const Bspline& c) {
       .bezier_pieces();
 }
 
-// All decisions about the join of two curves against the one about the pieces at the join. Returns its order G.
+// All decisions about the join of two curves against the one about the pieces at the join. Returns
+// its order G.
 template <class Left, class Right> int check(const Left& left, const Right& right) {
   const GC::Join_continuity<Q> truth = GC::continuity(pieces(left).back(), pieces(right).front());
   BOOST_CHECK_EQUAL(GC::is_c_join<0>(left, right), truth.c_order >= 0);
@@ -121,7 +123,8 @@ BOOST_AUTO_TEST_CASE(segmented_curves) {
   BOOST_CHECK_EQUAL(check(right, left), -1); // a gap, although the first segments nearly meet
   const Composite beside(first.begin() + 1, first.end());
   BOOST_CHECK_EQUAL(check(Composite(first.begin(), first.begin() + 1), beside), 3);
-  BOOST_CHECK_EQUAL(check(left, beside), -1); // where reading the end of the first segment sees no gap
+  // where reading the end of the first segment sees no gap
+  BOOST_CHECK_EQUAL(check(left, beside), -1);
   BOOST_CHECK_EQUAL(check(left, second[0]), 3);
   BOOST_CHECK_EQUAL(check(first[3], right), 3);
 
@@ -141,8 +144,9 @@ BOOST_AUTO_TEST_CASE(segmented_curves) {
 
 // ---------------------------------------------------------------- B-splines
 
-// A spline cut at an inner knot of multiplicity m into splines that are not clamped there, by taking the control points and
-// knots that each side reads: C^(p-m) by construction. Then one of its points is moved by one unit.
+// A spline cut at an inner knot of multiplicity m into splines that are not clamped there, by
+// taking the control points and knots that each side reads: C^(p-m) by construction. Then one of
+// its points is moved by one unit.
 BOOST_AUTO_TEST_CASE(splines_that_are_not_clamped) {
   std::cout << "seed 2026\n";
   int orders[5] = {0, 0, 0, 0, 0}; // of the G orders -1 to 3
@@ -158,7 +162,8 @@ BOOST_AUTO_TEST_CASE(splines_that_are_not_clamped) {
       return Bspline(points.begin() + first, points.begin() + (last - p - 1),
                      GC::Knot_vector<double>(p, std::vector<double>(knots.begin() + first, knots.begin() + last)));
     };
-    // the domain of the left part ends with the first knot 0, that of the right one starts with the last
+    // the domain of the left part ends with the first knot 0, that of the right one starts with the
+    // last
     const int left_end = cut + p + 1, right_start = cut + m - 1 - p;
     const Bspline left = part(0, left_end), right = part(right_start, static_cast<int>(knots.size()));
     ++orders[1 + check(left, right)];
@@ -170,7 +175,8 @@ BOOST_AUTO_TEST_CASE(splines_that_are_not_clamped) {
   for (int i = 0; i < 5; ++i) BOOST_CHECK_GT(orders[i], 0);
 }
 
-// Clamped at the ends, with simple knots inside: no control points of the last piece, so the jet decides.
+// Clamped at the ends, with simple knots inside: no control points of the last piece, so the jet
+// decides.
 BOOST_AUTO_TEST_CASE(clamped_splines) {
   for (int round = 0; round < 40; ++round) {
     const int p = 2 + round % 3, inner = 3;

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What certifies a verdict: the equations hold, and their rests are orthogonal.
+// The certificate of a verdict is checked: the equations hold, and their residuals are orthogonal.
 
 #include "support/jets.h"
 

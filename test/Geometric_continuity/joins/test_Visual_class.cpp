@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Corners, kinks, G1 and G2: the angle is compared exactly, handles at the node and lines drawn as cubics are seen as they are drawn.
+// Corners, kinks, G1 and G2: the angle is compared exactly, handles at the node and lines drawn as
+// cubics are seen as they are drawn.
 
 #define BOOST_TEST_MODULE Visual_class
 
@@ -130,7 +131,8 @@ BOOST_AUTO_TEST_CASE(angles_that_are_the_bound) {
   BOOST_CHECK(!Bound(Q(45) / 2).is_exceeded(Field(root_2 - Field(1)), Field(1)));
   BOOST_CHECK(Bound(Q(45) / 2).is_exceeded(Field(root_2 - Field(1) + Field(little)), Field(1)));
   typedef CGAL::Sqrt_extension<Field, Q> Tower;
-  const Tower tower_2(Field(0), Field(1), 2), tower_3((Field(root_3))); // tan(7.5 degrees) in a field of two roots
+  // tan(7.5 degrees) in a field of two roots
+  const Tower tower_2(Field(0), Field(1), 2), tower_3((Field(root_3)));
   const Tower tangent = tower_2 * tower_3 - tower_3 + tower_2 - Tower(Field(2));
   BOOST_CHECK(!Bound(Q(15) / 2).is_exceeded(tangent, Tower(Field(1))));
   BOOST_CHECK(Bound(Q(15) / 2).is_exceeded(Tower(tangent + Tower(Field(little))), Tower(Field(1))));
@@ -300,7 +302,8 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite) {
   }
 }
 
-// Small integers, where all grades occur: against continuity(), the cross product and 90 digits of the tangent.
+// Small integers, where all grades occur: against continuity(), the cross product and 90 digits of
+// the tangent.
 BOOST_AUTO_TEST_CASE_TEMPLATE(random_joins, Traits, Kernels) {
   std::mt19937 random = seeded(2026);
   const auto number = [&](int size) { return static_cast<double>(static_cast<int>(random() % (2 * size + 1)) - size); };

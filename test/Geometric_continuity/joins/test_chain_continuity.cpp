@@ -8,7 +8,7 @@
 
 #include <CGAL/Geometric_continuity/curves/bezier_properties.h>
 
-// ------------------------------------------------------------------------------------------------------------ chains
+// ------------------------------------------------------------------------------------------ chains
 
 // Curves of which each starts where the one before it ends but for some gaps, with joins of all kinds.
 template <class Traits, class FT = typename Traits::FT>
@@ -181,7 +181,7 @@ BOOST_AUTO_TEST_CASE(a_refused_curve_does_not_change_the_chain) {
   CHECK_ERROR(GC::Chain_accumulator<Bezier<Exact_d>>(-1), negative_count);
 }
 
-// ------------------------------------------------------------------------------------- analysis of a segmented curve
+// ------------------------------------------------------------------- analysis of a segmented curve
 
 TEST_FOR_EACH(continuity_in_the_global_parameter, Traits, All_traits) {
   const int n = test_dimension<Traits>;
@@ -257,7 +257,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(every_join_is_that_of_two_curves, Traits, All_trai
 BOOST_AUTO_TEST_CASE_TEMPLATE(sides_of_a_join, Traits, All_traits) {
   typedef GC::Predicate_FT<Traits> Field;
   typedef GC::Signed_square<Field> Signed;
-  // a left turn before the join and a right turn after it; at the ends of parabolas kappa = |p x r| / (2 |p|^3)
+  // a left turn before the join and a right turn after it; at the ends of parabolas kappa = |p x r|
+  // / (2 |p|^3)
   const auto whole = GC::chain_continuity(composite<Traits>({{0, 0}, {2, 0}, {2, 2}, {2, 4}, {8, 4}}, {0, 1, 2}));
   const bool plane = test_dimension<Traits> == 2;
   BOOST_CHECK(whole.joins[0].left_side.curvature == (Signed{1, Field(Field(1) / Field(16))}));

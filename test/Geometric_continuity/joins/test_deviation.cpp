@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The certified deviation of joins: the enclosures contain the exact value, are at most four units in the last place wide
-// on well-scaled numbers, and lead to honest verdicts.
+// The certified deviation of joins: the enclosures contain the exact value, are at most four units
+// in the last place wide on well-scaled numbers, and lead to honest verdicts.
 
 #include "support/enclosures.h"
 
@@ -218,7 +218,8 @@ BOOST_AUTO_TEST_CASE(order_3_in_the_plane) {
                         [](const GC::Error& x) { return x.code() == GC::Error_code::negative_count; });
 }
 
-// Rounding a blend breaks its joins by about one unit in the last place, and that is what is proved.
+// Rounding a blend breaks its joins by about one unit in the last place, and that is what is
+// proved.
 BOOST_AUTO_TEST_CASE(rounded_blend) {
   const Space_curve left{Space::Point(0, 0, 0), Space::Point(1, 0.3, 0.1), Space::Point(2, 0.7, -0.4),
                          Space::Point(3, 1.1, 0.3)},

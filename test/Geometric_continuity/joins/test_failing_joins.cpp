@@ -19,8 +19,8 @@ template <class FT> using Curve = GC::Bezier_curve<Traits<FT>, 2>;
 
 const auto is_g2 = [](const auto& left, const auto& right) { return GC::is_g2_join(left, right); };
 
-// Pieces of the parabola y = x^2, in thirds if the numbers allow it; those in `bent` have their middle point moved, so that
-// they have no common tangent with their neighbours.
+// Pieces of the parabola y = x^2, in thirds if the numbers allow it; those in `bent` have their
+// middle point moved, so that they have no common tangent with their neighbours.
 template <class FT> std::vector<Curve<FT>> parabola(int n, const std::set<int>& bent) {
   typedef typename Traits<FT>::Point Point;
   const FT unit = std::is_same_v<FT, double> ? FT(1) : FT(FT(1) / FT(3));
@@ -93,7 +93,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_curves_differ) {
                         GC::Error, refused);
 }
 
-// What a predicate throws arrives, also from another thread.
+// An exception of a predicate reaches the caller, also from another thread.
 template <class Tag> void check_exception() {
   const std::vector<int> numbers(5000, 1);
   const auto throws = [](int, int) -> bool { throw std::domain_error("join"); };

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The factors by which degrees enter, where their products are longer than any integer of the machine: curves of the user's own of which
-// only the points next to the end exist.
+// The factors by which degrees enter, where their products are longer than any integer of the
+// machine: curves of the user's own of which only the points next to the end exist.
 
 #include "support/test.h"
 
@@ -63,8 +63,8 @@ std::array<Q, 4> binomials(int m) {
   return {Q(1), n, Q(n * Q(n - 1) / 2), Q(n * Q(n - 1) * Q(n - 2) / 6)};
 }
 
-// The end of degree m, with these weights w_i / w_0, of the curve x(s): in s = t / (1-t) it is sum_i C(m, i) w_i b_i s^i over
-// sum_i C(m, i) w_i s^i.
+// The end of degree m, with these weights w_i / w_0, of the curve x(s): in s = t / (1-t) it is
+// sum_i C(m, i) w_i b_i s^i over sum_i C(m, i) w_i s^i.
 template <class End>
 End end_of(const std::array<Series, 2>& x, int m, GC::Curve_end end, const std::array<Q, 4>& weights) {
   const std::array<Q, 4> c = binomials(m);
@@ -95,7 +95,8 @@ const std::pair<int, int> degrees[] = {
     {55110, 55110}, {715827884, 715827884}, {715827884, 3},        {715827883, 715827884},
     {largest, 5},   {largest, largest},     {largest, largest - 1}};
 
-// Joins G3 with a reparametrisation by big rationals, and the same with the last point moved, which are G2.
+// Joins G3 with a reparametrisation by big rationals, and the same with the last point moved, which
+// are G2.
 template <class End> void check_g3(bool weighted) {
   std::mt19937_64 generator(20);
   std::cout << "seed 20\n";
@@ -130,8 +131,8 @@ template <class End> void check_g3(bool weighted) {
 BOOST_AUTO_TEST_CASE(polynomials) { check_g3<End_of_curve<Exact_kernel>>(false); }
 BOOST_AUTO_TEST_CASE(with_weights) { check_g3<Weighted_end<Exact_kernel>>(true); }
 
-// On doubles: b_2 = a_2 + (m-2) a_1 and b_3 = a_3 + 3 (m-1) a_2 for the differences of two ends of degree m make y' = x',
-// y'' = x'' + (m-1)(m-2) x' and y''' = x''' + 3 (m-1)(m-2) x''.
+// On doubles: b_2 = a_2 + (m-2) a_1 and b_3 = a_3 + 3 (m-1) a_2 for the differences of two ends of
+// degree m make y' = x', y'' = x'' + (m-1)(m-2) x' and y''' = x''' + 3 (m-1)(m-2) x''.
 BOOST_AUTO_TEST_CASE(on_doubles) {
   typedef End_of_curve<CGAL::Epick> End;
   for (const int m : {1001, 55110, 715827883, 715827884, largest}) {
@@ -161,7 +162,8 @@ BOOST_AUTO_TEST_CASE(on_doubles) {
       right.points[3] = {right.points[3].x(), right.points[3].y() + 1};
       BOOST_CHECK(!GC::is_g3_join(left, right));
       BOOST_CHECK_EQUAL(GC::continuity(left, right, 3).g_order, 2);
-      const auto join = GC::continuity(left, End{m, GC::Curve_end::start, left.points}, 3); // it turns back
+      // it turns back
+      const auto join = GC::continuity(left, End{m, GC::Curve_end::start, left.points}, 3);
       BOOST_CHECK_EQUAL(join.g_order, 0);
       BOOST_CHECK(*join.curvature_equal);
     }

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The remarks of Hagen after 2.1: what continuity of derivatives says about that of the invariants, and conversely.
+// The remarks of Hagen after 2.1: what continuity of derivatives says about that of the invariants,
+// and conversely.
 
 #include "support/jets.h"
 
@@ -89,8 +90,9 @@ TEST_FOR_EACH(natural_spline_condition_of_cubics, Traits, Spaces) {
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(arc_length_and_torsion_continuity, Traits, Spaces) {
-  // With respect to arc length x' = e1, x'' = k e2, x''' = -k^2 e1 + k' e2 + k t e3. Continuous curvature then implies C2.
-  // Continuous torsion does not imply C3, as Hagen's remark 4 has it, because k' may jump.
+  // With respect to arc length x' = e1, x'' = k e2, x''' = -k^2 e1 + k' e2 + k t e3. Continuous
+  // curvature then implies C2. Continuous torsion does not imply C3, as Hagen's remark 4 has it,
+  // because k' may jump.
   const auto at = [](int k, int dk, int t) { return jet<Traits>(3, {{0}, {1}, {0, k}, {-k * k, dk, k * t}}); };
   for (int k : {1, 2})
     for (int t : {-3, 0, 2})
@@ -119,7 +121,8 @@ TEST_FOR_EACH(curvature_vector_of_barsky_and_beatty, Traits, Spaces) {
     if constexpr (std::is_same_v<Field, Q>)
       BOOST_CHECK(kx == ky);
     else
-      for (int i = 0; i < 3; ++i) BOOST_CHECK_SMALL(kx[i] - ky[i], 1e-15); // division by |x'|^2, few roundings below 1
+      // division by |x'|^2, few roundings below 1
+      for (int i = 0; i < 3; ++i) BOOST_CHECK_SMALL(kx[i] - ky[i], 1e-15);
     BOOST_CHECK_EQUAL(dot(kx, x[1]), 0);
     BOOST_CHECK_EQUAL(join_of<Traits>(c).g_order, 2);
   }
@@ -139,7 +142,8 @@ TEST_FOR_EACH(curvature_vector_of_barsky_and_beatty, Traits, Spaces) {
   BOOST_CHECK_EQUAL(join.continuity.f_order, 1);
 }
 
-// Equal jets need no forms, and have the answers of a right jet with another parameter, for which they are computed.
+// Equal jets need no forms, and have the answers of a right jet with another parameter, for which
+// they are computed.
 BOOST_AUTO_TEST_CASE_TEMPLATE(equal_jets, Traits, Exact_dimensions) {
   std::mt19937 random = seeded(20261122);
   constexpr int N = GC::dimension_v<Traits>;

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// continuity() where numbers are tiny or huge, in high dimensions, and without memory from the heap.
+// continuity() where numbers are tiny or huge, in high dimensions, and without memory from the
+// heap.
 
 #define BOOST_TEST_MODULE join_numbers
 
@@ -79,7 +80,7 @@ BOOST_AUTO_TEST_CASE(powers_of_ten) {
   }
 }
 
-// What exceeds the numbers is refused.
+// Joins that exceed the range of the numbers are refused.
 BOOST_AUTO_TEST_CASE(overflow) {
   const Halves<Double_3> fast(1, 1, 0x1p-400);
   CHECK_ERROR(GC::continuity(fast.left, fast.right), not_finite); // the third derivative
@@ -116,7 +117,8 @@ BOOST_AUTO_TEST_CASE(no_memory_from_the_heap) {
 
 // ---------------------------------------------------------------- dimension n
 
-// Jets whose derivatives are independent: F^n unless a derivative leaves the span of the lower ones.
+// Jets whose derivatives are independent: F^n unless a derivative leaves the span of the lower
+// ones.
 BOOST_AUTO_TEST_CASE(frenet_order_in_high_dimensions) {
   typedef GC::Traits_d<CGAL::Cartesian_d<Q>> Traits;
   typedef GC::Curve_jet<Traits> Jet;

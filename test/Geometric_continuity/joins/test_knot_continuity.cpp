@@ -37,7 +37,8 @@ TEST_FOR_EACH(continuity_at_knots, K, Kernels) {
       CHECK_ERROR(knot_continuity(c, c.domain().second), parameter_outside_domain);
       CHECK_ERROR(knot_continuity(c, FT(c.domain().second + FT(1))), parameter_outside_domain);
     });
-  // whole numbers: a corner, a curve that is G1 and not C1, and one with the same curvature on both sides
+  // whole numbers: a corner, a curve that is G1 and not C1, and one with the same curvature on both
+  // sides
   typedef typename K::Point_2 Point;
   typedef GC::Bspline_curve<GC::Traits_2<K>> Curve;
   const auto join = [](std::vector<Point> points, int multiplicity) {

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Joins of segments of paths: the short way for Bezier curves of short numbers answers as the general one, and encloses the jets.
+// Joins of segments of paths: the short way for Bezier curves of short numbers answers as the
+// general one, and encloses the jets.
 
 #include "support/test.h"
 
@@ -23,7 +24,8 @@ template <class FT> std::string text(const GC::Join_continuity<FT>& join) {
   return os.str();
 }
 
-// Returns whether the enclosures of the derivatives with respect to a parameter of [0, 1] are narrow and contain those over a domain.
+// Returns whether the enclosures of the derivatives with respect to a parameter of [0, 1] are
+// narrow and contain those over a domain.
 template <class Jet, class Exact> bool encloses(const Jet& enclosed, const Exact& exact, const Curve& curve) {
   Q power(1);
   for (int k = 0; k <= 3; ++k, power *= curve.domain().second - curve.domain().first)
@@ -34,7 +36,8 @@ template <class Jet, class Exact> bool encloses(const Jet& enclosed, const Exact
   return true;
 }
 
-// The answers are those about the curves; whether the jets are enclosed, each time they are asked for.
+// The answers are those about the curves; whether the jets are enclosed, each time they are asked
+// for.
 bool has_enclosures(const Curve& left, const Curve& right) {
   const Segment x{left}, y{right};
   const Join join(x, y);
@@ -89,7 +92,8 @@ BOOST_AUTO_TEST_CASE(joins_of_arcs) {
   BOOST_CHECK(!GC::visual_class(point, rotated) && !GC::tangent_angle(point, rotated));
 }
 
-// Half of an ellipse that is turned by hardly anything, and the vertical line that would follow it otherwise.
+// Half of an ellipse that is turned by hardly anything, and the vertical line that would follow it
+// otherwise.
 BOOST_AUTO_TEST_CASE(directions_that_differ_by_too_little) {
   const Segment line{Curve{Point(10, 0), Point(10, 1)}};
   Q rotation(1);
@@ -97,7 +101,8 @@ BOOST_AUTO_TEST_CASE(directions_that_differ_by_too_little) {
     const Segment arc{GC::Elliptical_arc<Exact_2>(Point(0, 0), Point(10, 0), {Q(5), Q(4), rotation, false, true})};
     BOOST_CHECK_EQUAL(GC::continuity(arc, line).has_value(), bits <= 1000);
     BOOST_CHECK(GC::visual_class(arc, line) == (bits <= 1000 ? std::optional(GC::Visual_class::kink) : std::nullopt));
-    const GC::Enclosure angle = *GC::tangent_angle(arc, line); // of (25 - 16) / 25 times the rotation, nearly
+    // of (25 - 16) / 25 times the rotation, nearly
+    const GC::Enclosure angle = *GC::tangent_angle(arc, line);
     BOOST_CHECK(angle.lower <= CGAL::to_double(rotation) && angle.upper < (bits < 500 ? 2e-2 : 1e-150));
   }
 }

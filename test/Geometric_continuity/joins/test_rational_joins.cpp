@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Joins of rational curves: what is decided on control points and weights agrees with what is decided on jets in an exact field, for
-// parts of one curve in other rational parameters, and with one control point or weight altered.
+// Joins of rational curves: what is decided on control points and weights agrees with what is
+// decided on jets in an exact field, for parts of one curve in other rational parameters, and with
+// one control point or weight altered.
 
 #include "support/test.h"
 
@@ -67,7 +68,8 @@ TEST_FOR_EACH(points_and_weights_decide_as_jets_do, Traits, All) {
     std::vector<typename Traits::Point> p;
     for (int j = 0; j <= m; ++j) p.push_back(point<Traits>());
     std::vector<FT> w(m + 1, FT(1));
-    if (std::is_same_v<FT, Q> && i % 2 == 0) // doubles have to be those of a polynomial curve at first
+    // doubles have to be those of a polynomial curve at first
+    if (std::is_same_v<FT, Q> && i % 2 == 0)
       for (FT& x : w) x = FT((1 + below(64)) / 16.);
     const auto parts = Curve(p.begin(), p.end(), w.begin(), w.end()).split(FT(0.5));
     const Curve other = parts.second.reparametrised(FT(std::ldexp(1., below(7) - 3)));
@@ -107,7 +109,8 @@ BOOST_AUTO_TEST_CASE(weights_of_any_size) {
   BOOST_CHECK_EQUAL(n.g2, 30);
 }
 
-// The same of lines, of which only the ratio of two weights counts, on domains of such lengths; and of a degree for which no factor is exact.
+// The test takes lines, for which only the ratio of two weights counts, on domains of such lengths,
+// and a degree for which no factor is exact.
 BOOST_AUTO_TEST_CASE(weights_and_domains_beyond_all_filters) {
   typedef GC::Traits_3<CGAL::Epick> Traits;
   typedef GC::Rational_bezier_curve<Traits> Curve;
@@ -143,8 +146,8 @@ BOOST_AUTO_TEST_CASE(weights_and_domains_beyond_all_filters) {
   compare<Traits>(right, right, n);
 }
 
-// A polygon and its mirror image: the curvatures agree where the weights do. Those of the left end have the last 52 bits of those of the
-// right end, but one more before them.
+// A polygon and its mirror image: the curvatures agree where the weights do. Those of the left end
+// have the last 52 bits of those of the right end, but one more before them.
 BOOST_AUTO_TEST_CASE(weights_below_the_normal_numbers) {
   typedef GC::Traits_3<CGAL::Epick> Traits;
   typedef GC::Rational_bezier_curve<Traits> Curve;

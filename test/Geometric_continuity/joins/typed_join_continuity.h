@@ -8,9 +8,9 @@
 
 BOOST_AUTO_TEST_SUITE(continuity)
 
-// Rounded kernels join small whole numbers. Exact predicates on them are exact for every order; plain double arithmetic
-// stays exact up to order 3: with coordinates up to 2 in dimension 5, g <= 20, |Y'''| <= 44, |g^4 Y''' - ...| < 2^27, and
-// the Gram determinant for F3 is below 2^52.
+// Rounded kernels join small whole numbers. Exact predicates on them are exact for every order;
+// plain double arithmetic stays exact up to order 3: with coordinates up to 2 in dimension 5, g <=
+// 20, |Y'''| <= 44, |g^4 Y''' - ...| < 2^27, and the Gram determinant for F3 is below 2^52.
 constexpr int max_order = !cancels ? 3 : exact_predicates ? 6 : 3;
 
 template <class Traits> using Join = decltype(GC::continuity(std::declval<Jet<Traits>>(), std::declval<Jet<Traits>>()));
@@ -84,7 +84,8 @@ template <class Traits> void check_disturbed(const Jet<Traits>& x, const std::ve
       Jet<Traits> z = y;
       z[j][i] += tiny();
       const Join<Traits> join = GC::continuity(x, z);
-      std::vector<Column<Traits>> span; // F^j does not see what lies in the span of x', ..., x^(j-1)
+      // F^j does not see what lies in the span of x', ..., x^(j-1)
+      std::vector<Column<Traits>> span;
       for (int l = 1; l < j; ++l) span.push_back(x[l]);
       span.push_back(Column<Traits>(d));
       span.back()[i] = FT(1);
@@ -92,7 +93,8 @@ template <class Traits> void check_disturbed(const Jet<Traits>& x, const std::ve
       check_orders(join, std::min(c_order(betas), j - 1), j - 1, visible ? j - 1 : std::min(k, d));
       check_betas(join, betas);
     }
-  for (int j = 2; j < k; ++j) { // along the tangent: only beta_j changes, but then order j + 1 fails
+  // along the tangent: only beta_j changes, but then order j + 1 fails
+  for (int j = 2; j < k; ++j) {
     Jet<Traits> z = y;
     z[j] += tiny() * x[1];
     std::vector<FT> changed = betas;
@@ -238,7 +240,8 @@ TEST_IN_EVERY_SPACE(straight_joins) {
   }
 }
 
-// The curvature, but not its direction: (t, t^2, 0) | (t, 0, t^2), and (t, t^2) | (t, -t^2) in the plane
+// The curvature, but not its direction: (t, t^2, 0) | (t, 0, t^2), and (t, t^2) | (t, -t^2) in the
+// plane
 BOOST_AUTO_TEST_CASE(equal_magnitudes) {
   in_every_space([](auto traits, int d) {
     typedef decltype(traits) Traits;
@@ -266,11 +269,14 @@ BOOST_AUTO_TEST_CASE(torsion_continuity) {
     int c, g, f;
     bool torsion_equal;
   };
-  const Case cases[] = {{{0, 0, 1}, 3, 3, 3, true},   {{0, 1, 1}, 2, 2, 3, true}, // F3, not G3: kappa' jumps
-                        {{1, 0, 1}, 2, 3, 3, true},                               // beta_3 = 1
-                        {{7, 5, 1}, 2, 2, 3, true},                               // both
-                        {{0, 0, 2}, 2, 2, 2, false},                              // another torsion
-                        {{0, 0, -1}, 2, 2, 2, false},                             // of the same modulus
+  // F3, not G3: kappa' jumps
+  const Case cases[] = {{{0, 0, 1}, 3, 3, 3, true},
+                        {{0, 1, 1}, 2, 2, 3, true},
+                        {{1, 0, 1}, 2, 3, 3, true},  // beta_3 = 1
+                        {{7, 5, 1}, 2, 2, 3, true},  // both
+                        {{0, 0, 2}, 2, 2, 2, false}, // another torsion
+                        // of the same modulus
+                        {{0, 0, -1}, 2, 2, 2, false},
                         {{0, 0, 0}, 2, 2, 2, false}};
   for (const Case& c : cases) {
     Jet<Traits3> y = x;

@@ -2,9 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The arithmetic of cpp_rational, compiled with optimisation: greatest common divisors of its long integers take most of the
-// time of its tests. These are compiled without and linked after this file, so that of each function that both instantiate,
-// the linker takes the one from here.
+// The arithmetic of cpp_rational, compiled with optimisation: greatest common divisors of its long
+// integers take most of the time of its tests. These are compiled without and linked after this
+// file, so that of each function that both instantiate, the linker takes the one from here.
 
 #include <boost/multiprecision/cpp_int.hpp>
 

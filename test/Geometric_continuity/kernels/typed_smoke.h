@@ -6,8 +6,9 @@
 
 #include "support/typed.h"
 
-// What each kernel must be able to do, once. Four kernels run the full suites: a rounded one, one with exact predicates, an exact one and
-// the archetype. The others differ from these by their numbers and points alone.
+// Each kernel must be able to do this, once. Four kernels run the full suites: a rounded one, one
+// with exact predicates, an exact one and the archetype. The others differ from these by their
+// numbers and points alone.
 
 BOOST_AUTO_TEST_SUITE(smoke)
 

@@ -54,7 +54,8 @@ BOOST_AUTO_TEST_CASE(other_jets_are_not_congruent) {
     typedef decltype(traits) Traits;
     for (int k = d; k <= d + 2; ++k) {
       const Jet<Traits> x = random.template jet<Traits>(d, k), y = random.template isometry<Traits>(d)(x);
-      // the last curvature of a mirrored curve is the opposite: Hagen's "unique isometry" preserves orientation
+      // the last curvature of a mirrored curve is the opposite: Hagen's "unique isometry" preserves
+      // orientation
       BOOST_CHECK(!GC::congruence(x, mirrored<Traits>(y)));
       BOOST_CHECK(GC::congruence(x, truncated<Traits>(mirrored<Traits>(y), d - 1)));
       for (int j = 1; j <= k; ++j)
@@ -64,7 +65,8 @@ BOOST_AUTO_TEST_CASE(other_jets_are_not_congruent) {
           BOOST_CHECK(!GC::congruence(x, z));
           if (j >= d) BOOST_CHECK(GC::congruence(x, truncated<Traits>(z, j - 1)));
         }
-      if (d == 2) { // with the same products of the first derivative and the others, but another speed
+      // with the same products of the first derivative and the others, but another speed
+      if (d == 2) {
         Jet<Traits> z = y;
         for (int j = 1; j <= k; ++j) z[j] *= j == 1 ? Q(2) : Q(1, 2);
         BOOST_CHECK(!GC::congruence(x, z));
@@ -164,7 +166,8 @@ BOOST_AUTO_TEST_CASE(congruence_of_rounded_jets) {
   const Jet<Double_3> whole = jet<Double_3>(3, {{1, 2, 3}, {2, 0, 0}, {1, 3, 0}, {1, 0, 2}});
   const std::optional<GC::Isometry<Double_3>> map = GC::congruence(whole, turned(whole));
   BOOST_REQUIRE(map);
-  BOOST_CHECK((*map)(Double_3::Point(1, 2, 4)) == Double_3::Point(2, 4, 1)); // small whole numbers throughout
+  // small whole numbers throughout
+  BOOST_CHECK((*map)(Double_3::Point(1, 2, 4)) == Double_3::Point(2, 4, 1));
 
   // decided exactly on the doubles as given, where dot products round
   Jet<Epick_3> x = jet<Epick_3>(3, {{0}, {0}, {0}, {0}});

@@ -34,8 +34,8 @@ template <class Traits> double frame_derivative_error(int n, double h) {
 }
 
 BOOST_AUTO_TEST_CASE(derivatives_of_the_frame) {
-  // Central differences have errors in h^2 times third derivatives, and 2^-53 / h by rounding: a tenth of h divides the error
-  // by 100 as long as rounding is smaller.
+  // Central differences have errors in h^2 times third derivatives, and 2^-53 / h by rounding: a
+  // tenth of h divides the error by 100 as long as rounding is smaller.
   const auto check = [](double coarse, double fine) {
     BOOST_CHECK_LE(fine, 0.012 * coarse);
     BOOST_CHECK_LE(fine, 1e-3);
@@ -52,7 +52,8 @@ BOOST_AUTO_TEST_CASE(frenet_matrix_of_a_helix) {
   const GC::Frenet_matrix<double> w = *GC::frenet_matrix(x);
   const double expected[3][3] = {{0, 0.6, 0}, {-0.6, 0, 0.8}, {0, -0.8, 0}};
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) BOOST_CHECK_SMALL(w(i + 1, j + 1) - expected[i][j], 1e-15); // a few roundings
+    // a few roundings
+    for (int j = 0; j < 3; ++j) BOOST_CHECK_SMALL(w(i + 1, j + 1) - expected[i][j], 1e-15);
   std::ostringstream os;
   os << GC::Frenet_matrix<double>(2, {0.5, -1.5});
   BOOST_CHECK_EQUAL(os.str(), "0 1 0\n-1 0 -3\n0 3 0\n");

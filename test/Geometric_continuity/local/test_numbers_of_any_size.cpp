@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Curvatures, frames and congruence of jets with very large and very small coordinates, in many dimensions, and what is
-// refused: nothing returns an undefined number.
+// Curvatures, frames and congruence of jets with very large and very small coordinates, in many
+// dimensions, and what is refused: nothing returns an undefined number.
 
 #include "support/test.h"
 
@@ -29,7 +29,8 @@ template <class Traits> Jet<Traits> whole_jet(std::mt19937& random, int d, int k
   }
 }
 
-// The jet with the j-th derivative times 2^(a + j b): the curve is 2^a times as large, and run through 2^b times as fast.
+// The jet with the j-th derivative times 2^(a + j b): the curve is 2^a times as large, and run
+// through 2^b times as fast.
 template <class Traits> Jet<Traits> scaled(Jet<Traits> x, int a, int b = 0) {
   for (int j = 0; j <= x.order(); ++j)
     for (int i = 0; i < x.dimension(); ++i) x[j][i] = std::ldexp(x[j][i], a + j * b);
@@ -163,7 +164,8 @@ template <class Traits> void check_congruence_of_any_size(unsigned seed) {
     return true;
   };
   for (int a :
-       {-1060, -900, -500, -254, 0, 254, 500, 900, 1010}) { // whole numbers up to 20 times the smallest power fit
+       // whole numbers up to 20 times the smallest power fit
+       {-1060, -900, -500, -254, 0, 254, 500, 900, 1010}) {
     const Jet<Traits> x = scaled(whole, a), y = turned(x);
     BOOST_CHECK(is_the_turn(GC::congruence(x, y)));
     for (int j = 1; j <= 4; ++j) {
@@ -218,7 +220,8 @@ BOOST_AUTO_TEST_CASE(twenty_dimensions) {
     for (int j = 0; j < n; ++j)
       BOOST_CHECK_EQUAL(map->entry(i, j), Q(i % 2 == 0 && j == i + 1 ? -1 : i % 2 == 1 && j == i - 1 ? 1 : 0));
   BOOST_CHECK(!GC::congruence(x, z));
-  // (t, t^2, ..., t^n) at 0: kappa_i = i + 1, and G_i is the product of the squares of the first factorials
+  // (t, t^2, ..., t^n) at 0: kappa_i = i + 1, and G_i is the product of the squares of the first
+  // factorials
   Jet<Exact_d> moment(n, n);
   Q factorial(1), gram(1);
   for (int j = 1; j <= n; ++j) moment[j][j - 1] = factorial *= Q(j);
@@ -232,7 +235,8 @@ BOOST_AUTO_TEST_CASE(twenty_dimensions) {
   }
 }
 
-// By elimination, with swaps of rows: a permuted triangular matrix, in rational numbers and in doubles.
+// By elimination, with swaps of rows: a permuted triangular matrix, in rational numbers and in
+// doubles.
 BOOST_AUTO_TEST_CASE(large_determinants) {
   std::mt19937 random(7);
   for (int n : {7, 8, 11}) {

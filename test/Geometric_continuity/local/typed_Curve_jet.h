@@ -286,7 +286,8 @@ BOOST_AUTO_TEST_CASE(unit_frame) {
     const auto unit = frame->normalized();
     const Column<Traits3> expected[] = {column<Traits3>(3, {2, 1, 2}), column<Traits3>(3, {1, 2, -2}),
                                         column<Traits3>(3, {-2, 2, 1})};
-    for (int i = 1; i <= 3; ++i) // root, division and comparison: 3 roundings of numbers of modulus at most 1
+    // root, division and comparison: 3 roundings of numbers of modulus at most 1
+    for (int i = 1; i <= 3; ++i)
       for (int j = 0; j < 3; ++j) BOOST_CHECK(close(unit.coordinates(i)[j], FT(expected[i - 1][j] / FT(3)), FT(1), 3));
   }
 }

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Tessellation with exact numbers: points are summed as integers and diagonals compared by intervals, and neither is seen.
+// Tessellation with exact numbers: points are summed as integers and diagonals compared by
+// intervals, and neither is seen.
 
 #include "support/random.h"
 
@@ -20,7 +21,8 @@ public:
   FT fraction(int least, int most) {
     constexpr int denominators[] = {1, 2, 3, 4, 5, 6, 7, 10, 49, 1000, 1 << 20, 1000003, 1000000007};
     FT x = FT(integer(least, most)) + FT(integer(0, 1 << 20)) / FT(denominators[integer(0, 12)]);
-    if (integer(0, 9) == 0) x = FT(x / FT(denominators[12])) / FT(denominators[11]); // more than a word
+    // more than a word
+    if (integer(0, 9) == 0) x = FT(x / FT(denominators[12])) / FT(denominators[11]);
     return x;
   }
 };
@@ -120,7 +122,8 @@ TEST_FOR_EACH(shorter_diagonals, K, Kernels) {
     }
 }
 
-// Numbers that are exact as floating-point numbers, too: the triangles do not depend on the number type.
+// Numbers that are exact as floating-point numbers, too: the triangles do not depend on the number
+// type.
 BOOST_AUTO_TEST_CASE(triangles_of_all_numbers) {
   typedef CGAL::Simple_cartesian<double> Double;
   Random_fractions<double> random;

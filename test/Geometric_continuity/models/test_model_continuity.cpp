@@ -10,7 +10,8 @@
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <list>
 
-// A biquadratic patch over the square [x, x+1] x [y, y+1], with the control points (x + i/2, y + j/2, h(2x+i, 2y+j)).
+// A biquadratic patch over the square [x, x+1] x [y, y+1], with the control points (x + i/2, y +
+// j/2, h(2x+i, 2y+j)).
 template <class Height> Net height_net(int x, int y, Height h) {
   Net net(3, std::vector<Column>(3));
   for (int i = 0; i < 3; ++i)
@@ -27,9 +28,11 @@ const typename decltype(Model::edges)::value_type* find_edge(const Model& model,
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(model_of_a_grid, K, All_kernels) {
-  // 3 x 3 patches of a plane, but for a bump in the middle: a crease around it, where one control point of each edge moves
+  // 3 x 3 patches of a plane, but for a bump in the middle: a crease around it, where one control
+  // point of each edge moves
   const auto flat = [](int, int) { return 0; };
-  const auto bump = [](int i, int j) { return i == 3 && j == 3 ? 1 : 0; }; // G1 with the plane, and of order 2 nowhere
+  // G1 with the plane, and of order 2 nowhere
+  const auto bump = [](int i, int j) { return i == 3 && j == 3 ? 1 : 0; };
   const auto tilt = [](int i, int) { return i == 1 ? 1 : 0; };
   std::vector<Net> nets;
   for (int x = 0; x < 3; ++x)
@@ -49,7 +52,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(model_of_a_grid, K, All_kernels) {
   for (const Patch<K>& s : p) {
     const auto all = placements<K>(s);
     Patch<K> t = all[random.integer(0, 7)].first;
-    if (random.integer(0, 1)) t = t.elevate(is_exact<typename K::FT> ? 1 : 2, 2); // of degree 4: dyadic weights
+    // of degree 4: dyadic weights
+    if (random.integer(0, 1)) t = t.elevate(is_exact<typename K::FT> ? 1 : 2, 2);
     turned.push_back(t.with_domain({typename K::FT(2), typename K::FT(7)}, {typename K::FT(-1), typename K::FT(0)}));
   }
   const auto again = GC::model_continuity(turned);
@@ -119,7 +123,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(model_with_poles, K, All_kernels) {
   BOOST_CHECK_EQUAL(text(closed.summary), "1 G2, 0 G1, 0 G0, 2 boundary, 0 collapsed");
   const std::vector<Patch<K>> twice = patches<K>({tube, tube});
   BOOST_CHECK_EQUAL(GC::common_edges(twice[0], twice[0]).size(), 1); // u0 and u1
-  BOOST_CHECK_EQUAL(GC::common_edges(twice[0], twice[1]).size(), 6); // these with each other, v0 with v0, v1 with v1
+  // these with each other, v0 with v0, v1 with v1
+  BOOST_CHECK_EQUAL(GC::common_edges(twice[0], twice[1]).size(), 6);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(non_manifold_model, K, All_kernels) {

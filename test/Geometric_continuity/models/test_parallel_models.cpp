@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The numbers in which a model is given, and the cores that decide it, make no difference: decimals, and the same model in whole
-// numbers that are doubles, are decided alike, edge by edge.
+// The numbers in which a model is given, and the cores that decide it, make no difference:
+// decimals, and the same model in whole numbers that are doubles, are decided alike, edge by edge.
 
 #include "support/limited.h"
 #include "support/random.h"
@@ -14,8 +14,9 @@ BOOST_AUTO_TEST_SUITE(parallel_models)
 
 typedef Random_integers<> Random;
 
-// The control points of a bicubic surface in whole numbers, those of a spline in its Bezier form: point (i, j) belongs to the
-// patches i / 3 and j / 3. Some inner points are lifted, or lie next to an edge on the wrong side of it, and some rows collapse.
+// The control points of a bicubic surface in whole numbers, those of a spline in its Bezier form:
+// point (i, j) belongs to the patches i / 3 and j / 3. Some inner points are lifted, or lie next to
+// an edge on the wrong side of it, and some rows collapse.
 struct Grid_of_points {
   int n; // n x n patches
   std::vector<std::vector<std::vector<int>>> p;
@@ -120,7 +121,8 @@ struct Rational_patches_with_equal_weights {
     return patches;
   }
 };
-// Weights that are symmetric in each patch, times a number for each patch; a few differ from those of their neighbours.
+// Weights that are symmetric in each patch, times a number for each patch; a few differ from those
+// of their neighbours.
 struct Rational_surfaces {
   template <class Traits> static auto model(const Grid_of_points& grid, Random& random) {
     typedef typename Traits::FT FT;
@@ -201,8 +203,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(decimals_and_doubles, Class, Classes) {
   }
 }
 
-// One spline over simple knots, cut into surfaces with the same knots, some of them turned, over other domains, with other speeds
-// across their edges, or lifted: in fixed length all spans of an edge are decided at once, or none.
+// One spline over simple knots, cut into surfaces with the same knots, some of them turned, over
+// other domains, with other speeds across their edges, or lifted: in fixed length all spans of an
+// edge are decided at once, or none.
 BOOST_AUTO_TEST_CASE(splines_over_simple_knots) {
   typedef GC::Bspline_surface<Exact_3> Surface;
   typedef GC::Knot_vector<Q> Knots;

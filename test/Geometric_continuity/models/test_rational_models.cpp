@@ -80,7 +80,8 @@ BOOST_AUTO_TEST_CASE(equations_of_elementary_surfaces) {
                        return Q(x * x + y * y - radius * radius);
                      }));
       BOOST_CHECK(on(GC::torus<Exact>(o, S::x(), S::y(), S::z(), r), fraction(i, 5),
-                     [&](const Q& x, const Q& y, const Q& z) { // (x^2+y^2+z^2+1-r^2)^2 = 4 (x^2+y^2)
+                     // (x^2+y^2+z^2+1-r^2)^2 = 4 (x^2+y^2)
+                     [&](const Q& x, const Q& y, const Q& z) {
                        const Q a = x * x + y * y + z * z + Q(1) - r * r;
                        return Q(a * a - Q(4) * (x * x + y * y));
                      }));
@@ -98,8 +99,8 @@ BOOST_AUTO_TEST_CASE(equations_of_elementary_surfaces) {
   BOOST_CHECK(GC::parallelogram<Exact>(o, S::x(2), S::y(3))(fraction(1, 2), fraction(1, 3)) == Exact::Point(1, 1, 0));
 }
 
-// A box with two edges and the corner between them rounded with the radius 1: planes, quarters of cylinders and tori, and a
-// cylinder that ends in another one.
+// A box with two edges and the corner between them rounded with the radius 1: planes, quarters of
+// cylinders and tori, and a cylinder that ends in another one.
 BOOST_AUTO_TEST_CASE_TEMPLATE(fillets, Traits, All_traits) {
   typedef Space<Traits> S;
   typedef typename S::P P;
@@ -112,8 +113,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fillets, Traits, All_traits) {
   const Patch<Traits> top = GC::parallelogram<Traits>(P(-3, 0, 1), S::x(3), S::y(2)),
                       side = GC::parallelogram<Traits>(P(1, 0, -4), S::z(4), S::y(2));
   BOOST_CHECK_EQUAL(summary(with_factors<Traits>({top, fillet, side})), "0 G2, 2 G1, 0 G0, 8 boundary, 0 collapsed");
-  // ends in a quarter of a torus about the axis x = -2, y = 0, parallel to z; where the profile turns, planes go on as rings. The
-  // cylinder and the torus have other curvatures along the arc.
+  // ends in a quarter of a torus about the axis x = -2, y = 0, parallel to z; where the profile
+  // turns, planes go on as rings. The cylinder and the torus have other curvatures along the arc.
   typedef GC::Revolution_surface_3<Curve> Revolution;
   const auto turned = [](const Curve& c) {
     return bezier_patch(Revolution(c, P(-2, 0, 0), V(0, 0, 1), {FT(-1), FT(0)}));
@@ -128,7 +129,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fillets, Traits, All_traits) {
   const auto model = GC::model_continuity(with_factors<Traits>({fillet, corner, ring, wall, side}));
   BOOST_CHECK_EQUAL(text(model.summary), "0 G2, 5 G1, 0 G0, 10 boundary, 0 collapsed");
   BOOST_CHECK(model.has_order(1) && !model.has_order(2));
-  // the axis of the torus moved by a little: a crease on the arc is none, but the ring no longer meets the plane
+  // the axis of the torus moved by a little: a crease on the arc is none, but the ring no longer
+  // meets the plane
   const Patch<Traits> lifted =
       corner.transform([](const P& p) { return P(p.x(), p.y(), FT(p.z() + FT(1) / FT(1024))); });
   const std::vector<Patch<Traits>> broken{fillet, lifted};
@@ -173,7 +175,8 @@ BOOST_AUTO_TEST_CASE(swept_patches) {
                                                                      a, w);
   same(polynomial, bezier_patch(polynomial));
 
-  // full turns: all control points of the curve on the axis of the first parallel, and G2 all around, for any axis
+  // full turns: all control points of the curve on the axis of the first parallel, and G2 all
+  // around, for any axis
   for (const Exact::Vector& axis :
        {w, Exact::Vector(0, 0, 1), Exact::Vector(Q(1) / Q(1000), 0, Q(1) / Q(3000)), Exact::Vector(500, 3, 777)}) {
     const Spline<Exact> full = full_revolution(d, a, axis);

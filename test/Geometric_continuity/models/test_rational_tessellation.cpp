@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Triangles of rational surfaces: without cracks, on the surface, and nowhere farther from it than the tolerance.
+// Triangles of rational surfaces: without cracks, on the surface, and nowhere farther from it than
+// the tolerance.
 
 #include "support/rational_surfaces.h"
 
@@ -55,7 +56,8 @@ BOOST_AUTO_TEST_CASE(triangles_are_within_the_tolerance) {
                               Exact::Point(1000, 0, 0), Exact::Vector(0, 0, 1), {Q(-2), Q(2)}));
   BOOST_CHECK(ring.weight(0, 1) == Q(-3));
   check_distance(ring, 0.5);
-  // a factor of all weights changes nothing, and the bound is not far from that of the polynomial patch where it is one
+  // a factor of all weights changes nothing, and the bound is not far from that of the polynomial
+  // patch where it is one
   const GC::Bezier_patch<Exact> saddle(
       {{Exact::Point(0, 0, 0), Exact::Point(0, 1, 0)}, {Exact::Point(1, 0, 0), Exact::Point(1, 1, 1)}});
   const double bound = GC::Patch_flatness(saddle).distance({2, 4});
@@ -69,7 +71,8 @@ BOOST_AUTO_TEST_CASE(weights_of_different_sizes) {
   typedef Exact::Point P;
   const Q large(1 << 20);
   const Patch<Exact> s({{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0)}}, {{Q(1), large}, {Q(1), large}});
-  // of the eighth by the eighth at the corner, where the denominators are smallest: x and w y are its sides, w y of weighted points
+  // of the eighth by the eighth at the corner, where the denominators are smallest: x and w y are
+  // its sides, w y of weighted points
   const double w = 1 + ((1 << 20) - 1) / 8., x = 0.125, y = (1 << 20) / 8. / w, r = std::hypot(x, y);
   const double sv = std::hypot((w - 1) * x, w * y) + (w - 1) * r, uv = (w - 1) * x + (w - 1) * w * x,
                vv = 2 * (w - 1) * sv;
@@ -164,7 +167,8 @@ BOOST_AUTO_TEST_CASE(solids_are_turned_outwards) {
     }
   }
   BOOST_CHECK(volume(GC::tessellate(model, grid)) == sum);
-  // an open one stays as it is: its triangles turn from u to v, here about the axis, seen from inside
+  // an open one stays as it is: its triangles turn from u to v, here about the axis, seen from
+  // inside
   const GC::Tessellation<Exact> open =
       GC::tessellate(GC::cylinder<Exact>(Point(0, 0, 0), Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1)), grid);
   for (const auto& t : open.triangles) {

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Rounded edges of surfaces of all types and mixes. That they are G2 along the new edges is decided by edge_continuity().
+// Rounded edges of surfaces of all types and mixes. That they are G2 along the new edges is decided
+// by edge_continuity().
 
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
@@ -15,7 +16,8 @@ BOOST_AUTO_TEST_SUITE(rounded_edges)
 typedef std::vector<std::vector<Exact::Point>> Net;
 
 struct Numbers : Random_surfaces {
-  // Bends upwards from the edge or, turned by a right angle, sideways: the edge v = 0 are the given points.
+  // Bends upwards from the edge or, turned by a right angle, sideways: the edge v = 0 are the given
+  // points.
   Net net_at(const std::vector<Exact::Point>& edge, int layers, bool turned) {
     Net net = Random_surfaces::net(static_cast<int>(edge.size()), layers);
     for (std::size_t i = 0; i < net.size(); ++i) {

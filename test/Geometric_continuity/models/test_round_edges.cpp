@@ -114,8 +114,9 @@ BOOST_AUTO_TEST_CASE(angles) {
   BOOST_CHECK((count(0, 44) == std::array<std::size_t, 3>{1, 0, 2}));
 }
 
-// A wall on a floor, which leans to the one side and then to the other one: its two halves have blends of different shapes, which meet all the
-// same. Each of the four surfaces is given in all ways.
+// A wall on a floor, which leans to the one side and then to the other one: its two halves have
+// blends of different shapes, which meet all the same. Each of the four surfaces is given in all
+// ways.
 BOOST_AUTO_TEST_CASE(edges_that_go_on) {
   typedef Exact::Point P;
   const Bezier<Exact> floor({{P(0, 0, 0), P(0, 8, 0)}, {P(16, 0, 0), P(16, 8, 0)}}),
@@ -147,8 +148,8 @@ BOOST_AUTO_TEST_CASE(edges_that_go_on) {
   BOOST_CHECK(summary.g2 == 6 && summary.g1 == 1);
 }
 
-// The same with a slight kink between the halves, more or less of which is left at the new edges: both blends are G2 with the surfaces in
-// any case.
+// There is a slight kink between the halves, and a part of it is left at the new edges: both blends
+// are G2 with the surfaces in any case.
 BOOST_AUTO_TEST_CASE(edges_that_go_on_with_a_kink) {
   typedef Exact::Point P;
   std::size_t open = 0, meeting = 0;

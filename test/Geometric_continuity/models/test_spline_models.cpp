@@ -58,7 +58,8 @@ BOOST_AUTO_TEST_CASE(a_surface_with_a_kink) {
 }
 
 BOOST_AUTO_TEST_CASE(closed_surface_with_a_pole) {
-  // a band around a square: linear in u and closed, and a lid of triangles to one point, which is collapsed
+  // a band around a square: linear in u and closed, and a lid of triangles to one point, which is
+  // collapsed
   typedef Exact::Point_3 P;
   const Knots u(1, {0, 0, 1, 2, 3, 4, 4}), v(1, {0, 0, 1, 1});
   const P square[] = {P(0, 0, 0), P(1, 0, 0), P(1, 1, 0), P(0, 1, 0), P(0, 0, 0)};
@@ -68,7 +69,8 @@ BOOST_AUTO_TEST_CASE(closed_surface_with_a_pole) {
     lid.push_back({P(p.x(), p.y(), 1), P(Q(1) / 2, Q(1) / 2, 1)});
   }
   const auto model = GC::model_continuity(std::vector<S>{S(band, u, v), S(lid, u, v)});
-  // the seams: a corner of the band is a right angle, that of the lid is flat but its normal vanishes at the pole
+  // the seams: a corner of the band is a right angle, that of the lid is flat but its normal
+  // vanishes at the pole
   BOOST_CHECK_EQUAL(text(model.summary), "0 G2, 0 G1, 3 G0 (2 creases, 1 vanishing normals), 1 boundary, 1 collapsed; "
                                          "knot lines: 0 G2, 0 G1, 6 G0");
   for (const auto& l : model.failing_knot_lines(1)) {

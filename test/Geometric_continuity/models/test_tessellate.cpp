@@ -31,7 +31,7 @@ template <class K> constexpr bool is_exact = !std::is_floating_point_v<typename 
 
 // ---------------------------------------------------------------- models, made of rationals
 
-// The same patch in another kernel; with rounded numbers the coordinates must be doubles.
+// Returns the patch in another kernel; with rounded numbers the coordinates must be doubles.
 template <class K> Patch<K> in_kernel(const Exact_patch& s) {
   const auto number = [](const Q& x) {
     if constexpr (is_exact<K>)
@@ -69,8 +69,9 @@ Exact_patch scaled(const Exact_patch& s, int factor) {
   return Exact_patch(net);
 }
 
-// Six patches over the faces of a cube of side 288, seen from outside. The middle control points of edges are moved outwards
-// by the factor `edge`, those of faces by a factor for each. Some are turned, run through backwards and elevated.
+// Six patches over the faces of a cube of side 288, seen from outside. The middle control points of
+// edges are moved outwards by the factor `edge`, those of faces by a factor for each. Some are
+// turned, run through backwards and elevated.
 Exact_model cube(const Q& edge, const std::array<Q, 6>& face) {
   Exact_model model;
   for (int k = 0; k < 6; ++k) {
@@ -133,13 +134,14 @@ Exact_patch random_patch(std::mt19937& random, int p, int q) {
   return Exact_patch(net, {Q(-1), Q(3)}, {Q(2), Q(Q(5) / Q(2))});
 }
 
-// ---------------------------------------------------------------- what is checked of each tessellation
+// ------------------------------------------------------------ what is checked of each tessellation
 
 template <class K> double distance(const typename K::Point_3& p, const typename K::Point_3& q) {
   return std::sqrt(CGAL::to_double(CGAL::squared_distance(p, q)));
 }
 
-// Every point lies on its patch: exactly, or within some roundings of convex combinations. Triangles have different corners.
+// Every point lies on its patch: exactly, or within some roundings of convex combinations.
+// Triangles have different corners.
 template <class K> void check_points(const std::vector<Patch<K>>& model, const Mesh<K>& mesh) {
   BOOST_REQUIRE_EQUAL(mesh.points.size(), mesh.places.size());
   BOOST_REQUIRE_EQUAL(mesh.triangles.size(), mesh.patches.size());
@@ -220,7 +222,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(uniform_grids, K, Kernels) {
   }
 }
 
-// As many cells as the bound of Patch_flatness needs, which is the distance in the corners' middle for a paraboloid.
+// As many cells as the bound of Patch_flatness needs, which is the distance in the corners' middle
+// for a paraboloid.
 BOOST_AUTO_TEST_CASE(numbers_of_cells) {
   typedef CGAL::Simple_cartesian<double> K;
   const auto paraboloid = [](double a, double b) { // (u, v, a u^2 + b v^2)
@@ -343,7 +346,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(cubes, K, Kernels) {
     if (is_exact<K> || n != 3) BOOST_CHECK(volume<K>(mesh) == 6 * 288 * 288 * 288);
   }
   BOOST_CHECK_EQUAL(GC::tessellate(flat, within(1e-3)).triangles.size(), 12);
-  // faces that need different numbers of cells, so that edges have more points than the cells beside them
+  // faces that need different numbers of cells, so that edges have more points than the cells
+  // beside them
   const std::vector<Patch<K>> bulging =
       in_kernel<K>(cube(Q(Q(5) / Q(4)), {Q(1), Q(3), Q(Q(3) / Q(2)), Q(9), Q(2), Q(Q(1) / Q(2))}));
   for (double tolerance : {1e6, 30.0, 3.0}) {
@@ -385,7 +389,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(closed_and_open_parts, K, Kernels) {
   }
 }
 
-// What is closed but holds no volume keeps the orientation of its first patch; it has no outside.
+// A closed model without volume has no outside, and keeps the orientation of its first patch.
 BOOST_AUTO_TEST_CASE_TEMPLATE(two_sides_of_a_sheet, K, Kernels) {
   const Exact_patch sheet({{{0, 0, 0}, {0, 1, 1}}, {{1, 0, 1}, {1, 1, 2}}});
   for (const Exact_patch& first : {sheet, sheet.swap_parameters()}) {
@@ -416,7 +420,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(tori, K, Kernels) {
   }
 }
 
-// Two patches that have all four edges in common, a wedge of two patches with collapsed ends, and many around one line.
+// Two patches that have all four edges in common, a wedge of two patches with collapsed ends, and
+// many around one line.
 BOOST_AUTO_TEST_CASE_TEMPLATE(patches_that_meet_more_than_once, K, Kernels) {
   typedef typename K::Point_3 Point;
   const auto cushion = [](int height) {
@@ -458,7 +463,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(sides_of_an_edge, K, Kernels) {
       const Exact_point p = b.control_point(i, j);
       const int away = b.degree_v() - j;
       const Q wave(i % 2 == 0 ? 300000 : -300000);
-      net[i].push_back(away == 0 ? p : Exact_point(p.x(), Q(Q(-36864) * Q(away)), wave)); // bends more
+      // bends more
+      net[i].push_back(away == 0 ? p : Exact_point(p.x(), Q(Q(-36864) * Q(away)), wave));
     }
   b = Exact_patch(net);
   for (int turn = 0; turn < 8; ++turn) {
@@ -471,14 +477,15 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(sides_of_an_edge, K, Kernels) {
     BOOST_CHECK_EQUAL(euler_characteristic<K>(mesh), 1); // a disk: they are joined along one edge
     const std::size_t a_alone = GC::tessellate(model[0], within(1500)).triangles.size(),
                       c_alone = GC::tessellate(model[1], within(1500)).triangles.size();
-    BOOST_CHECK(mesh.triangles.size() > a_alone + c_alone); // a takes points of c into its outermost cells
+    // a takes points of c into its outermost cells
+    BOOST_CHECK(mesh.triangles.size() > a_alone + c_alone);
     const bool same_orientation = turn == 0 || turn == 3 || turn == 5 || turn == 6;
     BOOST_CHECK_EQUAL(GC::mesh_edges(mesh.triangles).irregular == 0, same_orientation);
   }
 }
 
-// A flat square, one cell, with curved patches on some of its sides: it takes their points on straight edges, and no triangle
-// has its corners on a line.
+// A flat square, one cell, with curved patches on some of its sides: it takes their points on
+// straight edges, and no triangle has its corners on a line.
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_cell_with_many_points, K, Kernels) {
   typedef typename K::Point_3 Point;
   for (int sides = 0; sides < 16; ++sides) {
@@ -550,7 +557,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(refused, K, Kernels) {
   for (int n : {-1, (std::numeric_limits<int>::min)()}) CHECK_ERROR(GC::tessellate(s, grid(n)), negative_count);
   for (int n : {4097, 1 << 16, (std::numeric_limits<int>::max)()}) CHECK_ERROR(GC::tessellate(s, grid(n)), work_limit);
   CHECK_ERROR(GC::tessellate(std::vector<Patch<K>>(17, s), grid(1024)), work_limit);
-  CHECK_ERROR(GC::tessellate(std::vector<Patch<K>>(200, s), grid(4096)), work_limit); // more cells than an int counts
+  // more cells than an int counts
+  CHECK_ERROR(GC::tessellate(std::vector<Patch<K>>(200, s), grid(4096)), work_limit);
   BOOST_CHECK(GC::tessellate(std::vector<Patch<K>>(), within(1)).points.empty());
   BOOST_CHECK_EQUAL(GC::tessellate(s, within(1e300)).triangles.size(), 2);
   if constexpr (!is_exact<K>) { // differences beyond the largest number
@@ -579,7 +587,8 @@ BOOST_AUTO_TEST_CASE(reports) {
   BOOST_CHECK_EQUAL(mesh.triangles.size(), 32);
 }
 
-// The triangles are counted before they are made: of surfaces, of patches with edges in common, and by a tolerance.
+// The triangles are counted before they are made: of surfaces, of patches with edges in common, and
+// by a tolerance.
 BOOST_AUTO_TEST_CASE(limit_of_triangles) {
   typedef CGAL::Simple_cartesian<double> K;
   std::mt19937 random(47);
@@ -739,9 +748,12 @@ BOOST_AUTO_TEST_CASE(no_face_graphs) {
   refuse(4, {{0, 1, 2}, {0, 1, 3}}, "opposite orientations");
   refuse(3, {{0, 1, 1}}, "one point twice");
   refuse(3, {{0, 1, 3}}, "does not exist");
-  refuse(5, {{0, 1, 2}, {0, 3, 4}}, "at point 0");                                             // two boundary fans
-  refuse(7, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}}, "at point 0"); // two cones
-  refuse(6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}}, "at point 0");                       // a cone and a fan
+  // two boundary fans
+  refuse(5, {{0, 1, 2}, {0, 3, 4}}, "at point 0");
+  // two cones
+  refuse(7, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}}, "at point 0");
+  // a cone and a fan
+  refuse(6, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 4, 5}}, "at point 0");
   CGAL::Surface_mesh<K::Point_3> result;
   GC::to_face_graph(Mesh<K>(), result);
   BOOST_CHECK_EQUAL(num_vertices(result), 0);

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Limits of the work: what is too much is refused by a typed error that names the place, and what is enclosed stays enclosed.
+// Limits of the work: what is too much is refused by a typed error that names the place, and what
+// is enclosed stays enclosed.
 
 #include "support/fractions.h"
 #include "support/limited.h"
@@ -93,7 +94,8 @@ BOOST_AUTO_TEST_CASE(numbers_of_very_different_sizes) {
     }
 }
 
-// The curve on both sides of a knot, in fractions: all orders hold, also above 3, where denominators are cleared.
+// The curve on both sides of a knot, in fractions: all orders hold, also above 3, where
+// denominators are cleared.
 BOOST_AUTO_TEST_CASE(joins_of_high_order) {
   std::mt19937 random(20261122);
   const int n = 8;

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Enclosures of square roots and of angles: they hold, proved by exact numbers, in every rounding mode, and are narrow. Rational
-// square roots.
+// Enclosures of square roots and of angles: they hold, proved by exact numbers, in every rounding
+// mode, and are narrow. Rational square roots.
 
 #include "support/enclosures.h"
 #include "support/rounding_modes.h"
@@ -46,7 +46,8 @@ BOOST_AUTO_TEST_CASE(random_roots_and_angles) {
     const GC::Enclosure root = root_in(mode, Q(Q(s) / Q(3)));
     BOOST_CHECK(encloses_root(root, Q(Q(s) / Q(3))));
     BOOST_CHECK(ulps(root) <= 4);
-    BOOST_CHECK(encloses_root(root_in(mode, s), Q(s)) && ulps(root_in(mode, s)) <= 1); // a number without an interval
+    // a number without an interval
+    BOOST_CHECK(encloses_root(root_in(mode, s), Q(s)) && ulps(root_in(mode, s)) <= 1);
     const Q sine_squared = Q(Q(s) * Q(s) / Q(7));
     const GC::Enclosure angle = angle_in(mode, sine_squared, Q(c));
     const Q lengths = Q(sine_squared + Q(c) * Q(c));
@@ -59,7 +60,8 @@ BOOST_AUTO_TEST_CASE(random_roots_and_angles) {
 
 BOOST_AUTO_TEST_CASE(special_angles) {
   const double pi = 3.141592653589793, above_pi = std::nextafter(pi, 4.); // pi lies between
-  const auto is_close = [&](const GC::Enclosure& e, double factor) {      // of a multiple of pi by a power of two
+  // of a multiple of pi by a power of two
+  const auto is_close = [&](const GC::Enclosure& e, double factor) {
     return e.lower <= factor * pi && factor * above_pi <= e.upper && ulps(e) <= 3;
   };
   for (int mode : rounding_modes()) {
@@ -77,7 +79,8 @@ BOOST_AUTO_TEST_CASE(special_angles) {
     BOOST_CHECK(is_close(angle_in(mode, Q(tiny * tiny), Q(-1)), 1));
     BOOST_CHECK(is_close(angle_in(mode, Q(1), tiny), 0.5));
     BOOST_CHECK(is_close(angle_in(mode, Q(1), Q(-tiny)), 0.5));
-    const GC::Enclosure least = angle_in(mode, Q(tiny * tiny * tiny * tiny * tiny), Q(1)); // 2^-1250 is no double
+    // 2^-1250 is no double
+    const GC::Enclosure least = angle_in(mode, Q(tiny * tiny * tiny * tiny * tiny), Q(1));
     BOOST_CHECK(least.lower >= 0 && least.upper <= std::ldexp(1., -530));
   }
   CHECK_ERROR(GC::angle_enclosure(Q(0), Q(0)), zero_direction);
@@ -147,7 +150,8 @@ BOOST_AUTO_TEST_CASE(what_is_printed_encloses) {
   BOOST_CHECK_EQUAL(printed({-0., 0}), "0");
   BOOST_CHECK_EQUAL(printed({0.5, 0.5}), "0.5");
   BOOST_CHECK_EQUAL(printed({-1200, 1234567}), "[-1200, 1.23457e+06]");
-  BOOST_CHECK_EQUAL(printed({0.1, 0.1}), "[0.1, 0.100001]"); // the floating-point number is larger than 1/10
+  // the floating-point number is larger than 1/10
+  BOOST_CHECK_EQUAL(printed({0.1, 0.1}), "[0.1, 0.100001]");
   BOOST_CHECK_EQUAL(printed({-0.1, 0.3}), "[-0.100001, 0.3]");
   BOOST_CHECK_EQUAL(printed({1 / 3., 2 / 3.}, 4), "[0.3333, 0.6667]");
   BOOST_CHECK_EQUAL(printed({0.99999, 99999.5}, 4), "[0.9999, 1e+05]");

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Enclosures and integrals of the package against an independent library, Arb, which computes in balls of 200 bits from the definitions.
+// Enclosures and integrals of the package against an independent library, Arb, which computes in
+// balls of 200 bits from the definitions.
 
 #define BOOST_TEST_MODULE arb
 
@@ -24,7 +25,7 @@ using enclosures::ulps;
 typedef std::array<double, 3> Point;
 
 struct Random : Random_integers<std::mt19937_64> {
-  // Of the sizes 1/1000, 1 and 100000.
+  // Returns a random number of the size 1/1000, 1 or 100000.
   double number() {
     const double scale = std::array<double, 3>{1e-3, 1, 1e5}[integer(0u, 2u)];
     return scale * std::ldexp(static_cast<double>(integer<std::int64_t>(-(1LL << 52), 1LL << 52)), -52);
@@ -168,7 +169,8 @@ Ball largest_distance(const Row& a, const Row& b) {
   return largest;
 }
 
-// The angle of m and -n along an edge. It falls with d |d| / (m^2 n^2), where d is the product of both.
+// The angle of m and -n along an edge. It falls with d |d| / (m^2 n^2), where d is the product of
+// both.
 Ball largest_angle(const arb::Coordinates<arb::Polynomial>& m, const arb::Coordinates<arb::Polynomial>& n) {
   const arb::Polynomial d = arb::dot(m, n), squares = arb::dot(m, m) * arb::dot(n, n),
                         slope = d.derivative() * squares + d.derivative() * squares - d * squares.derivative();
@@ -220,7 +222,8 @@ BOOST_AUTO_TEST_CASE(arc_lengths) {
     std::array<std::array<long, 2>, 4> points;
     std::vector<Kernel::Point_2> control_points;
     for (auto& p : points) {
-      const long first = 40 * static_cast<long>(control_points.size()); // without cusps, near which Arb takes long
+      // without cusps, near which Arb takes long
+      const long first = 40 * static_cast<long>(control_points.size());
       p[0] = first + random.integer(-15, 15);
       p[1] = random.integer(-40, 40);
       control_points.emplace_back(p[0], p[1]);
@@ -242,7 +245,8 @@ BOOST_AUTO_TEST_CASE(arc_lengths) {
     for (const auto& [computed, value] :
          {std::pair(GC::bending_energy(curve), energy), std::pair(GC::fairness(curve), variation)}) {
       inaccurate += arb_rel_accuracy_bits(value.get()) < 30;
-      const Ball error = abs(Ball(computed) / value - Ball(1)), promised(4e-8); // 1e-8 of each of the four factors
+      // 1e-8 of each of the four factors
+      const Ball error = abs(Ball(computed) / value - Ball(1)), promised(4e-8);
       wrong += arb_gt(error.get(), promised.get());
     }
   }

@@ -56,7 +56,8 @@ BOOST_AUTO_TEST_CASE(square_roots) {
   BOOST_CHECK(!GC::rational_square_root(-1.));
 }
 
-// The quarter turns of an angle, and the rest up to 45 degrees, also of negative angles and of many turns.
+// The quarter turns of an angle, and the rest up to 45 degrees, also of negative angles and of many
+// turns.
 BOOST_AUTO_TEST_CASE(quarter_turns) {
   for (int degrees = -1000; degrees <= 1000; ++degrees) {
     const GC::Quarter_turns<Q> turns(Q(degrees) + Q(1) / 3);

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Degrees and percent: the enclosures hold, proved by exact numbers, in every rounding mode, and are narrow.
+// Degrees and percent: the enclosures hold, proved by exact numbers, in every rounding mode, and
+// are narrow.
 
 #include "support/enclosures.h"
 #include "support/rounding_modes.h"

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Kinks are repaired on the grid: no pair of parallel vectors is nearer, for random and for special legs.
+// Kinks are repaired on the grid: no pair of parallel vectors is nearer, for random and for special
+// legs.
 
 #include "support/decided_joins.h"
 #include "support/test.h"
@@ -13,7 +14,8 @@
 BOOST_AUTO_TEST_SUITE(align_handles)
 
 typedef GC::Grid_vector Vector;
-typedef std::pair<std::int64_t, std::int64_t> Cost; // the squares of the larger and of the smaller move
+// the squares of the larger and of the smaller move
+typedef std::pair<std::int64_t, std::int64_t> Cost;
 
 Cost cost(const Vector& a, const Vector& b, const Vector& x, const Vector& y) {
   const std::int64_t left = squared_length(x - a), right = squared_length(y - b);
@@ -111,7 +113,8 @@ BOOST_AUTO_TEST_CASE(all_small_legs) {
   });
 }
 
-// A node on the long side of which only one direction is near: the first leg is a multiple of a long primitive vector.
+// A node on the long side of which only one direction is near: the first leg is a multiple of a
+// long primitive vector.
 BOOST_AUTO_TEST_CASE(long_primitive_directions) {
   const Vector d{987, 610};
   for (const std::int64_t sign : {1, -1})
@@ -129,14 +132,16 @@ BOOST_AUTO_TEST_CASE(long_primitive_directions) {
 BOOST_AUTO_TEST_CASE(a_short_handle_beside_a_long_one) {
   check({1, 0}, {20, 1}, 3);
   check({3, 1}, {250, 70}, 5);
-  for (const std::int64_t n : {1000, 100000, 100000000}) { // the best direction is short, and found at once
+  // the best direction is short, and found at once
+  for (const std::int64_t n : {1000, 100000, 100000000}) {
     const std::optional<GC::Aligned_handles> handles = GC::align_handles({2, 1}, {2 * n, n + 1});
     BOOST_REQUIRE(handles);
     BOOST_CHECK(cost({2, 1}, {2 * n, n + 1}, handles->left, handles->right).first <= 1);
   }
 }
 
-// The search takes as many steps as the shorter leg admits, however long the other one is: an hour would not do if not.
+// The search takes as many steps as the shorter leg admits, however long the other one is: an hour
+// would not do if not.
 BOOST_AUTO_TEST_CASE(short_handles_beside_the_longest_ones) {
   const std::int64_t n = GC::max_handle_coordinate;
   check({10, 0}, {n, n - 1}, 8);
@@ -150,7 +155,8 @@ BOOST_AUTO_TEST_CASE(short_handles_beside_the_longest_ones) {
     check(a, b, 6);
     ++checked;
   }
-  // of all lengths and angles: not worse than the legs that a continued fraction of the direction in the middle gives
+  // of all lengths and angles: not worse than the legs that a continued fraction of the direction
+  // in the middle gives
   for (int checked = 0; checked < 2000;) {
     const auto leg = [&] {
       const std::int64_t size = std::int64_t(1) << std::uniform_int_distribution<int>(1, 28)(random);
@@ -231,7 +237,8 @@ BOOST_AUTO_TEST_CASE(one_handle_is_fixed) {
   BOOST_CHECK((GC::align_handle({7, 1}, {300, 0}) == Vector{7, 0}));
   BOOST_CHECK((GC::align_handle({-7, 1}, {-20, -10}) == Vector{-6, -3} ||
                GC::align_handle({-7, 1}, {-20, -10}) == Vector{-4, -2}));
-  BOOST_CHECK((GC::align_handle({1, 0}, {-13, 0}) == Vector{-1, 0})); // the nearest that points there
+  // the nearest that points there
+  BOOST_CHECK((GC::align_handle({1, 0}, {-13, 0}) == Vector{-1, 0}));
   BOOST_CHECK((GC::align_handle({10, 9}, {101, 97}) == Vector{101, 97}));
   std::mt19937 random = seeded(4711);
   std::uniform_int_distribution<int> coordinate(-40, 40);

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The lengths of handles are changed so that curvatures agree: exactly where the grid has such lengths, otherwise nearly.
+// The lengths of handles are changed so that curvatures agree: exactly where the grid has such
+// lengths, otherwise nearly.
 
 #include "support/decided_joins.h"
 #include "support/test.h"
@@ -18,7 +19,8 @@ typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Traits;
 typedef GC::Bezier_curve<Traits> Curve;
 const std::int64_t unbounded = std::int64_t(1) << 50;
 
-// A curve of this degree away from the node (0, 0); what lies beyond the far leg has no influence on its curvature there.
+// A curve of this degree away from the node (0, 0); what lies beyond the far leg has no influence
+// on its curvature there.
 Curve curve(const GC::Handle_side& side, const Vector& leg, int sign) {
   std::vector<Vector> points{{0, 0}, sign * leg, sign * side.second};
   for (int i = 3; i <= side.degree; ++i) points.push_back(sign * Vector{900 + i * i, 50 - 7 * i});
@@ -60,10 +62,12 @@ BOOST_AUTO_TEST_CASE(nearest_exact_lengths) { // the same ratio
     const Result r = harmonised({{m, 0}, {90, -30}, 3, true}, {{n, 0}, {130, 120}, 3, true}, 0);
     return std::make_pair(r.handles.left.x, r.handles.right.x);
   };
-  BOOST_CHECK((lengths(43, 86) == std::pair<std::int64_t, std::int64_t>(43, 86))); // as they are, within any bound
+  // as they are, within any bound
+  BOOST_CHECK((lengths(43, 86) == std::pair<std::int64_t, std::int64_t>(43, 86)));
   const Result r = harmonised({{43, 0}, {90, -30}, 3, true}, {{88, 0}, {130, 120}, 3, true});
   BOOST_CHECK(r.g2);
-  BOOST_CHECK((r.handles.left == Vector{44, 0} && r.handles.right == Vector{88, 0})); // by one unit, not two
+  // by one unit, not two
+  BOOST_CHECK((r.handles.left == Vector{44, 0} && r.handles.right == Vector{88, 0}));
 }
 
 BOOST_AUTO_TEST_CASE(handles_of_one_unit) { // the same ratio

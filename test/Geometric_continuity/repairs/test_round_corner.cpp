@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// One corner is rounded: the distance of the cuts, the parts, which are exactly parts of the given curves, the joins, and what is
-// refused.
+// One corner is rounded: the distance of the cuts, the parts, which are exactly parts of the given
+// curves, the joins, and what is refused.
 
 #include "support/test.h"
 
@@ -25,7 +25,8 @@ template <class Traits, class FT = typename Traits::FT> Curve<Traits> curve(cons
   return {points.begin(), points.end()};
 }
 
-// The arc length between two parameters of the domain, by the speed at the middles of many intervals.
+// The arc length between two parameters of the domain, by the speed at the middles of many
+// intervals.
 template <class Traits, int D> double arc_length(const GC::Bezier_curve<Traits, D>& given, double a, double b) {
   Rows rows;
   for (int j = 0; j <= given.degree(); ++j) {
@@ -83,7 +84,8 @@ template <class Traits> void check_corner(const Rows& left_rows, const Rows& rig
       BOOST_CHECK(x.gap.upper <= 1e-12);
       BOOST_CHECK(x.tangent_angle && x.tangent_angle->upper <= 1e-12);
       if (left.degree() > 1)
-        BOOST_CHECK(x.curvature_jump && x.curvature_jump->upper <= 1e-11 + 1e-13 / distance); // else of 0
+        // else of 0
+        BOOST_CHECK(x.curvature_jump && x.curvature_jump->upper <= 1e-11 + 1e-13 / distance);
     }
   }
 }
@@ -150,20 +152,23 @@ BOOST_AUTO_TEST_CASE(random_curves) {
     }
 }
 
-// Lines with rational lengths are cut at the distance exactly, and others of one length alike, with the number that is nearest to it.
+// Lines with rational lengths are cut at the distance exactly, and others of one length alike, with
+// the number that is nearest to it.
 BOOST_AUTO_TEST_CASE(exact_cuts) {
   const auto line = [](const Q& a, const Q& b, const Q& c, const Q& d) {
     return Curve<Exact_2>{Exact_2::Point(a, b), Exact_2::Point(c, d)};
   };
   const auto c = GC::round_corner(line(0, 0, 80, 0), line(80, 0, 80, 50), 12);
   BOOST_CHECK(c.left_cut == Q(68) / 80 && c.right_cut == Q(12) / 50);
-  const auto d = GC::round_corner(line(-3, 4, 0, 0), line(0, 0, Q(8) / 3, 2), Q(1) / 7); // lengths of 5 and 10/3
+  // lengths of 5 and 10/3
+  const auto d = GC::round_corner(line(-3, 4, 0, 0), line(0, 0, Q(8) / 3, 2), Q(1) / 7);
   BOOST_CHECK(d.left_cut == Q(34) / 35 && d.right_cut == Q(3) / 70);
   const auto e = GC::round_corner(line(-1, -1, 0, 0), line(0, 0, 1, -1), 1); // twice the root of 2
   BOOST_CHECK(e.left_cut == 1 - e.right_cut && std::abs(CGAL::to_double(e.right_cut) - std::sqrt(0.5)) < 1e-15);
   const auto lazy = GC::round_corner(curve<Epeck_2>({{0, 0}, {80, 0}}), curve<Epeck_2>({{80, 0}, {80, 50}}), 12);
   BOOST_CHECK(CGAL::exact(lazy.left_cut) == c.left_cut && CGAL::exact(lazy.right_cut) == c.right_cut);
-  // the blend of lines does not depend on how fast they are run through, and is its own mirror image
+  // the blend of lines does not depend on how fast they are run through, and is its own mirror
+  // image
   const auto fast = GC::round_corner(line(0, 0, 80, 0), line(80, 0, 80, 50).with_domain(-1, 9), 12);
   for (int j = 0; j <= 5; ++j) {
     const Exact_2::Point p = c.blend.control_point(j), q = c.blend.control_point(5 - j);

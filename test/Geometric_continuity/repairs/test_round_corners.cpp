@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// All corners of a chain are rounded: which joins are corners, how near they are cut where curves are short, what stays as it
-// is, and what is refused.
+// All corners of a chain are rounded: which joins are corners, how near they are cut where curves
+// are short, what stays as it is, and what is refused.
 
 #include "support/test.h"
 
@@ -32,7 +32,7 @@ int least_order(const Rounded& r, bool closed) {
   return *GC::chain_continuity(r.curves, 3, closed ? GC::Closure::closed : GC::Closure::open).g_order();
 }
 
-// What is left of each given curve lies in its place, and is the part of it between the cuts.
+// The rest of each given curve lies in its place, and is the part of it between the cuts.
 void check_parts(const Chain& given, const Rounded& r) {
   std::vector<Q> starts, ends;
   std::vector<bool> is_blend(r.curves.size(), false);
@@ -104,7 +104,8 @@ BOOST_AUTO_TEST_CASE(which_joins) {
   BOOST_CHECK(rounded(smooth, 0.5, false).corners.empty());
 }
 
-// A quarter of each curve remains: of a curve with two corners 3/8 are cut off on each side, and with one 3/4.
+// A quarter of each curve remains: of a curve with two corners 3/8 are cut off on each side, and
+// with one 3/4.
 BOOST_AUTO_TEST_CASE(short_curves) {
   const Chain chain = {{Point(0, 4), Point(0, 0)}, {Point(0, 0), Point(1, 0)}, {Point(1, 0), Point(1, 4)}};
   const Rounded r = rounded(chain, 100, false);
@@ -120,8 +121,8 @@ BOOST_AUTO_TEST_CASE(short_curves) {
   BOOST_CHECK(fits.corners[0].right_cut == Q(1) / 2 && fits.corners[0].left_cut == Q(7) / 8);
 }
 
-// A spline is the chain of its Bezier curves: with a kink at a triple knot, between two that are smooth. Alone, before a
-// line that it meets in a corner, and as segments.
+// A spline is the chain of its Bezier curves: with a kink at a triple knot, between two that are
+// smooth. Alone, before a line that it meets in a corner, and as segments.
 BOOST_AUTO_TEST_CASE(splines) {
   typedef GC::Bspline_curve<Traits> Spline;
   const std::vector<Q> knots = {0, 0, 0, 0, 1, 2, 2, 2, 3, 4, 4, 4, 4};
@@ -195,7 +196,7 @@ BOOST_AUTO_TEST_CASE(random_polygons) {
     }
 }
 
-// The same chain on every kernel; rounded numbers are near the exact ones.
+// Every kernel rounds the same chain; rounded numbers are near the exact ones.
 BOOST_AUTO_TEST_CASE(kernels) {
   const Rounded exact = rounded(square, 1.3, true);
   const auto check = [&](auto traits) {
@@ -243,8 +244,8 @@ BOOST_AUTO_TEST_CASE(refused) {
                     "blend has a cusp");
 }
 
-// A half moon: an arc of more than half a circle, with a negative weight, and its chord; and half a circle, with an infinite control
-// point.
+// A half moon: an arc of more than half a circle, with a negative weight, and its chord; and half a
+// circle, with an infinite control point.
 BOOST_AUTO_TEST_CASE(rational_chains) {
   typedef GC::Rational_bezier_curve<Traits> Rational;
   for (const Q& r : std::vector<Q>{Q(1), Q(2), Q(1) / Q(3)}) {
@@ -255,7 +256,8 @@ BOOST_AUTO_TEST_CASE(rational_chains) {
     BOOST_REQUIRE(rounded.curves.size() == 4 && rounded.corners.size() == 2);
     BOOST_CHECK(GC::chain_continuity(rounded.curves, 2, GC::Closure::closed).g_order() == 2);
     for (const auto& corner : rounded.corners) BOOST_CHECK_EQUAL(corner.distance, 0.5);
-    // the cuts have that distance along the circle of the radius 4, and what remains of it lies on it
+    // the cuts have that distance along the circle of the radius 4, and what remains of it lies on
+    // it
     const Point cut = rounded.curves[0].end_jet(0).point(), end = arc.end_jet(0).point();
     BOOST_CHECK(cut.x() * cut.x() + cut.y() * cut.y() == 16);
     const double half_chord = std::sqrt(CGAL::to_double((cut - end).squared_length())) / 2;

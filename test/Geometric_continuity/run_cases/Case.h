@@ -15,8 +15,9 @@
 #include <utility>
 #include <vector>
 
-// One exact case of the format exact-cases/1: an operation, its input and its expected output. Both are flattened to
-// "path value" with a leaf "path# length" for each array. A file may write an array in one line, as "path [1/2 [0 3] 4]".
+// One exact case of the format exact-cases/1: an operation, its input and its expected output. Both
+// are flattened to "path value" with a leaf "path# length" for each array. A file may write an
+// array in one line, as "path [1/2 [0 3] 4]".
 struct Case {
   std::string id, op, kind;
   std::map<std::string, std::string> in, out;
@@ -46,13 +47,15 @@ struct Case {
   }
 };
 
-// Adds the value of a path: a leaf, or an array with all its leaves and lengths. Returns whether the brackets match.
+// Adds the value of a path: a leaf, or an array with all its leaves and lengths. Returns whether
+// the brackets match.
 inline bool add_value(std::map<std::string, std::string>& leaves, const std::string& path, const std::string& value) {
   if (value[0] != '[') {
     leaves[path] = value;
     return true;
   }
-  std::vector<std::pair<std::string, int>> open; // the arrays around, with the number of elements so far
+  // the arrays around, with the number of elements so far
+  std::vector<std::pair<std::string, int>> open;
   const auto next_path = [&] {
     return open.empty() ? path : open.back().first + '.' + std::to_string(open.back().second++);
   };

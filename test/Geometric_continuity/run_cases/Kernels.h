@@ -24,7 +24,8 @@ template <class K, class Kernel_d> struct Kernels {
   typedef GC::Traits_d<Kernel_d> Traitsd;
 };
 
-// A number of a case in the field of the kernel: exact, or the nearest double, or an enclosing interval.
+// A number of a case in the field of the kernel: exact, or the nearest double, or an enclosing
+// interval.
 template <class FT> FT from_rational(const Exact_rational& x) {
   if constexpr (std::is_same_v<FT, CGAL::Interval_nt<>>)
     return FT(CGAL::to_interval(x));

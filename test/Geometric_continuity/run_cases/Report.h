@@ -14,7 +14,8 @@
 #include <type_traits>
 #include <vector>
 
-// What a leaf of the output rests on, which decides how it can be compared when numbers are rounded.
+// A leaf of the output depends on one of these, which decides how it can be compared when numbers
+// are rounded.
 enum class Source {
   construction, // a number computed from the input
   predicate,    // a decision on the input as given
@@ -29,8 +30,8 @@ struct Leaf {
   std::optional<CGAL::Interval_nt<>> enclosure;
 };
 
-// The computed output of one case. Values are given as functions, so that a decision that interval arithmetic cannot take
-// leaves out only the leaf that needs it.
+// The computed output of one case. Values are given as functions, so that a decision that interval
+// arithmetic cannot take leaves out only the leaf that needs it.
 class Report {
 public:
   typedef std::map<std::string, Leaf> Leaves;

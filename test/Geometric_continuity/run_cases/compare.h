@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-// What the comparison of one case found.
+// The result of the comparison of one case.
 struct Verdict {
   std::vector<std::string> mismatches; // "path: expected ..., computed ..."
   int compared = 0;                    // leaves
@@ -69,11 +69,13 @@ inline bool representable(const Case& c) {
   return true;
 }
 
-// Rounded kernels. The same operation in interval arithmetic encloses both the exact result and the double result, which
-// makes the same operations on numbers inside the intervals: its width is the bound, proved for this input. Decisions are
-// compared where the intervals decide them, and always where exact predicates decide on input that doubles represent.
+// Rounded kernels. The same operation in interval arithmetic encloses both the exact result and the
+// double result, which makes the same operations on numbers inside the intervals: its width is the
+// bound, proved for this input. Decisions are compared where the intervals decide them, and always
+// where exact predicates decide on input that doubles represent.
 inline Verdict compare_rounded(const Case& c, const Report& report, const Report& enclosures, bool exact_predicates) {
-  const double maximal_width = std::ldexp(1.0, -20); // relative to max(1, |x|): far from what 53 bits may lose here
+  // relative to max(1, |x|): far from what 53 bits may lose here
+  const double maximal_width = std::ldexp(1.0, -20);
   const bool input_exact = representable(c);
   Verdict verdict;
   for (const auto& [path, expected] : c.out) {

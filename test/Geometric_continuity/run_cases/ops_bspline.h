@@ -9,8 +9,8 @@
 
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 
-// Splines of a case. Rounded kernels take all parameters times a common denominator: whole numbers, which they represent
-// and compare without rounding.
+// Splines of a case. Rounded kernels take all parameters times a common denominator: whole numbers,
+// which they represent and compare without rounding.
 template <class Traits> struct Spline_input {
   typedef typename Traits::FT FT;
   typedef GC::Bspline_curve<Traits> Curve;
@@ -51,7 +51,8 @@ template <class Traits> struct Spline_input {
     const std::vector<typename Traits::Point> points = Input<Traits>{c}.points(path + "points");
     return Curve(points.begin(), points.end(), GC::Knot_vector<FT>(c.integer(path + "degree"), knots));
   }
-  GC::Bspline_function<FT> function(const std::string& path) const { // from points with one coordinate
+  // from points with one coordinate
+  GC::Bspline_function<FT> function(const std::string& path) const {
     const Curve curve = this->curve(path);
     std::vector<FT> coefficients;
     for (int i = 0; i < curve.number_of_points(); ++i) coefficients.push_back(curve.coordinates(i)[0]);
@@ -85,7 +86,8 @@ void report_spline(Report& report, const Spline_input<Traits>& in, const GC::Bsp
 template <class Traits> bool run_bspline(const Case& c, Report& report) {
   typedef typename Traits::FT FT;
   const Spline_input<Traits> in(c);
-  const FT factor = from_rational<FT>(in.scale); // of a derivative with respect to the given parameter
+  // of a derivative with respect to the given parameter
+  const FT factor = from_rational<FT>(in.scale);
 
   if (c.op == "product" && c.has("f.knots#")) {
     report_spline(report, in, product(in.function("f."), in.curve("g.")));

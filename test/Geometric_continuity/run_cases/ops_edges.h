@@ -10,8 +10,9 @@
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 
-// Patches of a case. Rounded kernels take all coordinates times a common denominator: whole numbers, which they represent
-// without rounding. This changes the determinant by the third power of the scale, and no decision.
+// Patches of a case. Rounded kernels take all coordinates times a common denominator: whole
+// numbers, which they represent without rounding. This changes the determinant by the third power
+// of the scale, and no decision.
 template <class Traits> struct Patch_input {
   typedef typename Traits::FT FT;
 

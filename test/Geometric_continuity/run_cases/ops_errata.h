@@ -58,7 +58,8 @@ template <class Traits> bool run_errata(const Case& c, Report& report) {
     report.construction("after", [&] { return squared_distance(GC::repeat_control_point(curve, i)); });
   } else if (c.has("left#") && c.has("right#")) {
     const Curve left = in.curve("left"), right = in.curve("right");
-    const int order = std::min({3, left.degree(), right.degree()}); // the jets of the document end there
+    // the jets of the document end there
+    const int order = std::min({3, left.degree(), right.degree()});
     report_errata_join(report, "", GC::continuity(left.end_jet(order), right.start_jet(order)));
   } else if (c.has("phi_jet#") && c.has("points#"))
     report_errata_join(report, "", GC::continuity(in.jet("phi_jet"), in.curve("points").start_jet(2)));

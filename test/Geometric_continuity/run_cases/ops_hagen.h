@@ -25,7 +25,8 @@ template <class FT> bool run_connection_scalars(const Case& c, Report& report) {
   return true;
 }
 
-// The points behind the end of a polygon that the scalars C choose, and the join with the whole next segment.
+// The points behind the end of a polygon that the scalars C choose, and the join with the whole
+// next segment.
 template <class Traits> void run_next_points(const Input<Traits>& in, Report& report) {
   typedef typename Traits::FT FT;
   const GC::Bezier_curve<Traits> left = in.curve("left");

@@ -11,8 +11,9 @@
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 
-// Rational patches of a case. Rounded kernels take all coordinates times a common denominator, and all weights times another
-// one, which changes no decision; cases that are no whole numbers of 53 bits then are left out.
+// Rational patches of a case. Rounded kernels take all coordinates times a common denominator, and
+// all weights times another one, which changes no decision; cases that are no whole numbers of 53
+// bits then are left out.
 template <class Traits> class Rational_patch_input {
   typedef typename Traits::FT FT;
 
@@ -56,7 +57,7 @@ public:
   }
 
 private:
-  // Of a net whose denominator is positive near the edge only.
+  // Takes a net whose denominator is positive near the edge only.
   template <class Points, class Weights>
   static GC::Rational_bezier_patch<Traits> part_next_to_edge(const Points& net, const Weights& weights) {
     typedef GC::Rational_bezier_patch<Traits> Patch;
@@ -79,8 +80,9 @@ private:
   }
 };
 
-// Topic rational_edges: two rational patches with the common edge v = 0. Decisions are exact on doubles, too; therefore an
-// interval kernel, which would enclose whole numbers, decides as doubles do.
+// Topic rational_edges: two rational patches with the common edge v = 0. Decisions are exact on
+// doubles, too; therefore an interval kernel, which would enclose whole numbers, decides as doubles
+// do.
 template <class Traits> bool run_rational_edges(const Case& c, Report& report) {
   if constexpr (std::is_same_v<typename Traits::FT, CGAL::Interval_nt<>>)
     return run_rational_edges<GC::Traits_3<CGAL::Simple_cartesian<double>>>(c, report);

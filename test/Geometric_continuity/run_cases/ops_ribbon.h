@@ -10,8 +10,8 @@
 
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
 
-// Topic ribbon. Rounded kernels take scaled parameters, see Spline_input: this multiplies beta, and divides F by the scale
-// and F' by its square.
+// Topic ribbon. Rounded kernels take scaled parameters, see Spline_input: this multiplies beta, and
+// divides F by the scale and F' by its square.
 template <class Traits> bool run_ribbon(const Case& c, Report& report) {
   if constexpr (GC::dimension_v<Traits> == 3) {
     if (c.op != "ribbon") return false;

@@ -28,7 +28,8 @@ template <class FT> GC::Edge_reparametrisation<FT> reparametrisation_of(const Ca
   return {function("alpha"), function("beta"), function("alpha2"), function("delta")};
 }
 
-// Coefficients in another degree: raised, or lowered if they are those of a polynomial of that degree.
+// Coefficients in another degree: raised, or lowered if they are those of a polynomial of that
+// degree.
 template <class FT> GC::Bernstein_polynomial<FT> in_degree(const GC::Bernstein_polynomial<FT>& p, int degree) {
   GC::Bernstein_polynomial<FT> q = p.elevated((std::max)(degree - p.degree(), 0));
   if constexpr (!std::is_floating_point_v<FT> && !std::is_same_v<FT, CGAL::Interval_nt<>>)
@@ -43,8 +44,9 @@ template <class FT> GC::Bernstein_polynomial<FT> in_degree(const GC::Bernstein_p
   return q;
 }
 
-// Topic surface_blend: from the edge v = 1 of one patch to the edge v = 0 of another. Nets are equal when they are after elevation
-// along u to a common degree: the computed one is given in the degree of the expected one.
+// Topic surface_blend: from the edge v = 1 of one patch to the edge v = 0 of another. Nets are
+// equal when they are after elevation along u to a common degree: the computed one is given in the
+// degree of the expected one.
 template <class Traits> bool run_surface_blend(const Case& c, Report& report) {
   typedef typename Traits::FT FT;
   if (c.op != "surface_blend") return false;

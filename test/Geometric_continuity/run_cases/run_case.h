@@ -27,7 +27,8 @@ inline int dimension_of(const Case& c) {
     if (c.has(std::string(point) + '#')) return c.length(point);
   for (const auto& [path, value] : c.in)
     if (path.size() > 3 && path.compare(path.size() - 3, 3, ".0#") == 0) {
-      const auto in_net = c.in.find(path.substr(0, path.size() - 1) + ".0#"); // nets are nested one level deeper
+      // nets are nested one level deeper
+      const auto in_net = c.in.find(path.substr(0, path.size() - 1) + ".0#");
       return std::stoi(in_net == c.in.end() ? value : in_net->second);
     }
   return 0;

@@ -114,8 +114,9 @@ TEST_FOR_EACH(blossoms, K, Kernels) {
     });
 }
 
-// What a sum of at most p + 1 terms can lose in the j-th derivative: the quotients are at most 2 p / h for the shortest
-// difference h of knots, so that the j-th derivative of coefficients up to 1 is at most (2 p / h)^j.
+// Bounds the loss of a sum of at most p + 1 terms in the j-th derivative: the quotients are at most
+// 2 p / h for the shortest difference h of knots, so that the j-th derivative of coefficients up to
+// 1 is at most (2 p / h)^j.
 template <class FT> FT derivative_scale(const Function<FT>& f, int j) {
   FT h = f.domain().second - f.domain().first;
   for (int k : f.knots().spans()) h = std::min(h, FT(f.knots()[k + 1] - f.knots()[k]));
@@ -143,8 +144,8 @@ TEST_FOR_EACH(derivatives, K, Kernels) {
       BOOST_CHECK(d.knots().has_domain_of(f.knots()));
     }
   });
-  // the derivative by its definition, as a limit of rational functions of the step: for a quadratic it is the mean of two
-  // difference quotients
+  // the derivative by its definition, as a limit of rational functions of the step: for a quadratic
+  // it is the mean of two difference quotients
   const Function<FT> f(GC::Knot_vector<FT>(2, FT(0), FT(4), {{FT(2), 1}}), {FT(1), FT(3), FT(-1), FT(5)});
   BOOST_CHECK(f.derivative()(FT(1)) == FT((f(FT(2)) - f(FT(0))) / FT(2)));
   BOOST_CHECK(f.derivative().knots() == GC::Knot_vector<FT>(1, FT(0), FT(4), {{FT(2), 1}}));
@@ -281,7 +282,8 @@ TEST_FOR_EACH(bezier_pieces_and_back, K, Kernels) {
       }
     }
     const std::vector<FT> back = bspline_from_bezier(f.knots(), pieces);
-    // at most p arguments outside a span, and p spans; knots far outside the domain make extrapolations of the coefficients
+    // at most p arguments outside a span, and p spans; knots far outside the domain make
+    // extrapolations of the coefficients
     const double roundings = 2 * value_roundings(p) * std::pow(2 * p + 1, p);
     if (exact_v<FT> || f.knots().is_clamped())
       for (std::size_t i = 0; i < back.size(); ++i)
@@ -434,7 +436,8 @@ TEST_FOR_EACH(products, K, Kernels) {
   CHECK_ERROR(f * Function<FT>(GC::Knot_vector<FT>(0, {FT(0), FT(3)}), {FT(1)}), parameter_outside_domain);
 }
 
-// Arguments of a coefficient are more than three knots when the multiplicities are low for the degree.
+// Arguments of a coefficient are more than three knots when the multiplicities are low for the
+// degree.
 BOOST_AUTO_TEST_CASE(high_degrees_with_simple_knots) {
   repeat<Q>(20, [](Random<Q>& random) {
     const int q = random.integer(1, 2), p = q + random.integer(4, 6);
@@ -444,7 +447,8 @@ BOOST_AUTO_TEST_CASE(high_degrees_with_simple_knots) {
   });
 }
 
-// Cubics with simple knots: one argument outside a span, of two spans, multiplies the roundings by at most 3.
+// Cubics with simple knots: one argument outside a span, of two spans, multiplies the roundings by
+// at most 3.
 BOOST_AUTO_TEST_CASE(product_of_cubics_in_floating_point) {
   repeat<double>(100, [](Random<double>& random) {
     const GC::Knot_vector<double> u = random.knots(3, 1, false);
@@ -511,7 +515,8 @@ BOOST_AUTO_TEST_CASE(equal_functions) {
   for (double u : {0., 0.5, 1., 1.75, 2.}) BOOST_CHECK_EQUAL(sum(u), 2 * g(u));
 }
 
-// A span that is shorter than the normal numbers, and knots at the start of the domain that are not before it.
+// A span that is shorter than the normal numbers, and knots at the start of the domain that are not
+// before it.
 BOOST_AUTO_TEST_CASE(special_spans) {
   typedef GC::Bspline_function<double> Function;
   const double tiny = std::numeric_limits<double>::denorm_min();

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The Bernstein coefficients of the spans: from differences of rational numbers, against refinement by blossoms; of high
-// degree; and within a limit of the work.
+// The Bernstein coefficients of the spans: from differences of rational numbers, against refinement
+// by blossoms; of high degree; and within a limit of the work.
 
 #include "support/limited.h"
 #include "support/random.h"
@@ -90,7 +90,8 @@ BOOST_AUTO_TEST_CASE(pieces_of_high_degree) {
   while (static_cast<int>(c.size()) < knots.number_of_coefficients()) c.push_back(Q(random.integer(-99, 99)));
   const std::vector<Q> pieces = GC::bspline_bezier(knots, c);
   BOOST_REQUIRE_EQUAL(pieces.size(), static_cast<std::size_t>((p + 2) * (p + 1)));
-  // C^(p-1): differences of neighbours agree, as the spans are of one length, and only the last does not
+  // C^(p-1): differences of neighbours agree, as the spans are of one length, and only the last
+  // does not
   for (int s = 0; s <= p; ++s) {
     std::vector<Q> left(pieces.begin() + s * (p + 1), pieces.begin() + (s + 1) * (p + 1)),
         right(pieces.begin() + (s + 1) * (p + 1), pieces.begin() + (s + 2) * (p + 1));

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Products and elevations of splines in floating-point numbers, as an optimising compiler makes them, against the same in
-// rational numbers. The only test that is compiled with optimisation: rows of numbers are kept in vector registers there.
+// Products and elevations of splines in floating-point numbers, as an optimising compiler makes
+// them, against the same in rational numbers. The only test that is compiled with optimisation:
+// rows of numbers are kept in vector registers there.
 
 #define BOOST_TEST_MODULE optimised_splines
 
@@ -63,8 +64,9 @@ struct Splines {
   }
 };
 
-// Coefficients that straddle a knot are extrapolated from the longest of at most 8 spans, at most 8 times: a relative error
-// 2^-53 of numbers of at most 64 may grow, but stays far below what a wrong coefficient is off by, about 1.
+// Coefficients that straddle a knot are extrapolated from the longest of at most 8 spans, at most 8
+// times: a relative error 2^-53 of numbers of at most 64 may grow, but stays far below what a wrong
+// coefficient is off by, about 1.
 constexpr double bound = 1e-9;
 
 template <class Rounded, class Exact> void compare(const Splines& s) {

@@ -12,9 +12,10 @@
 #include <string>
 #include <vector>
 
-// Bounds of rounding errors as theorems for Gappa, a prover of such bounds: a form is evaluated on a number type that keeps what is computed.
+// Bounds of rounding errors as theorems for Gappa, a prover of such bounds: a form is evaluated on
+// a number type that keeps what is computed.
 
-// What is computed, as definitions of Gappa: r for the rounded value, e for the exact one.
+// Records the computation as definitions of Gappa: r for the rounded value, e for the exact one.
 class Gappa_term {
   struct Node {
     std::string definitions, hypotheses;
@@ -28,7 +29,8 @@ class Gappa_term {
 public:
   Gappa_term(const Node& node) : node_(static_cast<int>(nodes.size())) { nodes.push_back(node); }
 
-  // A number that is rounded to at most 2^exponent in absolute value: before, it is larger by less than the factor 1 + 2^-51.
+  // A number that is rounded to at most 2^exponent in absolute value: before, it is larger by less
+  // than the factor 1 + 2^-51.
   static Gappa_term rounded_once(int exponent) {
     const std::string i = std::to_string(nodes.size()), bound = "2251799813685249b" + std::to_string(exponent - 51);
     return Node{"r" + i + " = rnd(e" + i + ");\n", "|e" + i + "| in [0, " + bound + "]", -1, -1};
@@ -77,8 +79,8 @@ private:
   }
 };
 
-// Writes PREFIX_ROUNDING.g for each way of rounding: the theorem that the error of a form is at most error * 2^exponent, and that its value
-// does not overflow.
+// Writes PREFIX_ROUNDING.g for each way of rounding: the theorem that the error of a form is at
+// most error * 2^exponent, and that its value does not overflow.
 inline void write_theorems(const std::string& prefix, const Gappa_term& form, double error, int exponent) {
   int e;
   const double digits = std::frexp(error, &e);
@@ -95,7 +97,8 @@ inline void write_theorems(const std::string& prefix, const Gappa_term& form, do
   }
 }
 
-// The arguments of a program that writes theorems: FOLDER [FACTOR], where a factor below 1 makes them too good to be true.
+// The arguments of a program that writes theorems: FOLDER [FACTOR], where a factor below 1 makes
+// them too good to be true.
 struct Theorem_arguments {
   std::string folder;
   double factor = 1;

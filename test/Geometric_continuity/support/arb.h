@@ -15,7 +15,8 @@
 #include <array>
 #include <vector>
 
-// What the tests need of Arb and FLINT: numbers in balls of 200 bits, polynomials with integers as coefficients, and their real roots.
+// The tests need this of Arb and FLINT: numbers in balls of 200 bits, polynomials with integers as
+// coefficients, and their real roots.
 
 namespace arb {
 
@@ -88,7 +89,8 @@ template <class X> Coordinates<X> minus(const Coordinates<X>& v, const Coordinat
 inline Vector times(const Ball& s, const Vector& v) { return {s * v[0], s * v[1], s * v[2]}; }
 inline Ball length(const Vector& v) { return root(dot(v, v)); }
 inline Ball angle(const Vector& v,
-                  const Vector& w) { // with a right side of atan2 that is not negative, which is continuous there
+                  // with a right side of atan2 that is not negative, which is continuous there
+                  const Vector& w) {
   const Ball sine = length(cross(v, w)), cosine = dot(v, w);
   if (!arb_is_negative(cosine.get())) return atan2(sine, cosine);
   Ball pi;

@@ -10,8 +10,9 @@
 #include <stdexcept>
 #include <vector>
 
-// A number type, points, vectors and a traits class that offer what the concept GeometricContinuityTraits asks for and
-// nothing more. What breaks here asks for more than is documented.
+// A number type, points, vectors and a traits class that offer what the concept
+// GeometricContinuityTraits asks for and nothing more. What breaks here asks for more than is
+// documented.
 namespace archetype {
 
 // A number has no value until it is assigned one; to read it before is an error.

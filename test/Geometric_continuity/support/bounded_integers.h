@@ -4,14 +4,14 @@
 
 #pragma once
 
-// Integers of fixed length of which only a bound is known. A form that is evaluated on them tells, at compile time, whether all its
-// parts stay within their limbs.
+// Integers of fixed length of which only a bound is known. A form that is evaluated on them tells,
+// at compile time, whether all its parts stay within their limbs.
 
 // 2^n
 constexpr double bound_of_bits(int n) { return n == 0 ? 1 : 2 * bound_of_bits(n - 1); }
 
-// A bound of the absolute value of an integer of `bits` bits with its sign, and whether it and all from which it was computed fit into
-// theirs. The margin is for the roundings of the bounds.
+// A bound of the absolute value of an integer of `bits` bits with its sign, and whether it and all
+// from which it was computed fit into theirs. The margin is for the roundings of the bounds.
 struct Integer_bound {
   double bound;
   bool fits;
@@ -28,7 +28,8 @@ struct Factor_bound : Integer_bound {
   }
 };
 
-// As Fixed_integer<limbs>: a product has as many limbs as its factors together, a sum and a scaled number as many as before.
+// As Fixed_integer<limbs>: a product has as many limbs as its factors together, a sum and a scaled
+// number as many as before.
 template <int limbs> struct Bounded_integer : Integer_bound {
   constexpr Bounded_integer(double largest, bool parts_fit = true) : Integer_bound(largest, 64 * limbs, parts_fit) {}
   constexpr explicit Bounded_integer(const Factor_bound& x) : Bounded_integer(x.bound, x.fits) {}

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The proofs that Gappa finds for the bounds of a filter (prove_bounds.sh) are checked by Coq (Debian: coq, libcoq-gappa, libcoq-flocq):
-# those for rounding to nearest, since the library of Coq does not have all theorems that Gappa uses for other ways of rounding. Prints what
-# is not checked. Minutes for a filter. Usage: check_by_coq.sh PRINT_BOUNDS FOLDER [START], of the names of theorems
+# The proofs that Gappa finds for the bounds of a filter (prove_bounds.sh) are checked by Coq
+# (Debian: coq, libcoq-gappa, libcoq-flocq): those for rounding to nearest, since the library of Coq
+# does not have all theorems that Gappa uses for other ways of rounding. Prints what is not checked.
+# Minutes for a filter. Usage: check_by_coq.sh PRINT_BOUNDS FOLDER [START], of the names of theorems
 set -eu
 print=$1 work=$2 start=${3-}
 for program in gappa coqc; do

@@ -26,7 +26,8 @@ inline bool encloses_root(const GC::Enclosure& e, const Exact& square) {
   return Exact(Exact(e.lower) * Exact(e.lower)) <= square && square <= Exact(Exact(e.upper) * Exact(e.upper));
 }
 
-// cos(x) and sin(x) of a number in [0, pi], enclosed by partial sums of their alternating series in exact numbers.
+// cos(x) and sin(x) of a number in [0, pi], enclosed by partial sums of their alternating series in
+// exact numbers.
 struct Circle_point {
   Exact cos_low, cos_high, sin_low, sin_high;
 };
@@ -42,8 +43,9 @@ inline Circle_point circle_point(double x) {
           std::max(sum[1], previous[1])};
 }
 
-// Returns whether the angle x is certainly not larger than the one between two vectors with this scalar product and squared
-// lengths (`not_larger`), or certainly not smaller: cos falls on [0, pi], and for cosines of one sign their squares compare.
+// Returns whether the angle x is certainly not larger than the one between two vectors with this
+// scalar product and squared lengths (`not_larger`), or certainly not smaller: cos falls on [0,
+// pi], and for cosines of one sign their squares compare.
 inline bool angle_is(bool not_larger, double x, const Exact& product, const Exact& lengths_squared) {
   if (not_larger ? x <= 0 : x >= 3.1415926535897936) return true;
   const Circle_point p = circle_point(x);

@@ -26,8 +26,8 @@ inline Q ratio(int p, int q) { return Q(Q(p) / Q(q)); }
 
 class Random : public Random_integers<> {
 public:
-  // Between -10 and 10, of 12 digits over one of three denominators: what is derived from many has common denominators that
-  // do not grow with their number.
+  // Between -10 and 10, of 12 digits over one of three denominators: what is derived from many has
+  // common denominators that do not grow with their number.
   Q number() {
     const Q numerator = Q(Q(integer(-999999, 999999)) * Q(1000000) + Q(integer(0, 999999)));
     const int denominators[] = {1, 999983, 100003};

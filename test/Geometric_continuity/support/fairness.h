@@ -9,8 +9,9 @@
 
 #include "test.h"
 
-// The fairness E = L^3 int (d kappa/ds)^2 + kappa^2 tau^2 ds by the textbook formulas of curvature and torsion and a dense
-// quadrature, and pairs of curves to blend: what tests of fair blends share.
+// The fairness E = L^3 int (d kappa/ds)^2 + kappa^2 tau^2 ds by the textbook formulas of curvature
+// and torsion and a dense quadrature, and pairs of curves to blend: what tests of fair blends
+// share.
 
 template <int N> using Vector = std::array<double, N>;
 template <int N> double dot(const Vector<N>& x, const Vector<N>& y) {

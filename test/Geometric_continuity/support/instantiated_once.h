@@ -17,8 +17,9 @@
 #include <iostream>
 #include <vector>
 
-// What most tests and examples instantiate. With the precompiled headers it is instantiated and compiled once for all of them; it is never
-// called. Who adds to it looks which functions many object files have (nm), and what the headers take longer for it.
+// Most tests and examples instantiate this code. With the precompiled headers it is instantiated
+// and compiled once for all of them; it is never called. Before you add to it, find out which
+// functions many object files have (nm), and how much longer the headers then take.
 namespace instantiated_once {
 
 namespace GC = CGAL::Geometric_continuity;

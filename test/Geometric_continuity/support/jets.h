@@ -61,7 +61,8 @@ public:
       if (GC::gram_determinants(x, std::min(k, d)).back() != Q(0)) return x;
     }
   }
-  // In space the rotation of a quaternion, otherwise a product of rotations in all coordinate planes; and a translation.
+  // In space the rotation of a quaternion, otherwise a product of rotations in all coordinate
+  // planes; and a translation.
   template <class Traits> GC::Isometry<Traits> isometry(int d) {
     std::vector<Column<Traits>> rows(d, Column<Traits>(d));
     for (int i = 0; i < d; ++i) rows[i][i] = Q(1);

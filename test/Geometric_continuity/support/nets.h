@@ -23,7 +23,7 @@ constexpr Patch_edge u0 = Patch_edge::u0, u1 = Patch_edge::u1, v0 = Patch_edge::
 
 template <class FT> constexpr bool is_exact = !std::is_floating_point_v<FT>;
 
-// ---------------------------------------------------------------- space curves with polynomial coordinates
+// -------------------------------------------------------- space curves with polynomial coordinates
 
 typedef GC::Bernstein_polynomial<Q> Polynomial;
 typedef std::array<Polynomial, 3> Curve;
@@ -42,8 +42,8 @@ inline int degree(const Curve& c) { return std::max({c[0].degree(), c[1].degree(
 inline Polynomial constant(int x) { return Polynomial{Q(x)}; }
 inline Polynomial line(int x, int y) { return Polynomial{Q(x), Q(y)}; }
 
-// The net of a patch of degree 2 (or 1, without w) across its edge v = 0, with the rows c, t, w. Its degree along the edge
-// is the largest of theirs, or n.
+// The net of a patch of degree 2 (or 1, without w) across its edge v = 0, with the rows c, t, w.
+// Its degree along the edge is the largest of theirs, or n.
 inline Net net_from_rows(const Curve& c, const Curve& t, const Curve* w = nullptr, int n = 0) {
   for (const Curve* x : {&c, &t, w})
     if (x) n = std::max(n, degree(*x));
@@ -107,7 +107,8 @@ public:
     for (int i = 0; i <= degree; ++i) c.push_back(Q(integer(low, high)));
     return Polynomial(c);
   }
-  // a curve that goes roughly in a coordinate direction, so that two of them in different directions are independent
+  // a curve that goes roughly in a coordinate direction, so that two of them in different
+  // directions are independent
   Curve curve(int degree, int direction, int step) {
     Curve c{polynomial(degree, -1, 1), polynomial(degree, -1, 1), polynomial(degree, -1, 1)};
     std::vector<Q> x;
@@ -117,8 +118,8 @@ public:
   }
 };
 
-// Two surfaces with the edge C: S1 with T1, W1, and S2 with T2 = p C' + q T1 and W2 = p^2 C'' + 2 p q T1' + q^2 W1 + r C' +
-// s T1, which is all that G2 leaves free.
+// Two surfaces with the edge C: S1 with T1, W1, and S2 with T2 = p C' + q T1 and W2 = p^2 C'' + 2 p
+// q T1' + q^2 W1 + r C' + s T1, which is all that G2 leaves free.
 struct Connection {
   Curve c, t1, w1, t2 = c, w2 = c;
 

@@ -7,7 +7,8 @@
 #include "peers.h"
 #include "test.h"
 
-// Rational splines with random doubles, the same with exact numbers, and how far a rounded result may be from the exact one.
+// Rational splines with random doubles, the same with exact numbers, and how far a rounded result
+// may be from the exact one.
 
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
@@ -45,9 +46,10 @@ double length_of_span(const GC::Knot_vector<double>& knots, double u) {
   return knots[k + 1] - knots[k];
 }
 
-// All coordinates are in [-1, 1] and all weights in [1/4, 4]; then those of homogeneous points are in [-4, 4]. A differentiation
-// takes differences, at most twice as large, times the degree over differences of knots, which are no shorter than the span.
-// With sums of absolute values in the quotient rule this bounds the derivatives of x = p/w by
+// All coordinates are in [-1, 1] and all weights in [1/4, 4]; then those of homogeneous points are
+// in [-4, 4]. A differentiation takes differences, at most twice as large, times the degree over
+// differences of knots, which are no shorter than the span. With sums of absolute values in the
+// quotient rule this bounds the derivatives of x = p/w by
 //   X_kl = (D_kl + sum C(k,i) C(l,j) D_ij X_(k-i)(l-j)) / (1/4).
 // Each of the at most p+q+2 levels of de Boor's triangles makes fewer than 9 roundings on the way to a homogeneous coordinate;
 // the quotient reads two of them and the denominator once more, and adds 4 roundings for each of its at most k+l+1 terms, which

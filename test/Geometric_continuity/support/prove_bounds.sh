@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# The bounds of a filter are proved by Gappa (Debian: gappa): those for the coarsest rounding at the small end of the range, with ALL=1 for
-# each way of rounding at both ends. Usage: prove_bounds.sh PRINT_BOUNDS FOLDER
+# The bounds of a filter are proved by Gappa (Debian: gappa): those for the coarsest rounding at the
+# small end of the range, with ALL=1 for each way of rounding at both ends. Usage: prove_bounds.sh
+# PRINT_BOUNDS FOLDER
 set -eu
 print=$1 work=$2
 command -v gappa >/dev/null || { echo "Gappa is not installed"; exit 77; }

@@ -6,7 +6,8 @@
 
 #include "test.h"
 
-// Random integers, the same in each run. A test derives its own class from them, with what it makes of them.
+// Random integers, the same in each run. A test derives its own class from them, with what it makes
+// of them.
 
 inline unsigned from_environment(const char* variable, unsigned otherwise) {
   const char* text = std::getenv(variable);

@@ -28,7 +28,8 @@ template <class FT> std::vector<Point<FT>> points(int n) {
   return p;
 }
 
-// Equal for exact numbers. The doubles of these tests come from sums of a few hundred products of numbers up to `size`.
+// Equal for exact numbers. The doubles of these tests come from sums of a few hundred products of
+// numbers up to `size`.
 template <class FT> bool same(const FT& x, const FT& y, double size) {
   if constexpr (std::is_same_v<FT, double>)
     return std::abs(x - y) <= 0x1p-44 * size;

@@ -35,7 +35,7 @@ struct Random_surfaces : Random {
   Patch_edge edge() { return GC::patch_edges[integer(0, 3)]; }
   Edge_direction direction() { return coin() ? Edge_direction::same : Edge_direction::opposite; }
 
-  // Of degree 3 x 2, over inner knots or none, not near to another one.
+  // Makes a net of degree 3 x 2, over inner knots or none, not near to another one.
   std::vector<std::vector<Exact::Point>> net(int m, int n) {
     std::vector<std::vector<Exact::Point>> net(m);
     const Q size(4294967296.0);

@@ -4,8 +4,9 @@
 
 #pragma once
 
-// Gap, angle and curvature jump of two sides at one parameter, by numbers that carry their first and second derivatives by two
-// variables: the formulas of the surfaces as they are documented, and the recursive definition of B-splines.
+// Gap, angle and curvature jump of two sides at one parameter, by numbers that carry their first
+// and second derivatives by two variables: the formulas of the surfaces as they are documented, and
+// the recursive definition of B-splines.
 
 #include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 
@@ -44,7 +45,8 @@ template <class FT> struct Dual {
 template <class FT> Dual<FT> cosine(const Dual<FT>& t) { return t.of(std::cos(t.f), -std::sin(t.f), -std::cos(t.f)); }
 template <class FT> Dual<FT> sine(const Dual<FT>& t) { return t.of(std::sin(t.f), std::cos(t.f), -std::sin(t.f)); }
 
-// The functions of the numbers span-degree to span by their recursive definition; `t` lies in the piece `span`, also where it is its end.
+// The functions of the numbers span-degree to span by their recursive definition; `t` lies in the
+// piece `span`, also where it is its end.
 template <class FT> std::vector<Dual<FT>> basis(const std::vector<double>& k, int span, int degree, const Dual<FT>& t) {
   std::vector<Dual<FT>> b(degree + 2);
   b[degree] = Dual<FT>(FT(1));
@@ -185,8 +187,8 @@ template <class FT> FT gap_square(const GC::Edge_side& a, const GC::Edge_side& b
   return sum;
 }
 
-// The unit normal, the length of the normal S_u x S_v that is divided by, and the normal curvature across the edge: of the difference of
-// the edge's direction and its projection.
+// The unit normal, the length of the normal S_u x S_v that is divided by, and the normal curvature
+// across the edge: of the difference of the edge's direction and its projection.
 struct Normal_and_curvature {
   std::array<long double, 3> n;
   long double length, curvature;

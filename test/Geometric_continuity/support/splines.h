@@ -9,13 +9,14 @@
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 
-// What tests of splines have in common. In exact kernels all identities hold with ==. In rounded kernels the bounds are
-// multiples of the unit roundoff u = 2^-53, times the largest coefficient:
-// - A weight of a value or a blossom is made in p levels of a triangle, each with 6 roundings, where all terms are
-//   nonnegative; the sum over p + 1 coefficients adds p + 2. So values and coefficients over finer knots are known to
-//   value_roundings(p) = 7 p + 2.
-// - Arguments of a blossom outside its span multiply the sum of the absolute weights by at most 2 s - 1 each, where s is the
-//   number of spans between the arguments.
+// The tests of splines have this in common. In exact kernels all identities hold with ==. In
+// rounded kernels the bounds are multiples of the unit roundoff u = 2^-53, times the largest
+// coefficient:
+// - A weight of a value or a blossom is made in p levels of a triangle, each with 6 roundings,
+//   where all terms are nonnegative; the sum over p + 1 coefficients adds p + 2. So values and
+//   coefficients over finer knots are known to value_roundings(p) = 7 p + 2.
+// - Arguments of a blossom outside its span multiply the sum of the absolute weights by at most 2
+//   s - 1 each, where s is the number of spans between the arguments.
 
 typedef std::tuple<CGAL::Simple_cartesian<Q>, CGAL::Simple_cartesian<double>, CGAL::Epeck, CGAL::Epick> Kernels;
 
@@ -52,7 +53,8 @@ public:
   // The lengths of neighbouring spans differ by factors up to 10^6.
   FT length() { return coin() ? ratio<FT>(integer(1, 9), 4) : ratio<FT>(integer(1, 9), 4000000); }
 
-  // Of degree p: inner knots of multiplicity 1 to `highest`; sometimes not clamped, when that is allowed.
+  // Makes knots of degree p: inner knots have the multiplicity 1 to `highest`; sometimes not
+  // clamped, when that is allowed.
   GC::Knot_vector<FT> knots(int p, int highest, bool may_be_unclamped = true) {
     const FT a = ratio<FT>(integer(-9, 9), 4);
     FT b = a;
@@ -103,7 +105,7 @@ template <class FT> std::vector<FT> parameters(const GC::Knot_vector<FT>& knots,
   return u;
 }
 
-// ---------------------------------------------------------------- bounds and an independent definition
+// ------------------------------------------------------------ bounds and an independent definition
 
 constexpr int value_roundings(int p) { return 7 * p + 2; }
 
@@ -121,7 +123,8 @@ template <class FT> FT largest(const std::vector<FT>& x) {
   return m;
 }
 
-// N_i^p(u) by the recursion of Cox, de Boor and Mansfield. On the intervals [u_i, u_{i+1}), or (u_i, u_{i+1}] from the left.
+// N_i^p(u) by the recursion of Cox, de Boor and Mansfield. On the intervals [u_i, u_{i+1}), or
+// (u_i, u_{i+1}] from the left.
 template <class FT> FT basis_by_recursion(const GC::Knot_vector<FT>& u, int i, int p, const FT& t, bool from_left) {
   if (p == 0) return FT((from_left ? u[i] < t && !(u[i + 1] < t) : !(t < u[i]) && t < u[i + 1]) ? 1 : 0);
   FT sum(0);
@@ -141,7 +144,8 @@ template <class FT> FT value_by_recursion(const Function<FT>& f, const FT& t, bo
 // The values from both sides, where there are both.
 template <class FT> FT left_value(const Function<FT>& f, const FT& u) { return f.left_derivatives(u, 0)[0]; }
 
-// The same function: at p + 1 parameters in each span, and from both sides at its ends.
+// Checks that two functions are the same: at p + 1 parameters in each span, and from both sides at
+// its ends.
 template <class FT> void check_same(const Function<FT>& f, const Function<FT>& g, double roundings) {
   const FT scale = largest(f.coefficients());
   BOOST_REQUIRE(f.knots().has_domain_of(g.knots()));

@@ -80,12 +80,14 @@ inline Q binomial(int n, int k) { return GC::binomial_coefficients<Q>(n)[k]; }
 typedef GC::Bernstein_polynomial<Q> Polynomial;
 inline Polynomial factor(const Q& root) { return Polynomial{Q(-root), Q(Q(1) - root)}; } // t - root
 
-// A user's curve: the quarter of the unit circle in the plane y = 0 about (2, 0, 0), by a rational parameter in [0, 1].
+// A user's curve: the quarter of the unit circle in the plane y = 0 about (2, 0, 0), by a rational
+// parameter in [0, 1].
 struct Quarter_circle {
   typedef Exact Traits;
   std::pair<Q, Q> domain() const { return {Q(0), Q(1)}; }
   GC::Curve_jet<Exact> jet(const Q& u, int k) const {
-    // cos + i sin = (1 + iu) / (1 - iu) = 2w - 1 with w = 1 / (1 - iu), of which each derivative is a power
+    // cos + i sin = (1 + iu) / (1 - iu) = 2w - 1 with w = 1 / (1 - iu), of which each derivative is
+    // a power
     const Q D = Q(Q(1) + u * u), x = Q(Q(1) / D), y = Q(u / D);
     Q re = Q(Q(2) * x), im = Q(Q(2) * y); // of 2 j! i^j w^(j+1)
     GC::Curve_jet<Exact> jet(3, k);

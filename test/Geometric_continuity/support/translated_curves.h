@@ -10,7 +10,8 @@
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 
-// Two surfaces on which all curves u = const are the same but for a translation, and the blends of these curves.
+// Two surfaces on which all curves u = const are the same but for a translation, and the blends of
+// these curves.
 template <class Traits> struct Translated_curves {
   typedef typename Traits::FT FT;
   typedef typename Traits::Point P;
@@ -23,7 +24,7 @@ template <class Traits> struct Translated_curves {
   template <class Strategy> auto shape(const Strategy& strategy) const {
     return automatic_surface_shape(first, v1, second, v0, strategy, Edge_direction::same);
   }
-  // The same, where all weights of a surface are equal.
+  // Returns the shape if all weights of a surface are equal.
   template <class Strategy> auto rational_shape(const Strategy& strategy) const {
     return automatic_surface_shape(Patch<Traits>(first), v1, with_factor(Patch<Traits>(second), FT(8)), v0, strategy,
                                    Edge_direction::same);

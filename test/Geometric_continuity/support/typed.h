@@ -4,7 +4,7 @@
 
 #pragma once
 
-// What the typed tests share. The including file has defined, for one kernel:
+// The typed tests share this. The including file has defined, for one kernel:
 //
 //   Traits2, Traits3       traits classes that serve dimension 2 and 3, with one number type FT
 //   exact                  constructions are exact, and so are predicates
@@ -13,8 +13,9 @@
 //   rounds                 how many inputs each random test takes
 //   in_every_space(test)   calls test(Traits(), d) for each traits class and each dimension d that it serves
 //
-// Exact kernels compare with ==. A rounded kernel runs the same tests on small whole or dyadic numbers where every
-// intermediate result is a double, also with ==; where that is impossible, `close` states the bound.
+// Exact kernels compare with ==. A rounded kernel runs the same tests on small whole or dyadic
+// numbers where every intermediate result is a double, also with ==; where that is impossible,
+// `close` states the bound.
 
 #include "random.h"
 
@@ -47,7 +48,8 @@ template <class T> T next_to(const T& x) {
     return T(x + power(ratio(1, 10), 30));
 }
 
-// Equality in exact kernels. In rounded ones `roundings` roundings are allowed for, each of a number of at most `scale`.
+// Equality in exact kernels. In rounded ones `roundings` roundings are allowed for, each of a
+// number of at most `scale`.
 template <class T> bool close(const T& x, const T& y, const T& scale, int roundings) {
   if constexpr (std::is_floating_point_v<T>)
     return std::abs(x - y) <= roundings * 0x1p-53 * scale;
@@ -80,14 +82,16 @@ public:
   }
   FT positive_rational() { return cancels ? fraction_of<FT>(1, 99999, 1, 99999) : FT(integer(1, 3)); }
 
-  // Rational; in rounded kernels a multiple of 1/8 of modulus at most 2, so that polynomials are evaluated exactly.
+  // Rational; in rounded kernels a multiple of 1/8 of modulus at most 2, so that polynomials are
+  // evaluated exactly.
   FT number() {
     if constexpr (exact)
       return rational();
     else
       return ratio(integer(-16, 16), 8);
   }
-  // Rational; in rounded kernels a small whole number, so that joins are exact and are decided without rounding.
+  // Rational; in rounded kernels a small whole number, so that joins are exact and are decided
+  // without rounding.
   FT whole() {
     if constexpr (exact)
       return rational();
@@ -188,7 +192,8 @@ template <class Traits> Jet<Traits> truncated(const Jet<Traits>& x, int k) {
   return y;
 }
 
-// Random, with coordinates random.*source(), until no coordinate of x' is zero and the derivatives are independent.
+// Random, with coordinates random.*source(), until no coordinate of x' is zero and the derivatives
+// are independent.
 template <class Traits> Jet<Traits> random_jet(Random& random, int d, int k, FT (Random::*source)() = &Random::whole) {
   for (;;) {
     Jet<Traits> x(d, k);
@@ -224,8 +229,9 @@ template <class Traits, class C, class D> bool same_points(const C& c, const D& 
   });
 }
 
-// The jet of x(phi(t)) at 0, where phi(0) = 0 and phi^(j)(0) = betas[j-1], by the product rule: phi^m has the
-// derivatives that multiply x^(m) / m!. Whole numbers stay whole. Missing betas are 0.
+// The jet of x(phi(t)) at 0, where phi(0) = 0 and phi^(j)(0) = betas[j-1], by the product rule:
+// phi^m has the derivatives that multiply x^(m) / m!. Whole numbers stay whole. Missing betas
+// are 0.
 template <class Traits> Jet<Traits> reparametrised(const Jet<Traits>& x, std::vector<FT> betas) {
   const int k = x.order();
   betas.resize(k, FT(0));
@@ -257,8 +263,8 @@ template <class Traits> class Similarity {
 public:
   FT scale;
 
-  // A rotation by (1-t^2, 2t)/(1+t^2) in every coordinate plane; in space, that of a random quaternion. Quarter turns if
-  // numbers do not cancel.
+  // A rotation by (1-t^2, 2t)/(1+t^2) in every coordinate plane; in space, that of a random
+  // quaternion. Quarter turns if numbers do not cancel.
   Similarity(Random& random, int d, const FT& scale) : shift_(d), scale(scale) {
     for (int i = 0; i < d; ++i) {
       shift_[i] = random.number();
@@ -335,7 +341,7 @@ private:
   FT a_, b_;
 };
 
-// ---------------------------------------------------------------- the exact result, for rounded kernels
+// ----------------------------------------------------------- the exact result, for rounded kernels
 
 typedef GC::Traits_d<CGAL::Cartesian_d<CGAL::Exact_rational>> Reference;
 
@@ -361,7 +367,7 @@ template <class Column_type> bool within(const Column_type& x, const Column<Refe
 
 // ---------------------------------------------------------------- blends
 
-// What is blended: two jets and the shape parameters.
+// A blend takes these: two jets and the shape parameters.
 template <class Traits> struct Blend_input {
   Jet<Traits> phi, psi;
   GC::Shape_parameters<typename Traits::FT> shape;
@@ -411,7 +417,8 @@ void check_symmetry(const Blend_input<Traits>& input, Random& random, const Any_
   BOOST_CHECK(same_points<Traits>(gamma, strategy.blend({phi, psi, {}})));
 }
 
-// The curve from the end of phi to the start of psi does not depend on the type of curve that offers the jets.
+// The curve from the end of phi to the start of psi does not depend on the type of curve that
+// offers the jets.
 template <class Traits, class Strategy>
 void check_input_types(const Blend_input<Traits>& input, const Strategy& strategy) {
   const auto gamma = input(strategy);

@@ -3,7 +3,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // The G1 ribbon. With exact numbers all is compared with ==. The
-// numbers of a ribbon that are not control points are exact with every kernel, and compared with == there, too.
+// numbers of a ribbon that are not control points are exact with every kernel, and compared with ==
+// there, too.
 
 #include "support/exact_splines.h"
 
@@ -30,8 +31,9 @@ struct Demand {
   Q alpha, alpha_derivative, beta, beta_derivative;
 };
 
-// Curves whose cross derivatives and twists at the ends lie in the plane of D and C': C1 - C is D alpha + C' beta there, with
-// its derivative, and anything between. `off` is added to the value and the derivative of C1 and of C2 at the start.
+// Curves whose cross derivatives and twists at the ends lie in the plane of D and C': C1 - C is D
+// alpha + C' beta there, with its derivative, and anything between. `off` is added to the value and
+// the derivative of C1 and of C2 at the start.
 Input planar_input(Random& random, const Knots& knots, const Demand& start, const Demand& end,
                    const std::pair<Vector, Vector>& off = {Vector(3), Vector(3)}) {
   const Curve<Exact> c = random_curve(random, knots), d = random_curve(random, knots);
@@ -204,7 +206,8 @@ BOOST_AUTO_TEST_CASE(demands_in_the_plane_are_met) {
   });
 }
 
-// Moved out of the plane at one end, by a vector or with a derivative normal to it: the residual is its square.
+// Moved out of the plane at one end, by a vector or with a derivative normal to it: the residual is
+// its square.
 BOOST_AUTO_TEST_CASE(demands_out_of_the_plane_are_not_met) {
   repeat(4, [](Random& random) {
     const Knots knots = random.knots(3, 2);
@@ -271,7 +274,8 @@ BOOST_AUTO_TEST_CASE(folds_are_detected_exactly) {
       return r;
     };
     const Edge_defect good = Edge_defect::curvature, fold = Edge_defect::fold, zero = Edge_defect::vanishing_normal;
-    // 4 (t - 1/2)^2 touches 0 inside, at the double knot; a little above it does not, a little below it crosses
+    // 4 (t - 1/2)^2 touches 0 inside, at the double knot; a little above it does not, a little
+    // below it crosses
     const Polynomial touching = Polynomial{Q(1), Q(-1), Q(1)}.elevated();
     const Ribbon touch = both(touching, Sign_pattern::nonnegative, {good, zero, zero, good});
     const std::vector<GC::Edge_continuity<Q>> spans = touch.continuity();
@@ -298,7 +302,7 @@ BOOST_AUTO_TEST_CASE(folds_are_detected_exactly) {
   });
 }
 
-// ---------------------------------------------------------------- other parameters, orders and shapes
+// ------------------------------------------------------------- other parameters, orders and shapes
 
 // The domain [a, b] instead of [0, 1] does not change the surfaces: beta grows with its length.
 BOOST_AUTO_TEST_CASE(the_domain_does_not_matter) {
@@ -471,8 +475,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(decisions_of_rounded_kernels_are_exact, K, Rounded
     BOOST_CHECK(r.start.position_residual == e.start.position_residual);
     BOOST_CHECK(r.end.twist_residual == e.end.twist_residual);
     BOOST_CHECK(e.g1() && !e.folds() && !r.folds());
-    // rounded control points are not exactly G1, which is not passed over in silence: a few hundred roundings of numbers up
-    // to 10, of vectors that are not shorter than 1/2
+    // rounded control points are not exactly G1, which is not passed over in silence: a few hundred
+    // roundings of numbers up to 10, of vectors that are not shorter than 1/2
     BOOST_CHECK(!r.g1());
     for (const GC::Edge_continuity<Q>& span : r.continuity()) {
       BOOST_CHECK_EQUAL(span.side, Sign_pattern::negative);

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blends with given sides. Sides that fit are those of other blends of the same surfaces; that the results are G2 is decided by
-// edge_continuity().
+// Blends with given sides. Sides that fit are those of other blends of the same surfaces; that the
+// results are G2 is decided by edge_continuity().
 
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
@@ -44,7 +44,7 @@ struct Numbers : Random_surfaces {
   }
 };
 
-// What lies beyond the blend: the same curve, and the derivative out of the blend.
+// Returns the side beyond the blend: the same curve, and the derivative out of the blend.
 template <class Side, class Surface> Side beyond(const Surface& blend, Patch_edge edge) {
   Side side(blend, edge);
   for (auto& x : side.cross) x = -1 * x;
@@ -155,7 +155,8 @@ BOOST_AUTO_TEST_CASE(of_degree_7) {
   check(Spline<Exact>(random.net(7, 8), random.weights(7, 8), u, v), spline);
 }
 
-// The blends of both parts of two surfaces meet: along a curve, and with a common tangent plane where the parts go on smoothly.
+// The blends of both parts of two surfaces meet: along a curve, and with a common tangent plane
+// where the parts go on smoothly.
 BOOST_AUTO_TEST_CASE(consecutive_edges) {
   typedef Bspline<Exact> S;
   typedef GC::Side_of_blend<S, S> Side;
@@ -303,7 +304,8 @@ BOOST_AUTO_TEST_CASE(steep_functions) {
   const S s = blend(S(a), v1, S(c), v0, spline);
   BOOST_CHECK(beyond<Side>(s, u0).cross == side.cross && beyond<Side>(s, u1).cross == end.cross);
   BOOST_CHECK_EQUAL(whole_edge_order(a, v1, s, v0), 2);
-  // also where only one slope is given; and the steeper they are the shorter are the spans at the ends
+  // also where only one slope is given; and the steeper they are the shorter are the spans at the
+  // ends
   for (const bool at_start : {true, false}) {
     std::vector<Q> b(21, fraction(1, 100));
     b[at_start ? 0 : 20] = Q(1);

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blends of surfaces of all types and mixes. That they are G2 along whole edges is decided by edge_continuity(), which knows nothing
-// of how they are made.
+// Blends of surfaces of all types and mixes. That they are G2 along whole edges is decided by
+// edge_continuity(), which knows nothing of how they are made.
 
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
@@ -109,7 +109,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   for_each_surface_type([&](auto b) { check_random_blends<A, typename decltype(b)::type>(random); });
 }
 
-// The part between two parts of one surface is the blend of them, with beta = the ratio of its length and 1.
+// The part between two parts of one surface is the blend of them, with beta = the ratio of its
+// length and 1.
 template <class Surface> Surface middle(const Surface& s, const Q& low, const Q& high) {
   const auto rest = s.split_v(low).second;
   return rest.split_v(high).first;
@@ -131,8 +132,8 @@ BOOST_AUTO_TEST_CASE(a_part_of_one_surface) {
   check_middle_part(Patch<Exact>{random.net(4, 5), random.weights(4, 5), random.domain()});
 }
 
-// The same with homogeneous points that are multiplied by 1 + v/2: lambda is 1 and lambda_1 is 1/2 at the start, and at the end they are
-// 3/2 and 1/3.
+// The homogeneous points are multiplied by 1 + v/2: lambda is 1 and lambda_1 is 1/2 at the start,
+// and at the end they are 3/2 and 1/3.
 BOOST_AUTO_TEST_CASE(factors_of_homogeneous_points) {
   Numbers random;
   const Patch<Exact> s{random.net(4, 5), random.weights(4, 5), random.domain()};
@@ -177,7 +178,8 @@ BOOST_AUTO_TEST_CASE(columns_are_blends_of_curves) {
   }
 }
 
-// Short numbers, up to those that no longer are: the same as with functions of degree 1 that are constant, which take another way.
+// Short numbers, up to those that no longer are: the same as with functions of degree 1 that are
+// constant, which take another way.
 BOOST_AUTO_TEST_CASE(short_numbers) {
   Numbers random;
   for (int i = 0; i < 200; ++i) {
@@ -234,7 +236,8 @@ TEST_FOR_EACH(shape_of_translated_curves, Traits, All_traits) {
   const auto gamma = given.blend_of_curves(strategy);
   BOOST_CHECK(shape.start.beta == (GC::Bernstein_polynomial<FT>{gamma.shape.beta}));
   BOOST_CHECK(shape.end.beta == (GC::Bernstein_polynomial<FT>{gamma.shape.eta}));
-  // S_vv = beta^2 W + delta T is the second derivative of the curve, up to the rounding of delta to 8 digits
+  // S_vv = beta^2 W + delta T is the second derivative of the curve, up to the rounding of delta to
+  // 8 digits
   const auto s = blend(given.first, v1, given.second, v0, strategy);
   for (int i : {0, 1})
     for (FT v : {FT(0), FT(1)})
@@ -316,9 +319,11 @@ TEST_FOR_EACH(too_many_knots, Traits, All_traits) {
     const GC::Work_scope each((GC::Work_limit(steps)));
     return blend(a, v1, b, u0, shape);
   };
-  // degree 1 + 2, in which each knot is there three times: up to 60, and 58 control points, because both edges have 1/3 and 2/3
+  // degree 1 + 2, in which each knot is there three times: up to 60, and 58 control points, because
+  // both edges have 1/3 and 2/3
   const std::uint64_t steps = 6 * 3 * 16 * 64 * (std::is_same_v<FT, Q> ? 450 : 1);
-  const Bspline<Traits> s = blended(std::is_same_v<FT, Q> ? 4 * steps : steps); // what is computed counts as well
+  // what is computed counts as well
+  const Bspline<Traits> s = blended(std::is_same_v<FT, Q> ? 4 * steps : steps);
   BOOST_CHECK_EQUAL(s.number_of_points_u(), 58);
   CHECK_ERROR(blended(steps - 1), too_many_knots);
   BOOST_CHECK_EQUAL(error_of([&] { blended(1000); }),
@@ -327,7 +332,8 @@ TEST_FOR_EACH(too_many_knots, Traits, All_traits) {
                         std::to_string(steps) + " steps of work, and 1000 are allowed: a Work_scope raises the limit");
 }
 
-// From a closed edge to an open one: both side edges start in one point, and the blend is G2 as any other.
+// From a closed edge to an open one: both side edges start in one point, and the blend is G2 as any
+// other.
 BOOST_AUTO_TEST_CASE(closed_and_open_edges) {
   const Knots u(2, Q(0), Q(1), {{fraction(1, 3), 1}, {fraction(2, 3), 1}}), v(1, Q(0), Q(1));
   const auto surface = [&](const std::vector<std::pair<int, int>>& edge, int z) {
@@ -346,7 +352,7 @@ BOOST_AUTO_TEST_CASE(closed_and_open_edges) {
   for (int j = 0; j <= 5; ++j) BOOST_CHECK(t.control_point(0, j) == t.control_point(4, j));
 }
 
-// What a shift along the edge multiplies must not jump.
+// A row that a shift along the edge multiplies must not jump.
 BOOST_AUTO_TEST_CASE(torn_blends) {
   Numbers random;
   const Knots v(2, Q(0), Q(1));
@@ -394,7 +400,8 @@ BOOST_AUTO_TEST_CASE(functions_over_knots) {
     for (const Q& v : {fraction(1, 3), fraction(3, 4)}) BOOST_CHECK(s(u, v) == at(u, v));
   }
   check_blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, s, Edge_direction::same);
-  // a spline that is negative somewhere, one with a negative coefficient that is positive, one that jumps
+  // a spline that is negative somewhere, one with a negative coefficient that is positive, one that
+  // jumps
   shape.start.beta = GC::Bspline_function<Q>(on_3_to_7, {Q(1), Q(-1), Q(2)});
   CHECK_ERROR(blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, shape), nonpositive_beta);
   shape.start.beta =
@@ -430,7 +437,8 @@ BOOST_AUTO_TEST_CASE(numbers_that_become_long) {
   const Q one(1), zero(0), long_number = Q(1) / Q(2147483647) / Q(2147483629);
   const std::array<Q, 4> whole{zero, one, Q(2), Q(3)};
   check(whole, one, zero);
-  check({fraction(1, 2147483647), fraction(2, 2147483629), Q(2), Q(3)}, one, zero); // the common denominator
+  // the common denominator
+  check({fraction(1, 2147483647), fraction(2, 2147483629), Q(2), Q(3)}, one, zero);
   check({zero, one, Q(Q(1 << 30) * Q(1 << 28)), Q(Q(1 << 30) * Q(1 << 29))}, one, zero);
   check(whole, long_number, zero);
   check(whole, Q(Q(1 << 30) * Q(1 << 30)), zero);
@@ -509,10 +517,10 @@ TEST_FOR_EACH(errors, Traits, All_traits) {
     const Bezier<Traits> large = b.transform([](const P& p) { return P(1000 * p.x(), 1000 * p.y(), p.z()); });
     CHECK_ERROR(blend(a, v1, large, v0, shape), not_finite);
     shape.end.delta = Function{FT(1)};
-    const auto scaled =
-        [](const Bezier<Traits>& s) { // by a power of two: products of its numbers overflow, its numbers do not
-          return s.transform([](const P& p) { return P(0x1p600 * p.x(), 0x1p600 * p.y(), 0x1p600 * p.z()); });
-        };
+    // by a power of two: products of its numbers overflow, its numbers do not
+    const auto scaled = [](const Bezier<Traits>& s) {
+      return s.transform([](const P& p) { return P(0x1p600 * p.x(), 0x1p600 * p.y(), 0x1p600 * p.z()); });
+    };
     BOOST_CHECK(blend(scaled(a), v1, scaled(b), v0, shape) == scaled(blend(a, v1, b, v0, shape)));
     CHECK_ERROR(Function{std::numeric_limits<FT>::quiet_NaN()}, not_finite);
   }
@@ -561,7 +569,8 @@ BOOST_AUTO_TEST_CASE(other_dimensions) {
   }
 }
 
-// Where nothing is rounded the blend is exact in floating-point numbers, and proved there; otherwise it is near.
+// Where nothing is rounded the blend is exact in floating-point numbers, and proved there;
+// otherwise it is near.
 BOOST_AUTO_TEST_CASE_TEMPLATE(floating_point, Traits, Rounded_traits) {
   typedef typename Traits::Point P;
   Numbers random;

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blend surfaces whose control points are floating-point numbers, which edge_continuity() proves to be G2 along both whole edges: it
-// decides the numbers as they are.
+// Blend surfaces whose control points are floating-point numbers, which edge_continuity() proves to
+// be G2 along both whole edges: it decides the numbers as they are.
 
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
@@ -76,7 +76,8 @@ void check_g2(const Surface&, Patch_edge ea, Patch_edge eb, const Blend& r, Edge
   BOOST_CHECK_EQUAL(whole_edge_order(next_to(r.blend, 1, 3), v1, r.second, eb), 1);
 }
 
-// The layers next to the edge moved by at most what is told and half a unit of the grid, the others not.
+// The layers next to the edge moved by at most what is told and half a unit of the grid, the others
+// not.
 template <class Surface, class Join>
 void check_moves(const Surface& given, const Surface& result, const Join& join, Patch_edge edge) {
   const Surface a = runs_along_u(edge) ? given : given.swap_parameters(),
@@ -123,8 +124,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(patches, Traits, Rounded_traits) {
       }
 }
 
-// Over inner knots along the edges, clamped or not, and across, where the ratio of their distances is a power of two, 2 / 3, 4 / 5 and
-// 5 / 6.
+// Over inner knots along the edges, clamped or not, and across, where the ratio of their distances
+// is a power of two, 2 / 3, 4 / 5 and 5 / 6.
 BOOST_AUTO_TEST_CASE_TEMPLATE(splines, Traits, Rounded_traits) {
   typedef GC::Knot_vector<double> Knots;
   Numbers random;
@@ -150,7 +151,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(splines, Traits, Rounded_traits) {
   CHECK_ERROR(representable_blend(a, v1, b, v0, GC::Minimal_energy<3>(), Edge_direction::same), not_representable);
 }
 
-// By each strategy the blend is near to that of blend() with a shape that is chosen for as many curves; beta is within an eighth.
+// By each strategy the blend is near to that of blend() with a shape that is chosen for as many
+// curves; beta is within an eighth.
 BOOST_AUTO_TEST_CASE_TEMPLATE(strategies, Traits, Rounded_traits) {
   Numbers random;
   const auto check = [&](const auto& strategy) {

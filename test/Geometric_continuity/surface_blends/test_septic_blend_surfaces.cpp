@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Blends of surfaces of degree 7: G3 along whole edges. is_g3_edge() decides it. It is compared with the Taylor expansion of a surface,
-// composed with that of the reparametrisation at more parameters than polynomials that agree there can have as zeros.
+// Blends of surfaces of degree 7: G3 along whole edges. is_g3_edge() decides it. It is compared
+// with the Taylor expansion of a surface, composed with that of the reparametrisation at more
+// parameters than polynomials that agree there can have as zeros.
 
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
@@ -41,7 +42,8 @@ struct Numbers : Random_surfaces {
 
 template <class S> constexpr bool is_patch_v = std::is_same_v<S, Bezier<Exact>> || std::is_same_v<S, Patch<Exact>>;
 
-// Parameters in [0, 1] along the edges, more in each span of the blend than its rows of homogeneous points have degree.
+// Parameters in [0, 1] along the edges, more in each span of the blend than its rows of homogeneous
+// points have degree.
 template <class Surface> std::vector<Q> parameters(const Surface& s) {
   std::vector<Q> u;
   const std::pair<Q, Q> domain = s.domain_u();
@@ -57,7 +59,8 @@ template <class Surface> std::vector<Q> parameters(const Surface& s) {
   return u;
 }
 
-// Returns whether S has at its edge v = `at` the third-order expansion of the surface L in the parameters of the shape, everywhere.
+// Returns whether S has at its edge v = `at` the third-order expansion of the surface L in the
+// parameters of the shape, everywhere.
 template <class L, class S, class Reparametrisation>
 bool has_contact(const L& l, Patch_edge edge, Edge_direction direction, const S& s, int at,
                  const Reparametrisation& r) {
@@ -103,7 +106,8 @@ template <class A, class B> void check_random_blend(Numbers& random) {
   random.choose(shape.start, size);
   random.choose(shape.end, size);
   if constexpr (rational) shape.start.lambda = shape.end.lambda = Q(1);
-  if constexpr (!is_patch_v<A>) shape.start.alpha = Function{Q(0)}; // third derivatives jump at knots
+  // third derivatives jump at knots
+  if constexpr (!is_patch_v<A>) shape.start.alpha = Function{Q(0)};
   if constexpr (!is_patch_v<B>) shape.end.alpha = Function{Q(0)};
   const auto s = blend(a, ea, b, eb, shape, direction);
   BOOST_CHECK_EQUAL(s.degree_v(), 7);
@@ -152,7 +156,8 @@ TEST_FOR_EACH(a_part_of_one_surface, Traits, All_traits) {
   CHECK_ERROR(blend(lower, v1, upper, v0, GC::Septic_surface_blend_shape<Given>(shape)), nonpositive_beta);
 }
 
-// Parts of a spline are G3 along a parameter line that is no knot, and G2 along a simple knot of degree 3.
+// Parts of a spline are G3 along a parameter line that is no knot, and G2 along a simple knot of
+// degree 3.
 BOOST_AUTO_TEST_CASE(parts_of_a_spline) {
   Numbers random;
   const Knots u(3, Q(0), Q(1), {{fraction(1, 3), 1}}), v(3, Q(0), Q(1), {{fraction(1, 2), 1}});
@@ -238,7 +243,7 @@ BOOST_AUTO_TEST_CASE(automatic_factors) {
   BOOST_CHECK(is_g3_edge(a, v1, s, v0));
 }
 
-// What a shift along the edge multiplies must not jump.
+// A row that a shift along the edge multiplies must not jump.
 BOOST_AUTO_TEST_CASE(torn_blend) {
   Numbers random;
   const Knots u(3, Q(0), Q(1), {{fraction(1, 3), 1}}), v(3, Q(0), Q(1));

@@ -26,8 +26,9 @@ TEST_FOR_EACH(patch_evaluation, K, All_kernels) {
   BOOST_CHECK_EQUAL(s.dimension(), 3);
   for (const FT& u : {FT(1), FT(2), FT(FT(5) / FT(4)), FT(4)})
     for (const FT& v : {FT(-1), FT(FT(1) / FT(2)), FT(1)}) {
-      // S = sum B_i(s) B_j(t) b_ij, and the chain rule for s = (u - 1)/2, t = (v + 1)/2
-      const auto basis = [](int n, const FT& t, int k) { // the k-th derivatives of the basis functions
+      // S = sum B_i(s) B_j(t) b_ij, and the chain rule for s = (u - 1)/2, t = (v + 1)/2 the k-th
+      // derivatives of the basis functions
+      const auto basis = [](int n, const FT& t, int k) {
         std::vector<FT> values;
         for (int i = 0; i <= n; ++i) {
           std::vector<FT> unit(n + 1, FT(0));

@@ -41,7 +41,8 @@ struct Net_surface {
   Net_surface(Random& random, const Knots& u, const Knots& v)
       : net(random_net(random, u.number_of_coefficients(), v.number_of_coefficients())), s(surface(net, u, v)) {}
 
-  // The derivative of order i in u and j in v, by the definition as a spline in u whose coefficients are splines in v.
+  // The derivative of order i in u and j in v, by the definition as a spline in u whose
+  // coefficients are splines in v.
   Vector partial(const Q& u, const Q& v, int i, int j) const {
     std::vector<Vector> column;
     for (const std::vector<Vector>& row : net) column.push_back(Function(s.knots_v(), row).right_derivatives(v, j)[j]);
@@ -54,7 +55,7 @@ Net_surface random_surface(Random& random) {
   return Net_surface(random, u, v);
 }
 
-// The same map, from the right at its knots.
+// Checks that two surfaces are the same map, from the right at its knots.
 template <class S> void check_same_surface(const Surface<Exact>& s, const S& t, Random& random) {
   for (const Q& u : parameters(s.knots_u(), random))
     for (const Q& v : parameters(s.knots_v(), random)) BOOST_CHECK(s(u, v) == t(u, v));
@@ -114,7 +115,8 @@ BOOST_AUTO_TEST_CASE(edges_of_surfaces) {
       for (const Q& t : parameters(c.knots(), random)) {
         const Q u = along_u ? t : at, v = along_u ? at : t;
         BOOST_CHECK(c(t) == s(u, v));
-        for (int k = 0; k <= 3; ++k) { // derivatives with respect to a parameter that grows into the surface
+        // derivatives with respect to a parameter that grows into the surface
+        for (int k = 0; k <= 3; ++k) {
           const Vector d = s.jet(u, v, k)(along_u ? 0 : k, along_u ? k : 0);
           BOOST_CHECK(Function(c.knots(), rows[k])(t) == Q(upper && k % 2 == 1 ? -1 : 1) * d);
         }
@@ -201,8 +203,8 @@ BOOST_AUTO_TEST_CASE(the_same_surface_by_other_control_nets) {
   });
 }
 
-// Values are sums of nonnegative weights times points, with fewer than 50 roundings. Unit normals have one division and one
-// root more.
+// Values are sums of nonnegative weights times points, with fewer than 50 roundings. Unit normals
+// have one division and one root more.
 BOOST_AUTO_TEST_CASE_TEMPLATE(rounded_surfaces, K, Rounded_kernels) {
   Random random;
   for (int round = 0; round < 10; ++round) {

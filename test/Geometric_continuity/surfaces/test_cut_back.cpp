@@ -65,7 +65,8 @@ template <class Surface> Q span_at(const Surface& s, Patch_edge edge) {
     return across(s, edge).second - across(s, edge).first;
 }
 
-// Along a curve: on each line across the edge the part is the surface up to the curve, in proportion from the last knot line on.
+// Along a curve: on each line across the edge the part is the surface up to the curve, in
+// proportion from the last knot line on.
 template <class Surface> void check_along_curve(Random_surfaces& random, int degree) {
   typedef GC::Bernstein_polynomial<Q> Function;
   const Surface s = random.surface<Surface>();
@@ -142,7 +143,8 @@ TEST_FOR_EACH(kernels, Traits, All_traits) {
                     "other edge");
   if constexpr (std::is_floating_point_v<FT>) {
     CHECK_ERROR(cut_back(s, v1, std::numeric_limits<FT>::quiet_NaN()), parameter_outside_domain);
-    CHECK_ERROR(cut_back(s, v1, FT(1e-300)), parameter_outside_domain); // nothing that can be told from 0
+    // nothing that can be told from 0
+    CHECK_ERROR(cut_back(s, v1, FT(1e-300)), parameter_outside_domain);
   }
 }
 

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// B-spline surfaces without a strip along an edge, up to curves that cross knot lines: bounds hold, and what is not promised to change stays.
+// B-spline surfaces without a strip along an edge, up to curves that cross knot lines: bounds hold,
+// and what is not promised to change stays.
 
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
@@ -103,7 +104,8 @@ BOOST_AUTO_TEST_CASE(exact) {
   for (const Q& u : {Q(0), fraction(2, 7), Q(1)}) BOOST_CHECK(t.surface(u, Q(0)) == s(u, Q(0)));
 }
 
-// Curves of one parameter, curves that begin below a knot, and those whose coefficients lie beyond the edge.
+// Curves of one parameter, curves that begin below a knot, and those whose coefficients lie beyond
+// the edge.
 BOOST_AUTO_TEST_CASE(other_curves) {
   Random_surfaces random;
   const Bspline<Exact> s = surface_with_knots<Bspline<Exact>>(random, 1);

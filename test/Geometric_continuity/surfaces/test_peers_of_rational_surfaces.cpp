@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Jets and knot insertion of rational B-spline surfaces of doubles, and those of SISL and OpenCASCADE where they were found: all
-// agree with the exact results up to roundings.
+// Jets and knot insertion of rational B-spline surfaces of doubles, and those of SISL and
+// OpenCASCADE where they were found: all agree with the exact results up to roundings.
 
 #define BOOST_TEST_MODULE peers_of_rational_surfaces
 

@@ -68,8 +68,8 @@ TEST_FOR_EACH(regular_and_folded, Traits, All_traits) {
   BOOST_CHECK(possible_fold(Bezier<Traits>({{P(0, 0, 0), P(0, 1, 0)}})));
 }
 
-// With different weights: an octant of a sphere has a pole; the rest, and a quarter of a cylinder, are regular.
-// A patch that is a curve, in u or in v, has no normal.
+// With different weights: an octant of a sphere has a pole; the rest, and a quarter of a cylinder,
+// are regular. A patch that is a curve, in u or in v, has no normal.
 BOOST_AUTO_TEST_CASE_TEMPLATE(curves, Traits, All_traits) {
   typedef typename Traits::Point P;
   const Bezier<Traits> curve({{P(0, 0, 0)}, {P(1, 0, 0)}, {P(2, 1, 0)}});
@@ -101,8 +101,8 @@ TEST_FOR_EACH(rational, Traits, All_traits) {
 }
 
 // Only in one span; the rectangle is in the parameters of the surface.
-// x' = (u - r)^2 - e along u, with two zeros next to r if e > 0 and none if e < 0, also with the weights 1, 2, 4, 8 along u and as the
-// v of a patch that is of degree 3 in both.
+// x' = (u - r)^2 - e along u, with two zeros next to r if e > 0 and none if e < 0, also with the
+// weights 1, 2, 4, 8 along u and as the v of a patch that is of degree 3 in both.
 BOOST_AUTO_TEST_CASE(narrow_folds) {
   typedef Exact::Point P;
   for (int k = 1; k < 10; ++k)
@@ -124,7 +124,8 @@ BOOST_AUTO_TEST_CASE(narrow_folds) {
       const auto is_near = [](const std::pair<Q, Q>& range, const Q& zero) {
         return abs(range.first - zero) < Q(1, 100);
       };
-      BOOST_CHECK(is_near(u->u, r) && is_near(v->v, r) && is_near(w->u, r / (2 - r))); // of 2 u / (1 + u) = r
+      // of 2 u / (1 + u) = r
+      BOOST_CHECK(is_near(u->u, r) && is_near(v->v, r) && is_near(w->u, r / (2 - r)));
     }
 }
 
@@ -143,7 +144,8 @@ BOOST_AUTO_TEST_CASE(spans) {
   CHECK_ERROR(possible_fold(surface(2)), work_limit);
 }
 
-// The random surfaces are graphs over the plane, nearly: what is decided is compared with normals at points.
+// The random surfaces are graphs over the plane, nearly: what is decided is compared with normals
+// at points.
 BOOST_AUTO_TEST_CASE(random_graphs) {
   Random_surfaces random;
   for (int i = 0; i < 4; ++i) {

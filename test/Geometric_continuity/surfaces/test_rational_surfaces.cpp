@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Rational patches and B-spline surfaces: what they evaluate, how they are cut and refined, and which weights they refuse.
+// Rational patches and B-spline surfaces: what they evaluate, how they are cut and refined, and
+// which weights they refuse.
 
 #include "support/rational_surfaces.h"
 
@@ -154,7 +155,8 @@ TEST_FOR_EACH(denominators, Traits, All_traits) {
       }
     BOOST_CHECK(Spline<Traits>(s).insert_u(weight(1, 4)).number_of_points_u() == 4);
   }
-  // zero in the middle, which is found on the way; less than zero in the middle only; and a bit beside it
+  // zero in the middle, which is found on the way; less than zero in the middle only; and a bit
+  // beside it
   CHECK_ERROR(with_middle_weight<Traits>(weight(-3, 1)), zero_weight);
   CHECK_ERROR(with_middle_weight<Traits>(weight(-4, 1)), zero_weight);
   CHECK_ERROR(Patch<Traits>({{P(0, 0, 0)}, {P(1, 0, 0)}, {P(2, 0, 0)}}, {{FT(4)}, {FT(-2)}, {FT(1)}}), zero_weight);

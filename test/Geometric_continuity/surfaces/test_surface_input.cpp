@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What patches, B-spline surfaces, swept surfaces and grids refuse, with the reason.
+// Patches, B-spline surfaces, swept surfaces and grids refuse bad input with the reason.
 
 #include "support/swept_surfaces.h"
 
@@ -149,13 +149,14 @@ BOOST_AUTO_TEST_CASE(domains_of_surfaces) {
   BOOST_CHECK(wide.split_u(0).first.domain_u() == Interval(-0x1p1022, 0));
 }
 
-// What overflows is refused: neither infinite numbers nor NaN are returned.
+// A result that overflows is refused: neither infinite numbers nor NaN are returned.
 BOOST_AUTO_TEST_CASE(surface_jets_that_overflow) {
   typedef Double::Point P;
   const GC::Bezier_patch<Double> narrow = patch<Double>().with_domain({0, 0x1p-600}, {0, 1});
   BOOST_CHECK(narrow(0x1p-601, 0.5) == patch<Double>()(0.5, 0.5));
   BOOST_CHECK_EQUAL(narrow.jet(0, 0, 1)(1, 0)[2], 0x1p604);
-  CHECK_ERROR(narrow.jet(0, 0, 2), not_finite); // 0 / 0 for the coordinates without a second derivative
+  // 0 / 0 for the coordinates without a second derivative
+  CHECK_ERROR(narrow.jet(0, 0, 2), not_finite);
   CHECK_ERROR(GC::Bspline_surface<Double>(narrow).jet(0, 0, 2), not_finite);
   const double most = (std::numeric_limits<double>::max)();
   const GC::Bezier_patch<Double> steep{{P(0, 0, most), P(0, 1, -most)}, {P(1, 0, -most), P(1, 1, most)}};

@@ -60,7 +60,8 @@ BOOST_AUTO_TEST_CASE(revolution_keeps_height_and_distance) {
     const GC::Curve_jet<Exact> profile = c.jet(u, k);
     const Column x = profile[0] - column(a);
     jet(0, 0) -= column(a);
-    // all derivatives of the height w.S and of |S - a|^2 in v vanish; in u they are those of the profile
+    // all derivatives of the height w.S and of |S - a|^2 in v vanish; in u they are those of the
+    // profile
     for (int i = 0; i <= k; ++i)
       for (int j = 0; i + j <= k; ++j) {
         BOOST_CHECK(dot(w, jet(i, j)) == (j > 0 ? Q(0) : dot(w, i == 0 ? x : profile[i])));
@@ -127,7 +128,8 @@ BOOST_AUTO_TEST_CASE(complement_closes_the_turn) {
   CHECK_ERROR(Revolution(c, Point(0, 0, 0), Vector(0, 0, 1), {Q(-1), Q(0)}).complement(), parameter_outside_domain);
 }
 
-// Other number types do the same operations. With double every intermediate number below is dyadic and small: W = 1, v = 1.
+// Other number types do the same operations. With double every intermediate number below is dyadic
+// and small: W = 1, v = 1.
 BOOST_AUTO_TEST_CASE_TEMPLATE(other_kernels, Traits, Other_kernels) {
   typedef GC::Bezier_curve<Traits> C;
   typedef typename Traits::FT FT;
@@ -194,8 +196,8 @@ BOOST_AUTO_TEST_CASE(every_profile_curve) {
   }
   CHECK_ERROR(s(Q(3), Q(0)), parameter_outside_domain); // what the profile throws
 
-  // a user's circle makes a torus: (|S|^2 + R^2 - r^2)^2 = 4 R^2 (x^2 + y^2), and its unit normal points away from the
-  // circle in the middle
+  // a user's circle makes a torus: (|S|^2 + R^2 - r^2)^2 = 4 R^2 (x^2 + y^2), and its unit normal
+  // points away from the circle in the middle
   const GC::Revolution_surface_3<Quarter_circle> torus(Quarter_circle(), a, w);
   for (int i = 0; i <= 3; ++i)
     for (int j = -3; j <= 3; ++j) {

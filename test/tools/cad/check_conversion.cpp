@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Checks that the curves and surfaces of CAD files, as the program reads them, have the points that OpenCASCADE computes: at random
-// parameters, also in other periods.
+// Checks that the curves and surfaces of CAD files, as the program reads them, have the points that
+// OpenCASCADE computes: at random parameters, also in other periods.
 // Usage: check_conversion FILE...
 
 #include "formats/cad/opencascade/cad_surface.h"

@@ -28,7 +28,8 @@ template <std::size_t D> double dot(const std::array<double, D>& a, const std::a
   return sum;
 }
 
-// The values of the basis functions at t, by the recursion of Cox and de Boor; beyond the domain those of the next piece.
+// The values of the basis functions at t, by the recursion of Cox and de Boor; beyond the domain
+// those of the next piece.
 inline std::vector<double> basis(int degree, const std::vector<double>& knots, double t) {
   const std::size_t p = static_cast<std::size_t>(degree), n = knots.size() - p - 1;
   std::size_t span = p;

@@ -2,10 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Writes three STEP files, with OpenCASCADE, to the current folder: demo/Geometric_continuity/data has them. In each of them a plane face
-// and a spline face meet along the edge from (0, 0, 0) to (100, 0, 0): z = 0 for y <= 0, and z = y s(x) for y >= 0. So there is no gap, and
-// at x the angle of the normals is arctan |s(x)|. The slope s is a quadratic spline, in C1. It vanishes where OpenCASCADE takes its 21
-// samples, at x = 1 + 4.9 i, but not between them.
+// Writes three STEP files, with OpenCASCADE, to the current folder: demo/Geometric_continuity/data
+// has them. In each of them a plane face and a spline face meet along the edge from (0, 0, 0) to
+// (100, 0, 0): z = 0 for y <= 0, and z = y s(x) for y >= 0. So there is no gap, and at x the angle
+// of the normals is arctan |s(x)|. The slope s is a quadratic spline, in C1. It vanishes where
+// OpenCASCADE takes its 21 samples, at x = 1 + 4.9 i, but not between them.
 
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_Sewing.hxx>
@@ -29,8 +30,8 @@ namespace {
 
 constexpr double length = 100, width = 10;
 
-// The surface z = y s(x), where s has these knots, which include both ends, and these coefficients: one for the mean of each two
-// neighbours among the knots, ends counted twice.
+// The surface z = y s(x), where s has these knots, which include both ends, and these coefficients:
+// one for the mean of each two neighbours among the knots, ends counted twice.
 Handle(Geom_BSplineSurface) twisted_strip(const std::vector<double>& knots, const std::vector<double>& slopes) {
   const int n = static_cast<int>(knots.size());
   TColStd_Array1OfReal u(1, n), v(1, 2);
@@ -71,7 +72,8 @@ int main() {
   write("defect_at_end.step", {0, 99.25, length}, {0, 0, 0, 0.05}); // behind the last sample, at 99
   write("defect_between_samples.step", {0, 51, 52, 53, 54, length},
         {0, 0, 0, 0.05, 0, 0, 0}); // between those at 50 and 54.9
-  // With coefficients of alternating sign that are proportional to the distances of the knots, s vanishes at the knots: at the samples.
+  // With coefficients of alternating sign that are proportional to the distances of the knots, s
+  // vanishes at the knots: at the samples.
   std::vector<double> knots{0}, slopes{0};
   for (int i = 0; i <= 20; ++i) knots.push_back((10 + 49 * i) / 10.);
   knots.push_back(length);

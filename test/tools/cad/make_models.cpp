@@ -89,7 +89,8 @@ TopoDS_Shape filleted(const TopoDS_Shape& box, double radius) {
   return fillet.Shape();
 }
 
-// A ring, all edges of which are rounded: four cylinders and planes and four tori, by turning its section.
+// A ring, all edges of which are rounded: four cylinders and planes and four tori, by turning its
+// section.
 TopoDS_Shape washer() {
   const gp_Ax1 axis(gp_Pnt(), gp_Dir(0, 0, 1));
   BRepBuilderAPI_MakeWire section;
@@ -178,7 +179,8 @@ TopoDS_Shape rough() {
   return BRepBuilderAPI_MakeFace(surface, 1e-7).Shape();
 }
 
-// A box and, beside it, the face that a curve of many waves makes around an axis: OpenCASCADE divides it into triangles for minutes.
+// A box and, beside it, the face that a curve of many waves makes around an axis: OpenCASCADE
+// divides it into triangles for minutes.
 TopoDS_Shape slow() {
   constexpr int n = 1500;
   const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, n);
@@ -192,7 +194,8 @@ TopoDS_Shape slow() {
   return compound({BRepPrimAPI_MakeBox(gp_Pnt(60, 0, 0), 10, 10, 10).Shape(), face});
 }
 
-// A strip of these points (x, z), as many as the degree and the spans, from y = 0 to 10; there the last one is `high` higher.
+// A strip of these points (x, z), as many as the degree and the spans, from y = 0 to 10; there the
+// last one is `high` higher.
 Handle(Geom_BSplineSurface) strip(const std::vector<std::array<double, 2>>& profile, int degree, double high) {
   const int n = static_cast<int>(profile.size()), spans = n - degree;
   TColgp_Array2OfPnt points(1, n, 1, 2);
@@ -213,7 +216,8 @@ Handle(Geom_BSplineSurface) strip(const std::vector<std::array<double, 2>>& prof
   return new Geom_BSplineSurface(points, u, v, u_multiplicities, v_multiplicities, degree, 1);
 }
 
-// A face that has a part of a crease only, from v = 0 to 0.6: there it is of 31.3 degrees, and beyond up to 45.
+// A face that has a part of a crease only, from v = 0 to 0.6: there it is of 31.3 degrees, and
+// beyond up to 45.
 TopoDS_Shape trimmed_crease() {
   const Handle(Geom_Surface) surface = strip({{0, 0}, {10, 0}, {20, 10 * std::tan(M_PI / 180)}}, 1, 9.8254);
   const std::vector<gp_Pnt2d> corners{{0, 0}, {2, 0}, {2, 0.7}, {0.5, 0.55}, {0.5, 1}, {0, 1}};
@@ -226,7 +230,8 @@ TopoDS_Shape trimmed_crease() {
   return face;
 }
 
-// Three times two plane faces that share two edges of one line: in one plane; the same, one of them inside out; bent.
+// Three times two plane faces that share two edges of one line: in one plane; the same, one of them
+// inside out; bent.
 TopoDS_Shape pairs() {
   const auto point = [](double x, double y, double angle) {
     return gp_Pnt(x, y * std::cos(angle), y * std::sin(angle));
@@ -308,7 +313,8 @@ int main(int argc, char** argv) {
   // Narrow, and two faces that part slowly.
   write(wall({gp_Pnt(0, 0, 0), gp_Pnt(0.01, 0, 0)}), "sliver.brep");
   write(wall({gp_Pnt(3, 0, 0), gp_Pnt(0, 0, 0), gp_Pnt(3, 0.05, 0)}), "wedge.brep");
-  for (const char* name : {"kinks.brep", "kinks.step"}) write(wall(kinks), name); // 1 degree, and nearly 4
+  // 1 degree, and nearly 4
+  for (const char* name : {"kinks.brep", "kinks.step"}) write(wall(kinks), name);
   // Beside each other, 0.03 and 0.05 off their planes, each with edges of its own.
   const auto piece = [](double begin, double off) { return wall({gp_Pnt(begin, off, 0), gp_Pnt(begin + 1, off, 0)}); };
   write(compound({piece(0, 0), piece(1, 0.03), piece(2, 0.08)}), "apart.brep");
@@ -338,7 +344,8 @@ int main(int argc, char** argv) {
   // An infinite face.
   write(compound({moved(fillet), BRepBuilderAPI_MakeFace(gp_Pln()).Shape()}), "infinite.brep");
   write(trimmed_crease(), "trimmed.brep");
-  write(face(strip({{0, 0}, {5, 0}, {15, 0}, {20, 5}}, 2, 0)), "bending.brep"); // the curvature jumps in the middle
+  // the curvature jumps in the middle
+  write(face(strip({{0, 0}, {5, 0}, {15, 0}, {20, 5}}, 2, 0)), "bending.brep");
   write(pairs(), "pairs.brep");
   // Two flat faces side by side, each with edges of its own and a knot line in the middle.
   const TopoDS_Shape flat = face(strip({{0, 0}, {5, 0}, {10, 0}}, 1, 0));
@@ -346,7 +353,7 @@ int main(int argc, char** argv) {
   aside.SetTranslation(gp_Vec(0, 10, 0));
   const TopoDS_Shape flats = compound({flat, BRepBuilderAPI_Copy(flat).Shape().Moved(TopLoc_Location(aside))});
   for (const char* name : {"flats.brep", "flats_apart.igs"}) write(flats, name);
-  // What cannot be compared at equal parameters.
+  // This model cannot be compared at equal parameters.
   TopoDS_Shape differing = BRepPrimAPI_MakeCylinder(3, 10).Shape();
   BRep_Builder().SameParameter(TopoDS::Edge(TopExp_Explorer(differing, TopAbs_EDGE).Current()), false);
   write(differing, "differing.brep");

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Writes CAD models with OpenCASCADE to the current folder: surfaces that reach the axis about which they are rotated, poles_*, and what
-// has a kink next to a pole, kinks_*.
+// Writes CAD models with OpenCASCADE to the current folder: surfaces that reach the axis about
+// which they are rotated, poles_*, and what has a kink next to a pole, kinks_*.
 
 #include "write_model.h"
 
@@ -59,7 +59,7 @@
 
 namespace {
 
-// What a profile in the half plane x >= 0, y = 0 makes around the axis of z.
+// Returns the shape that a profile in the half plane x >= 0, y = 0 makes around the axis of z.
 TopoDS_Shape revolved(const Handle(Geom_Curve) & profile, double angle = 2 * M_PI) {
   return BRepPrimAPI_MakeRevol(BRepBuilderAPI_MakeEdge(profile).Shape(), gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)), angle)
       .Shape();
@@ -72,7 +72,8 @@ Handle(Geom_Curve) arc(double a, double b, double centre, double begin, double e
   if (a == b) return new Geom_TrimmedCurve(new Geom_Circle(axes, a), begin, end);
   return new Geom_TrimmedCurve(new Geom_Ellipse(axes, (std::max)(a, b), (std::min)(a, b)), begin + turn, end + turn);
 }
-// Through points (x, z), with a tangent at the last one in the direction (-sine, cosine) of the angle at which it meets the axis.
+// Through points (x, z), with a tangent at the last one in the direction (-sine, cosine) of the
+// angle at which it meets the axis.
 Handle(Geom_Curve) through(const std::vector<std::array<double, 2>>& profile, double degrees) {
   const Handle(TColgp_HArray1OfPnt) points = new TColgp_HArray1OfPnt(1, static_cast<int>(profile.size()));
   for (std::size_t i = 0; i < profile.size(); ++i)
@@ -109,12 +110,13 @@ TopoDS_Shape solid(const Handle(Geom_Curve) & profile, double angle) {
   const TopoDS_Face area = BRepBuilderAPI_MakeFace(gp_Pln(gp_Pnt(), gp_Dir(0, 1, 0)), wire.Wire()).Face();
   return BRepPrimAPI_MakeRevol(area, gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)), angle).Shape();
 }
-// A part of a torus: its circle, of the radius r about a centre at the distance R of the axis, from one angle to another.
+// A part of a torus: its circle, of the radius r about a centre at the distance R of the axis, from
+// one angle to another.
 TopoDS_Shape part_of_torus(double R, double r, double begin, double end) {
   return BRepBuilderAPI_MakeFace(new Geom_ToroidalSurface(gp_Ax3(), R, r), 0, 2 * M_PI, begin, end, 1e-7).Shape();
 }
-// Two triangles with the common edge from (0, 0, 0) to (0, 10, 0), in the planes z = 0 and, at x = 9 t, y = 10 t, at these heights (t, z): the
-// angle along the edge is the arc tangent of z / (9 t).
+// Two triangles with the common edge from (0, 0, 0) to (0, 10, 0), in the planes z = 0 and, at x =
+// 9 t, y = 10 t, at these heights (t, z): the angle along the edge is the arc tangent of z / (9 t).
 TopoDS_Shape triangles(const std::vector<std::array<double, 2>>& heights) {
   const int n = static_cast<int>(heights.size());
   TColStd_Array1OfReal u(1, 2), v(1, n);
@@ -139,7 +141,8 @@ TopoDS_Shape triangles(const std::vector<std::array<double, 2>>& heights) {
   sewing.Perform();
   return sewing.SewedShape();
 }
-// Half of a cone about the axis of z, and the other half turned about their common ruling: both meet at the apex.
+// Half of a cone about the axis of z, and the other half turned about their common ruling: both
+// meet at the apex.
 TopoDS_Shape two_cones(double degrees) {
   const Handle(Geom_Surface) cone = new Geom_ConicalSurface(gp_Ax3(), M_PI / 6, 0);
   const TopoDS_Shape first = BRepBuilderAPI_MakeFace(cone, 0, M_PI / 2, 0, 10, 1e-7).Shape(),
@@ -222,7 +225,8 @@ int main() {
                                           gp_Ax1(gp_Pnt(), gp_Dir(0, 0, 1)))),
         "kinks_hourglass.brep");
   const double slope = 9 * std::tan(2 * M_PI / 180); // of an angle of 2 degrees, times t
-  // a kink from 0.021 to 0.06 mm from the pole only, one of which most lies within 0.02 mm, and one that fades towards the pole
+  // a kink from 0.021 to 0.06 mm from the pole only, one of which most lies within 0.02 mm, and one
+  // that fades towards the pole
   write(triangles({{0, 0}, {0.0022, 0}, {0.004, 0.004 * slope}, {0.006, 0}, {1, 0}}), "kinks_beside.brep");
   write(triangles({{0, 0}, {0.0005, 0.0005 * slope}, {0.0015, 0}, {1, 0}}), "kinks_within.brep");
   write(triangles({{0, 0}, {0.0022, 0}, {1, 9}}), "kinks_fading.brep");

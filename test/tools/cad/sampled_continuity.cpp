@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Prints the verdict of OpenCASCADE, from samples, on each edge of a CAD model that has two sides: its number, and G1 or G0.
+// Prints the verdict of OpenCASCADE, from samples, on each edge of a CAD model that has two sides:
+// its number, and G1 or G0.
 //   sampled_continuity FILE DEGREES
 
 #include "sampled_continuity.h"

@@ -18,7 +18,7 @@
 #include <iostream>
 #include <string>
 
-// What programs that write CAD models with OpenCASCADE have in common.
+// Programs that write CAD models with OpenCASCADE have this in common.
 
 inline void require(bool condition, const std::string& what) {
   if (condition) return;

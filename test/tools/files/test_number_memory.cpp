@@ -22,7 +22,8 @@ struct Piece {
   }
 };
 
-// Returns whether pieces of memory that are taken, resized and given back in any order never overlap, and keep what is in them.
+// Returns whether pieces of memory that are taken, resized and given back in any order never
+// overlap, and keep what is in them.
 bool all_intact(unsigned seed) {
   std::mt19937 random(seed);
   const std::size_t sizes[] = {8, 8, 8, 16, 16, 24, 40, 4096, 1, 7, 9};

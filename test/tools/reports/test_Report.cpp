@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// No report says more than the classes of what was given allow, whatever they are, and all formats agree.
+// No report says more than the classes of what was given allow, whatever they are, and all formats
+// agree.
 #define BOOST_TEST_MODULE Report
 #include "support/random.h"
 
@@ -249,7 +250,8 @@ BOOST_AUTO_TEST_CASE(no_page_says_more_than_the_classes_allow) {
       const std::string text = data_of(page);
       BOOST_TEST(text.find_first_of("<>") == std::string::npos);
       BOOST_TEST(text.find("\"met\"") == std::string::npos);
-      BOOST_TEST(occurrences(text, "proved") == (undecided == 0 ? 0u : 1u)); // "no grade could be proved"
+      // "no grade could be proved"
+      BOOST_TEST(occurrences(text, "proved") == (undecided == 0 ? 0u : 1u));
       const Tree data = json(text);
       check_claims(data.get_child("claims"), things);
       BOOST_TEST(data.get<std::string>("summary") ==

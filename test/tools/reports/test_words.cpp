@@ -13,7 +13,8 @@
 namespace {
 
 struct Random : Random_integers<std::mt19937_64> {
-  // Any number of digits before and behind the point, also next to powers of ten and to middles between two rounded numbers.
+  // Any number of digits before and behind the point, also next to powers of ten and to middles
+  // between two rounded numbers.
   double number() {
     const double digits = static_cast<double>(integer(std::int64_t(-2000000), 2000000)),
                  power = std::pow(10., integer(-12, 12));

@@ -15,8 +15,9 @@
 #include <limits>
 #include <vector>
 
-// Guaranteed enclosures of the arc length of a curve: it lies between the length of the chord and that of the control polygon where all weights
-// are positive, and halves are halved until both are near each other.
+// Guaranteed enclosures of the arc length of a curve: it lies between the length of the chord and
+// that of the control polygon where all weights are positive, and halves are halved until both are
+// near each other.
 class Arc_length {
   typedef CGAL::Interval_nt<false> Interval;
   typedef std::vector<std::vector<Interval>> Rows; // homogeneous points, the weight last

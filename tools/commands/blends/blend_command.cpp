@@ -105,7 +105,8 @@ when rounding has broken one or more (--kernel double; the files are written
 nevertheless), 2 on bad input, and with --corners when there is no join.
 )";
 
-// The given curves around the blend: all of A, or the curves after the replaced one; then those after the blend.
+// The given curves around the blend: all of A, or the curves after the replaced one; then those
+// after the blend.
 template <class FT> struct Scene { std::vector<Program_curve<FT>> before, after; };
 
 // The curves that end and start where the blend does.
@@ -142,7 +143,8 @@ std::string plot_join(const Join& join) {
              : (join.f_order > join.g_order ? 'F' + std::to_string(join.f_order) : 'G' + std::to_string(join.g_order));
 }
 
-// Draws one panel for each result. Throws GC::Error `not_finite` for coordinates that are too large to be drawn.
+// Draws one panel for each result. Throws GC::Error `not_finite` for coordinates that are too large
+// to be drawn.
 template <class FT>
 GC::Svg_figure picture(const std::string& title, const Scene<FT>& scene, const std::vector<Blend_result<FT>>& results,
                        const std::vector<Blend_report>& reports, const Program_curve<FT>& phi,
@@ -232,7 +234,8 @@ template <class FT> int blend(const Command_line& line) {
   const bool chain = line.has("replace") && chosen.size() == 1; // is written
   const bool limited = line.has("max-work");
   const GC::Work_scope each(line.work_limit());
-  // the neighbours as they are given, if they can be read again, unless they are written with the blend
+  // the neighbours as they are given, if they can be read again, unless they are written with the
+  // blend
   std::optional<Scene<Exact>> given;
   if constexpr (!std::is_same_v<FT, Exact>) {
     const auto can_be_read_again = [](const std::string& file) {

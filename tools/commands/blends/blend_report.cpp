@@ -48,8 +48,8 @@ std::array<std::string, 2> energies(const Blend_report& r, int order, bool limit
   return result;
 }
 
-// Why a curve is hardly what is wanted, however smooth its joins are: it goes far away from its chord, or turns back. Empty otherwise. Samples
-// are enough for a warning.
+// Why a curve is hardly what is wanted, however smooth its joins are: it goes far away from its
+// chord, or turns back. Empty otherwise. Samples are enough for a warning.
 std::string warning_of(const Exact_curve& curve) {
   constexpr int samples = 128;
   constexpr double far = 4; // chords
@@ -102,7 +102,8 @@ std::array<std::size_t, 10> widths_of(const std::vector<Row>& rows) {
   return widths;
 }
 
-// Writes a row and what is said behind it, in lines of its own where it does not fit into so many columns as are available.
+// Writes a row and what is said behind it, in lines of its own where it does not fit into so many
+// columns as are available.
 void write_row(std::ostream& os, const Row& columns, const std::array<std::size_t, 10>& widths, const std::string& rest,
                std::size_t available) {
   std::ostringstream line;

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-// What is reported about a blend: its joins, decided in exact arithmetic, and how fair it is.
+// The report about a blend: its joins, decided in exact arithmetic, and how fair it is.
 struct Blend_report {
   Blend_report(const std::string& strategy, const Exact_curve& gamma, const Exact_curve& phi, const Exact_curve& psi,
                const Exact& beta, const Exact& eta, const std::string& parameters,
@@ -30,15 +30,16 @@ struct Blend_report {
   double fairness, bending_energy;
   std::optional<GC::Curvature_extrema> curvature; // empty where the blend has a cusp
   std::optional<GC::Fair_report> search;          // of the strategies that search
-  std::string warning;                            // why it is hardly what is wanted, smooth as it is; may be empty
+  // why it is hardly what is wanted, smooth as it is; may be empty
+  std::string warning;
 
   // How many of both joins do not have the order 2 or 3 that was asked for.
   std::size_t broken_joins(int order) const;
   bool is_proved(int order) const { return broken_joins(order) == 0; }
 };
 
-// Write the reports on blends of order 2 or 3 as a table, and as JSON. Energies that cost more than the limit are left out, unless the
-// user has set it.
+// Write the reports on blends of order 2 or 3 as a table, and as JSON. Energies that cost more than
+// the limit are left out, unless the user has set it.
 void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order, bool limited);
 void write_json(std::ostream& os, const std::vector<Blend_report>& reports, int order);
 

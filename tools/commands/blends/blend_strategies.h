@@ -19,14 +19,15 @@
 #include <type_traits>
 #include <vector>
 
-// What one strategy gives.
+// The result of one strategy.
 template <class FT> struct Blend_result {
   std::string strategy;
   Program_curve<FT> curve;
   GC::Shape_parameters<FT> shape;
   std::string parameters, fallback;
   std::optional<GC::Fair_report> report = {};
-  std::vector<Program_curve<FT>> neighbours = {}; // of a representable blend: both given curves as they now are
+  // of a representable blend: both given curves as they now are
+  std::vector<Program_curve<FT>> neighbours = {};
 };
 
 inline std::string fallback_text(bool start, bool end) {

@@ -65,7 +65,8 @@ std::pair<GC::Patch_edge, GC::Patch_edge> given_edges(const Command_line& line) 
   return {edge_of(text.substr(0, comma)), edge_of(text.substr(comma + 1))};
 }
 
-// Prints the continuity along the edge of a given surface, and returns whether the blend has the order there.
+// Prints the continuity along the edge of a given surface, and returns whether the blend has the
+// order there.
 template <class Surface>
 bool report_edge(std::ostream& report, int order, const std::string& file, const Surface& given, GC::Patch_edge edge,
                  const Surface& blend, GC::Patch_edge edge_of_blend) {
@@ -95,7 +96,8 @@ Exit_code report_order(std::ostream& report, int order, bool has_order) {
   return has_order ? requirement_met : requirement_not_met;
 }
 
-// The search for folds may take long, and what it finds is no more than a warning: it never refuses the blend.
+// The search for folds may take long, and what it finds is no more than a warning: it never refuses
+// the blend.
 template <class Surface> void warn_of_fold(std::ostream& report, const Surface& s) {
   try {
     if (const auto fold = possible_fold(s))

@@ -14,8 +14,8 @@
 #include <type_traits>
 #include <vector>
 
-// The strategies of a blend that need no numbers, by the names that the program, the module of Python and the package for browsers have for
-// them. It includes nothing else of the program.
+// The strategies of a blend that need no numbers, by the names that the program, the module of
+// Python and the package for browsers have for them. It includes nothing else of the program.
 
 namespace GC = CGAL::Geometric_continuity;
 

@@ -73,7 +73,7 @@ void write_row(std::ostream& os, const std::array<std::string, 5>& columns) {
      << std::setw(10) << columns[2] << "  " << std::left << std::setw(12) << columns[3] << ' ' << columns[4] << '\n';
 }
 
-// What was done with a chain, as it is written, decided exactly.
+// The corners that were rounded in a chain, as it is written, decided exactly.
 struct Corners_report {
   // A corner, how far from it the curves are cut, along them, and the joins of its blend.
   struct Corner {

@@ -23,17 +23,19 @@
 // The tolerance unless one is given: the edges of CAD models are computed, and never meet exactly.
 constexpr const char* default_cad_tolerance = "vda-4955";
 
-// What is asked of the edges of CAD models.
+// The demands on the edges of CAD models.
 struct Cad_demand {
-  std::optional<int> order;  // that is required
-  int most = 0;              // up to this order there are bounds
-  GC::Join_tolerance bounds; // of the gap in mm, the angle in radians and the relative jump of the curvature
-  std::string tolerance;     // as it is written
-  GC::Bound kink;            // the angle that is reached all along a corner, in radians
+  std::optional<int> order; // that is required
+  int most = 0;             // up to this order there are bounds
+  // of the gap in mm, the angle in radians and the relative jump of the curvature
+  GC::Join_tolerance bounds;
+  std::string tolerance; // as it is written
+  GC::Bound kink;        // the angle that is reached all along a corner, in radians
 };
 
-// How two faces meet along an edge. A corner is sharp everywhere, a fading one in places only, which may not be meant. At a fold a face comes
-// back below the other. What is bent is one of kink, corner and fading corner, and it is undecided which.
+// How two faces meet along an edge. A corner is sharp everywhere, a fading one in places only,
+// which may not be meant. At a fold a face comes back below the other. A bent edge is one of kink,
+// corner and fading corner, and it is undecided which.
 enum class Cad_shape { smooth, kink, corner, fading_corner, bent, fold, inside_out, gap, undecided };
 
 inline const char* name(Cad_shape shape) {
@@ -56,19 +58,25 @@ inline bool has_verdict(const Cad_edge& edge) {
   return edge.kind == Cad_edge_kind::inner || edge.kind == Cad_edge_kind::seam || edge.kind == Cad_edge_kind::knot_line;
 }
 
-// What is known of an edge within the tolerance.
+// The verdict on an edge within the tolerance.
 struct Cad_verdict {
   std::optional<GC::Edge_enclosure> enclosure; // if the edge has two sides that can be compared
-  std::string reason;                          // why they cannot, or why the edge is not what it is said to be
-  std::optional<int> exact;                    // the order with no tolerance, -1 for a gap, where it can be decided
-  // For each order: the edges are the same; in addition the tangent planes agree; the curvatures across the edge.
+  // why they cannot, or why the edge is not what it is said to be
+  std::string reason;
+  // the order with no tolerance, -1 for a gap, where it can be decided
+  std::optional<int> exact;
+  // For each order: the edges are the same; in addition the tangent planes agree; the curvatures
+  // across the edge.
   std::array<GC::Verdict, 3> within{GC::Verdict::undecided, GC::Verdict::undecided, GC::Verdict::undecided};
   Cad_shape shape = Cad_shape::undecided;
   GC::Verdict is_corner = GC::Verdict::undecided; // of what is not smooth
-  std::optional<GC::Edge_maximum> deviation;      // of the curve in space from the side that is farther from it
-  bool computed =
-      false; // the curves in the parameter planes are foot points of that in space, which the program has computed
-  // Ranges of parameters that belong to a pole within the tolerance of gaps: angle and curvature jump leave them out.
+  // of the curve in space from the side that is farther from it
+  std::optional<GC::Edge_maximum> deviation;
+  // the curves in the parameter planes are foot points of that in space, which the program has
+  // computed
+  bool computed = false;
+  // Ranges of parameters that belong to a pole within the tolerance of gaps: angle and curvature
+  // jump leave them out.
   std::vector<std::pair<double, double>> poles;
   bool is_exhausted = false; // the work did not suffice
   bool in_doubt = false;     // what is wrong may be wrong with projections only
@@ -86,7 +94,8 @@ struct Cad_verdict {
     return within[0] == GC::Verdict::refuted ? "gap" : "undecided";
   }
 
-  // Returns the order that holds with no tolerance: "G2", "G1", "G0" or "gap"; nothing where it cannot be decided.
+  // Returns the order that holds with no tolerance: "G2", "G1", "G0" or "gap"; nothing where it
+  // cannot be decided.
   std::optional<std::string> exact_name() const {
     if (!exact) return std::nullopt;
     return *exact < 0 ? "gap" : 'G' + std::to_string(*exact);
@@ -115,8 +124,9 @@ inline bool is_no_point(const Cad_edge& edge, const Cad_verdict& verdict) {
   return edge.kind == Cad_edge_kind::degenerate && verdict.within[0] != GC::Verdict::proved;
 }
 
-// Returns the class of an edge and why it is not decided: with a requirement whether it is met, otherwise whether the orders 0 and 1 are decided.
-// Empty for boundaries and proved points, which have nothing to decide.
+// Returns the class of an edge and why it is not decided: with a requirement whether it is met,
+// otherwise whether the orders 0 and 1 are decided. Empty for boundaries and proved points, which
+// have nothing to decide.
 std::optional<Given> claim_of(const Cad_edge& edge, const Cad_verdict& verdict, const Cad_demand& demand);
 
 // Returns the verdict on an edge: on one that is said to be a point whether it is.

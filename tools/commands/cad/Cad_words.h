@@ -26,8 +26,9 @@ inline std::string cad_label(std::size_t face, const Cad_model& model) {
   return label.name.empty() ? label.id : label.id + (label.id.empty() ? "\"" : " \"") + label.name + '"';
 }
 
-// Returns e.g. `edge 7 (plane 3 - cylinder 4; #123, #140 "bore") of bolt:1`: the numbers of the faces behind what they are, what the file says of
-// them, and the placed part, if there are several.
+// Returns e.g. `edge 7 (plane 3 - cylinder 4; #123, #140 "bore") of bolt:1`: the numbers of the
+// faces behind what they are, what the file says of them, and the placed part, if there are
+// several.
 inline std::string cad_place(std::size_t number, const Cad_edge& edge, const Cad_model& model) {
   std::string text = "edge " + std::to_string(number);
   const char* separator = " (";
@@ -94,8 +95,8 @@ inline void write_ranges(std::ostream& os, const char* text, const std::vector<s
   if (ranges.size() > 4) os << " ...";
 }
 
-// Returns where the curves in parameter planes come from if they are not in the file, and how far the curve in space is from its faces if that
-// matters; empty otherwise.
+// Returns where the curves in parameter planes come from if they are not in the file, and how far
+// the curve in space is from its faces if that matters; empty otherwise.
 inline std::string cad_projection(const Cad_edge& edge, const Cad_verdict& verdict, const Cad_demand& demand) {
   if (!verdict.deviation) return edge.projected ? "; projected" : "";
   const bool is_far = GC::at_most(verdict.deviation->value, demand.bounds.gap) != GC::Verdict::proved;

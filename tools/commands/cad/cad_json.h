@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-// What `verify` writes about the edges of CAD models.
+// `verify` writes this about the edges of CAD models.
 
 inline GC::Enclosure in_length(const GC::Enclosure& x) { return x; }
 

@@ -16,13 +16,16 @@
 
 namespace {
 
-// A step of work is about a multiplication of machine words, see `Work_limit`; a part of an edge takes so many.
+// A step of work is about a multiplication of machine words, see `Work_limit`; a part of an edge
+// takes so many.
 constexpr std::uint64_t steps_of_box = 4000;
 
-// So many ranges of an edge about which nothing is known are looked at for poles, and an edge is taken to pass so many.
+// So many ranges of an edge about which nothing is known are looked at for poles, and an edge is
+// taken to pass so many.
 constexpr std::size_t most_poles = 16;
 
-// What an angle may be less than that of a corner, relatively: the numbers in files are rounded.
+// An angle may be smaller than that of a corner by this relative amount, because the numbers in
+// files are rounded.
 constexpr double rounded_angle = 1e-9;
 
 GC::Bound times(const GC::Bound& x, double factor) { return GC::Enclosure{x.lower() * factor, x.upper() * factor}; }
@@ -45,7 +48,8 @@ class Edge_decision {
 
   bool has_projections() const { return edge_.space && (is_projected_[0] || is_projected_[1]); }
 
-  // Returns whether a measure of foot points is proved to be larger than a bound at a parameter, or beside it: at knots of surfaces nothing is proved.
+  // Returns whether a measure of foot points is proved to be larger than a bound at a parameter, or
+  // beside it: at knots of surfaces nothing is proved.
   template <class Measure>
   bool exceeds_at_feet(double t, const std::array<bool, 2>& is_projected, const GC::Bound& bound,
                        Measure measure) const {
@@ -59,22 +63,26 @@ class Edge_decision {
     return false;
   }
 
-  // A lower bound that is refuted may be an error of projections, unless it is refuted for the foot points as well.
+  // A lower bound that is refuted may be an error of projections, unless it is refuted for the foot
+  // points as well.
   void doubt(Cad_verdict& result, std::size_t order, const GC::Edge_maximum& worst, const GC::Bound& bound,
              double GC::Foot_comparison::*measure) const {
     if (result.within[order] != GC::Verdict::refuted || !has_projections()) return;
     const auto measured = [measure](const GC::Foot_comparison& f) { return f.*measure; };
     if (exceeds_at_feet(worst.parameter, is_projected_, bound, measured)) return;
     result.within[order] = GC::Verdict::undecided;
-    result.in_doubt = result.in_doubt || static_cast<int>(order) <= demand_.most; // otherwise nobody asks
+    // otherwise nobody asks
+    result.in_doubt = result.in_doubt || static_cast<int>(order) <= demand_.most;
   }
 
-  // Returns whether the distance of the second side is bounded by that of the first one and the gap as well as is needed. Then the bound holds for both.
+  // Returns whether the distance of the second side is bounded by that of the first one and the gap
+  // as well as is needed. Then the bound holds for both.
   bool bounds_second_side(Cad_verdict& result) const {
     if (edge_.kind == Cad_edge_kind::degenerate) return true; // twice the same
     if (has_projections()) return false;                      // it is told
     double& upper = result.deviation->value.upper;
-    const double both = (upper + result.enclosure->gap.value.upper) * (1 + 0x1p-40); // whatever the rounding
+    // whatever the rounding
+    const double both = (upper + result.enclosure->gap.value.upper) * (1 + 0x1p-40);
     if (!(both <= demand_.bounds.gap.lower())) return false;
     upper = both;
     return true;
@@ -122,15 +130,16 @@ class Edge_decision {
                                            straight.upper - demand_.bounds.tangent_angle.lower()};
     const GC::Verdict is_open = within(e.angle, folded, e.unresolved), is_kink = within(e.angle, least, e.unresolved);
     result.shape = Cad_shape::bent;
-    if (is_open == GC::Verdict::refuted)
-      result.shape = Cad_shape::fold;
-    else if (is_kink == GC::Verdict::proved || edge_.kind == Cad_edge_kind::knot_line) // in a face nothing is meant
+    if (is_open == GC::Verdict::refuted) result.shape = Cad_shape::fold;
+    // in a face nothing is meant
+    else if (is_kink == GC::Verdict::proved || edge_.kind == Cad_edge_kind::knot_line)
       result.shape = Cad_shape::kink;
     else {
       result.is_corner = GC::Verdict::proved;
       for (const auto& [begin, end] : parts_)
         result.is_corner = result.is_corner && GC::is_sharp_edge(sides_[0], sides_[1], begin, end, least, precision_);
-      if (result.is_corner == GC::Verdict::proved) result.is_corner = is_open; // undecided when it may be a fold
+      // undecided when it may be a fold
+      if (result.is_corner == GC::Verdict::proved) result.is_corner = is_open;
       if (result.is_corner == GC::Verdict::proved)
         result.shape = Cad_shape::corner;
       else if (result.is_corner == GC::Verdict::refuted && is_kink == GC::Verdict::refuted)
@@ -165,8 +174,9 @@ class Edge_decision {
            edge_.inside_out || (asked == 1 && result.shape == Cad_shape::corner);
   }
 
-  // Adds the ranges that belong to poles: at the ends of the edge, where nothing is known, and where the largest values are. None
-  // where half of the edge would be left out: it is a point itself. Whether there are any.
+  // Adds the ranges that belong to poles: at the ends of the edge, where nothing is known, and
+  // where the largest values are. None where half of the edge would be left out: it is a point
+  // itself. Whether there are any.
   bool add_poles(const GC::Edge_enclosure& e, Ranges& poles) const {
     std::vector<double> places{edge_.begin, edge_.end};
     for (const std::optional<GC::Edge_maximum>& x : {e.angle, e.curvature_jump})
@@ -238,13 +248,15 @@ public:
     precision_.most_boxes = static_cast<int>((std::min)(boxes, std::uint64_t(1'000'000)));
     precision_.boxes = (std::min)(precision_.boxes, precision_.most_boxes);
     if (edge.kind != Cad_edge_kind::knot_line) return;
-    // There are many of these, and most are smooth up to roundings: what nobody asks for is not computed.
+    // There are many of these, and most are smooth up to roundings: what nobody asks for is not
+    // computed.
     precision_.with_curvature = demand.most > 1;
     precision_.gap = (std::max)(precision_.gap, demand.bounds.gap.lower() / 4);
     precision_.angle = (std::max)(precision_.angle, demand.bounds.tangent_angle.lower() / 4);
   }
 
-  // Takes the foot points of the curve in space, at so many parameters, in place of the curves that are there.
+  // Takes the foot points of the curve in space, at so many parameters, in place of the curves that
+  // are there.
   void project(int pieces, const std::array<bool, 2>& which) {
     is_projected_ = which;
     for (std::size_t i = 0; i < 2; ++i)
@@ -318,7 +330,7 @@ Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
     result = decision.decide();
     const bool is_far =
         result.deviation && GC::at_most(result.deviation->value, demand.bounds.gap) != GC::Verdict::proved;
-    // What is wrong or undecided with a projection is measured with a better one.
+    // A projection that is wrong or undecided is measured with a better one.
     const bool is_wrong = edge.projected && result.within[1] != GC::Verdict::proved;
     for (int pieces : {32, 256}) {
       if (!edge.space || !(result.in_doubt || (is_wrong && !result.computed))) break;

@@ -24,7 +24,8 @@ struct Edge_batch {
   Cad_verdict verdict;
 };
 
-// What decides about an edge, apart from where its part is placed: curves and surfaces that are shared are the same.
+// Returns the data that decide an edge, apart from the place of its part: curves and surfaces that
+// are shared are the same.
 std::string key_of(const Cad_edge& edge) {
   std::string key;
   const auto add = [&](const auto& x) { key.append(reinterpret_cast<const char*>(&x), sizeof x); };

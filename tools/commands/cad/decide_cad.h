@@ -16,7 +16,8 @@
 #include <string>
 #include <vector>
 
-// Returns what is asked within a tolerance as it is written, without a requirement. Throws std::invalid_argument.
+// Returns what is asked within a tolerance as it is written, without a requirement. Throws
+// std::invalid_argument.
 Cad_demand demand_within(const std::string& tolerance, const GC::Corner_threshold& kink);
 
 // A CAD file and the verdicts on its edges.
@@ -24,33 +25,39 @@ struct Decided_cad_file {
   std::string file;
   Cad_model model;
   std::vector<Cad_verdict> verdicts; // of each edge
-  std::size_t compared = 0; // edges with two sides, each as often as it is decided: once for all that are equal
+  // edges with two sides, each as often as it is decided: once for all that are equal
+  std::size_t compared = 0;
 };
 
-// Reads CAD files and decides their edges, on all cores; meanwhile the next file is read. Each is passed on in turn.
+// Reads CAD files and decides their edges, on all cores; meanwhile the next file is read. Each is
+// passed on in turn.
 void decide_cad_files(const Arguments& files, const Cad_demand& demand, const Cad_reading& reading,
                       const std::function<void(const Decided_cad_file&)>& take);
 
-// How many edges there are of each kind, and how they do. Only inner edges, seams and knot lines have verdicts.
+// How many edges there are of each kind, and how they do. Only inner edges, seams and knot lines
+// have verdicts.
 struct Cad_summary {
   std::size_t faces = 0, inner = 0, seams = 0, boundary = 0, non_manifold = 0, degenerate = 0, knot_lines = 0;
-  // By the order that is proved. What is undecided here is what a report claims to be undecided, and what is not compared is not covered.
+  // By the order that is proved. A report claims the edges that are undecided here as undecided,
+  // and edges that are not compared as not covered.
   std::size_t g2 = 0, g1 = 0, g0 = 0, gaps = 0, undecided = 0, not_compared = 0;
   std::size_t kinks = 0, corners = 0, fading_corners = 0, bent = 0, folds = 0, inside_out = 0;
-  std::size_t no_points = 0;             // of those that are degenerate: it is not proved that they are points
-  std::size_t exact = 0;                 // decided with no tolerance as well
-  std::size_t projected = 0;             // edges with curves that are not in the file
-  std::size_t sewn = 0;                  // edges that sewing made of two
-  std::size_t instances = 0, shapes = 0; // placed parts, if there are several, and the different ones among them
-  std::size_t compared = 0;              // edges, what is equal once
-  std::size_t lost = 0;                  // things that could not be read
-  std::size_t loose = 0;                 // edges of no face
-  std::size_t beside = 0;                // boundary edges that lie beside others
-  std::size_t open_shells = 0;           // that are said to be closed
+  // of those that are degenerate: it is not proved that they are points
+  std::size_t no_points = 0;
+  std::size_t exact = 0;     // decided with no tolerance as well
+  std::size_t projected = 0; // edges with curves that are not in the file
+  std::size_t sewn = 0;      // edges that sewing made of two
+  // placed parts, if there are several, and the different ones among them
+  std::size_t instances = 0, shapes = 0;
+  std::size_t compared = 0;    // edges, what is equal once
+  std::size_t lost = 0;        // things that could not be read
+  std::size_t loose = 0;       // edges of no face
+  std::size_t beside = 0;      // boundary edges that lie beside others
+  std::size_t open_shells = 0; // that are said to be closed
 
   std::size_t decided() const { return inner + seams + knot_lines; }
 
-  // What is to be done where no edge is compared; empty if there is nothing to say.
+  // Returns a hint what to do if no edge is compared; it is empty if there is nothing to say.
   std::string hint() const;
 
   void add(const Decided_cad_file& file, const Cad_demand& demand);

@@ -43,13 +43,15 @@ Report_grade grade(const Cad_verdict& verdict) {
   return Report_grade::undecided;
 }
 
-// What is worst of an edge: the gap, the angle, or of smooth faces the jump of the curvature.
+// Returns the worst number of an edge: the gap, the angle, or the jump of the curvature of smooth
+// faces.
 const GC::Edge_maximum& worst(const GC::Edge_enclosure& e, Report_grade grade) {
   if (grade == Report_grade::gap || !e.angle) return e.gap;
   return grade >= Report_grade::g1 && e.curvature_jump ? *e.curvature_jump : *e.angle;
 }
 
-// The page tells G1 from G2 also within a tolerance that has no bound of curvatures: then the relative jump of G2 is at most this.
+// The page tells G1 from G2 also within a tolerance that has no bound of curvatures: then the
+// relative jump of G2 is at most this.
 constexpr const char* page_curvature = "0.1%";
 
 Cad_demand page_demand(const std::string& tolerance, const Report_demand& asked) {
@@ -60,7 +62,8 @@ Cad_demand page_demand(const std::string& tolerance, const Report_demand& asked)
   return demand;
 }
 
-// The same bounds, rounded outwards where they are so near to zero that nobody needs to know how near.
+// Returns the bounds, rounded outwards where they are so near to zero that nobody needs to know how
+// near.
 GC::Enclosure readable(const GC::Enclosure& x) {
   const double least = std::nextafter(1e-9, 0.); // mm, degrees or percent; not above the decimal
   return {x.lower < least ? 0 : x.lower, x.upper > 0 && x.upper < least ? least : x.upper};
@@ -107,7 +110,7 @@ class Cad_page {
   std::vector<Report_model::Edge> edges_, others_; // those of two sides, and the boundaries
   std::vector<Report_model::Patch> faces_;
   std::vector<std::string> undrawn_; // the faces that cannot be drawn, and why
-  // What is drawn of each file ends behind these numbers.
+  // The drawing of each file ends at these numbers.
   struct End {
     std::size_t faces, edges, others;
   };
@@ -176,7 +179,8 @@ class Cad_page {
     for (std::size_t j = begin.others; j < end.others; ++j) work(others_[j].points);
   }
 
-  // Draws several files beside each other, in rows as the page shows them at first, wherever they lie.
+  // Draws several files beside each other, in rows as the page shows them at first, wherever they
+  // lie.
   void set_apart() {
     if (files_.size() < 2) return;
     std::vector<std::array<double, 3>> centres;
@@ -216,7 +220,7 @@ class Cad_page {
     page_.notes.push_back(counted(files_.size(), "file") + ", which are drawn beside each other, not where they lie.");
   }
 
-  // What the page says where no edge is compared.
+  // The page shows this text if no edge is compared.
   std::string empty_text() const {
     std::string text = "There is no edge of two sides";
     if (summary_.boundary > 0) text += ", but " + counted(summary_.boundary, "boundary edge");

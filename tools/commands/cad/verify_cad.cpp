@@ -64,7 +64,7 @@ std::string entities(const Cad_edge& edge, const Cad_model& model) {
   return text;
 }
 
-// What an edge is, wherever the model is placed and whatever the numbers of its entities are.
+// Describes an edge, wherever the model is placed and whatever the numbers of its entities are.
 std::string shape(const Cad_edge& edge, const Cad_model& model) {
   std::vector<std::string> surfaces;
   for (const std::size_t face : edge.faces) surfaces.push_back(model.faces[face]);
@@ -79,8 +79,9 @@ class Cad_report {
   const Cad_demand& demand_;
   Report report_;
   Cad_summary summary_;
-  bool names_files_;                                 // in text
-  std::unordered_map<std::string, long long> lines_; // of the entities of a file, where findings are written
+  bool names_files_; // in text
+  // of the entities of a file, where findings are written
+  std::unordered_map<std::string, long long> lines_;
 
   static Report_subject subject(const Cad_demand& demand) {
     Report_subject s{"edge of two sides", "every edge of two sides and every knot line"};
@@ -104,7 +105,8 @@ class Cad_report {
     return face < model.labels.size() ? line_of(model.labels[face].id) : no_line;
   }
 
-  // Adds what is said of an edge, and its class if it has one: boundaries and points have nothing to decide.
+  // Adds what is said of an edge, and its class if it has one: boundaries and points have nothing
+  // to decide.
   void add(const Decided_cad_file& file, std::size_t number) {
     const Cad_edge& edge = file.model.edges[number];
     const Cad_verdict& verdict = file.verdicts[number];

@@ -94,7 +94,8 @@ private:
     return box.fits_into_unit();
   }
 
-  // Where in the list the first run begins that does not begin before the start of a closed subpath.
+  // Where in the list the first run begins that does not begin before the start of a closed
+  // subpath.
   std::size_t wrapped_begin(const std::vector<std::size_t>& small) const {
     if (!path_.closed || small.back() + 1 != path_.segments.size() || small.front() != 0) return 0;
     std::size_t k = small.size() - 1;

@@ -22,7 +22,7 @@ typedef GC::Svg_transform<Drawing_traits> Transform;
 typedef Drawing_traits::FT Number;
 typedef CGAL::Interval_nt<false> Interval;
 
-// What is said of a kink: enclosures.
+// The numbers of a kink, as enclosures.
 struct Kink_numbers {
   GC::Enclosure degrees;
   std::optional<GC::Enclosure> offset,
@@ -62,8 +62,8 @@ GC::Enclosure enclosed_degrees(const Enclosed_vector& a, const Enclosed_vector& 
   return {low * degree * (1 - rounding), high * degree * (1 + rounding)};
 }
 
-// The same from enclosures of the jets, where both segments are short Bezier curves whose handles are not parallel, at a kink with an
-// acute angle.
+// Computes the numbers from enclosures of the jets, where both segments are short Bezier curves
+// whose handles are not parallel, at a kink with an acute angle.
 std::optional<Kink_numbers> enclosed_numbers(const std::array<Interval, 4>* to_units, const Drawing_join& join,
                                              GC::Visual_class grade) {
   std::optional<Kink_numbers> numbers;
@@ -98,7 +98,7 @@ std::string text(const GC::Enclosure& x) {
   return bounds.str();
 }
 
-// What is said with the texts text(number) of the numbers; nothing where one of them is empty.
+// Returns the words with the texts text(number) of the numbers, or nothing if one of them is empty.
 template <class Text> std::optional<std::string> words(const Kink_numbers& numbers, GC::Visual_class grade, Text text) {
   std::string s;
   s.reserve(128);

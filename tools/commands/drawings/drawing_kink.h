@@ -18,10 +18,12 @@
 
 typedef GC::Path_join<Drawing_traits> Drawing_join;
 
-// Says how the joins of an element are drawn, e.g. "corner of 90 degrees" or "kink of 0.573 degrees, a handle is off by 0.2 (2 units of
-// the last decimal)". Of each number four digits are certain; where they are not, both bounds are given.
+// Says how the joins of an element are drawn, e.g. "corner of 90 degrees" or "kink of 0.573
+// degrees, a handle is off by 0.2 (2 units of the last decimal)". Four digits of each number are
+// certain; where they are not, both bounds are given.
 class Drawing_kink_words {
-  // From the drawing to the coordinates of the element in units of their last decimal; empty where there are no decimals.
+  // From the drawing to the coordinates of the element in units of their last decimal; empty where
+  // there are no decimals.
   std::optional<GC::Svg_transform<Drawing_traits>> to_units_;
   std::array<CGAL::Interval_nt<false>, 4> enclosed_to_units_; // of vectors
 
@@ -35,7 +37,8 @@ public:
 std::optional<GC::Enclosure> angle_bounds(const GC::Path_segment<Drawing_traits>& left,
                                           const GC::Path_segment<Drawing_traits>& right);
 
-// Writes `,"grade":…,"angle_degrees":[…,…]`, and for a kink `"handle_offset":[…,…]` in units of the drawing.
+// Writes `,"grade":…,"angle_degrees":[…,…]`, and for a kink `"handle_offset":[…,…]` in units of the
+// drawing.
 void write_drawing_kink(std::ostream& os, const GC::Svg_segment<Drawing_traits>& left,
                         const GC::Svg_segment<Drawing_traits>& right, const std::optional<GC::Visual_class>& grade);
 

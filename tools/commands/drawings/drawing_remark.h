@@ -15,7 +15,7 @@
 #include <optional>
 #include <string>
 
-// What a reader wants to know of a join of a drawing, in words.
+// A reader wants to know this about a join of a drawing, in words.
 
 typedef GC::Svg_segment<Drawing_traits> Drawing_segment;
 typedef GC::Curve_jet<Program_traits<Exact>> Drawing_jet;

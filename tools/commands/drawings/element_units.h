@@ -10,8 +10,9 @@
 #include <array>
 #include <optional>
 
-// Returns the map from the drawing to the coordinates of the element in units of their last decimal; nothing where
-// there are no decimals, or more than 18. (x, y) -> (ax + cy + e, bx + dy + f) is inverted by Cramer's rule.
+// Returns the map from the drawing to the coordinates of the element in units of their last
+// decimal; nothing where there are no decimals, or more than 18. (x, y) -> (ax + cy + e, bx + dy +
+// f) is inverted by Cramer's rule.
 inline std::optional<GC::Svg_transform<Drawing_traits>> to_units(const Drawing_element& element) {
   typedef Drawing_traits::FT Number;
   constexpr int most_units = 18;

@@ -110,7 +110,7 @@ class Drawing_report : public Drawing_handler {
     return drawn || (*grade == GC::Visual_class::corner && leaves_corners(*required_)) ? Claim::met : Claim::not_met;
   }
 
-  // What is said of segments that are looked through.
+  // Appends the words about skipped segments.
   static void append_rounding(std::string& s, std::size_t looked_through) {
     if (looked_through == 0) return;
     append(s, ", rounding: ", counted(looked_through, "segment"), looked_through == 1 ? " is" : " are",
@@ -229,7 +229,8 @@ private:
         [&] { return GC::continuity(join, max_order_); });
   }
 
-  // The join of two segments of a subpath, of these numbers, with so many between them that are looked through.
+  // The join of two segments of a subpath, of these numbers, with so many between them that are
+  // looked through.
   void report(const Place& place, std::size_t i, std::size_t j, std::size_t looked_through, const Drawing_join& join,
               const Decision& decision) {
     const Drawing_element& element = place.element;
@@ -291,8 +292,9 @@ private:
     return segment.is_known() ? GC::rational_square_root(segment.radicand()) : std::nullopt;
   }
 
-  // Adds what certifies the orders of a join of two segments of these numbers, unless there are roots in their derivatives. It is in the
-  // coordinates of the element: the orders are the same before and after its transform, which is invertible.
+  // Adds what certifies the orders of a join of two segments of these numbers, unless there are
+  // roots in their derivatives. It is in the coordinates of the element: the orders are the same
+  // before and after its transform, which is invertible.
   void certify(const Place& place, std::size_t i, std::size_t j, const Drawing_join& join, const Decision& decision) {
     const Segment &left = segment(join.left()), &right = segment(join.right());
     const std::optional<Exact> left_root = root(left), right_root = root(right);
@@ -329,7 +331,8 @@ private:
     return *decision->curvature_vector_equal ? Finding_rule::derivative : Finding_rule::curvature;
   }
 
-  // What makes the defect, from the join on, wherever that is: both segments, of curves with a kink or a corner their handles.
+  // Describes the defect relative to the join, wherever that is: by both segments, or by the
+  // handles of curves with a kink or a corner.
   static std::string shape(Finding_rule rule, const Segment& left, const Segment& right) {
     const bool is_of_tangents = rule == Finding_rule::kink || rule == Finding_rule::corner;
     std::ostringstream os;
@@ -368,7 +371,7 @@ private:
     return angle ? std::optional<Measure>(Measure{"angle_degrees", *angle}) : std::nullopt;
   }
 
-  // What the lines of an element begin with: names from outside must not look like lines.
+  // The lines of an element begin with this name; names from outside must not look like lines.
   std::string name(const Drawing_element& element) const {
     return GC::printable((several_ ? element.file + ": " : "") + element.text());
   }

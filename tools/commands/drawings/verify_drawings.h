@@ -13,13 +13,15 @@
 #include <optional>
 #include <string>
 
-// The largest angle that is a kink. Corners, which are larger, are meant, and need not meet a requirement of G orders.
+// The largest angle that is a kink. Corners, which are larger, are meant, and need not meet a
+// requirement of G orders.
 struct Kink_rule {
   std::string degrees; // as it is written
   GC::Corner_threshold bound;
 };
 
-// Runs `verify` for SVG drawings: prints the joins of all paths and basic shapes, and returns the exit code.
+// Runs `verify` for SVG drawings: prints the joins of all paths and basic shapes, and returns the
+// exit code.
 int verify_drawings(const Arguments& files, int max_order, const Report_mode& mode,
                     const std::optional<Requirement>& required, const Kink_rule& kinks);
 

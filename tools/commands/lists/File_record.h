@@ -43,7 +43,8 @@ struct Claim_counts {
     return text + '}';
   }
 
-  // Of the object `claims` of a report, where what is open is an array with a count for each reason, or of a record.
+  // Reads the object `claims` of a report, in which open things are an array with a count for each
+  // reason, or of a record.
   static Claim_counts of(const Json_view& claims) {
     Claim_counts result;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -59,7 +60,7 @@ struct Claim_counts {
   }
 };
 
-// What a file was asked, and by which program.
+// The question that a file was asked, and the program that asked it.
 struct File_question {
   std::vector<std::string> options; // that matter for the answer, in one order and one form
   std::string version;              // of the program
@@ -74,7 +75,7 @@ struct File_question {
   }
 };
 
-// What a file may take. An answer does not depend on it, but whether there is one may.
+// The limits for a file. An answer does not depend on them, but its existence may.
 struct File_limits {
   double seconds = 0, mebibytes = 0;
 
@@ -92,7 +93,8 @@ struct File_record {
   File_limits limits = {};                            // of what has no answer
   std::string size = {}, sha256 = {};                 // of the file, as they are written
 
-  // The members that name a file: its name, and its bytes where it is no UTF-8, so that not all of them can be written.
+  // The members that name a file: its name, and its bytes where it is no UTF-8, so that not all of
+  // them can be written.
   static std::string json_name(const std::string& name) {
     std::string text = "\"file\":" + json_text(name);
     if (CGAL::Geometric_continuity::is_utf8(name)) return text;
@@ -103,7 +105,8 @@ struct File_record {
     return text + '"';
   }
 
-  // Returns whether it answers a question about a file that is now in this state. What has no answer is asked again where more is allowed.
+  // Returns whether it answers a question about a file that is now in this state. A file without an
+  // answer is asked again where more is allowed.
   bool answers(const File_question& asked, const File_state& state, const File_limits& now) const {
     return question && *question == asked && state.is_told && size == state.size && sha256 == state.sha256 &&
            (exit_code != bad_input || (now.seconds <= limits.seconds && now.mebibytes <= limits.mebibytes));
@@ -171,7 +174,7 @@ private:
   }
 };
 
-// What has been read of a text of records.
+// The records that have been read from a text.
 struct Read_records {
   std::uint64_t size = 0;  // the bytes of whole lines
   std::size_t records = 0; // among them
@@ -179,8 +182,8 @@ struct Read_records {
   bool is_cut_off = false; // a last line without its end follows, as an interruption leaves it
 };
 
-// Calls f(record, line, number) for each record of a text, and corrupt(number) for each whole line that is none, with the numbers of the
-// lines, from 1 on.
+// Calls f(record, line, number) for each record of a text, and corrupt(number) for each whole line
+// that is none, with the numbers of the lines, from 1 on.
 template <class Function, class Corrupt> Read_records for_each_record(std::istream& is, Function f, Corrupt corrupt) {
   Read_records read;
   std::shared_ptr<const File_question> question; // most records have the same one
@@ -207,7 +210,8 @@ template <class Function, class Corrupt> Read_records for_each_record(std::istre
   return read;
 }
 
-// Says on standard error that lines of a file are no records, and what follows from that: of each of the first ones, then how many there are.
+// Says on standard error that lines of a file are no records, and what follows from that: of each
+// of the first ones, then how many there are.
 class Corrupt_lines {
   static constexpr std::size_t most_ = 10;
   const std::string place_, command_, consequence_;

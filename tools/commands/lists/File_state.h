@@ -15,10 +15,11 @@
 #include <system_error>
 #include <vector>
 
-// What is in a file, by which it is known again. Of folders, pipes and devices that cannot be told.
+// The state of a file, by which it is recognised. Folders, pipes and devices have none.
 struct File_state {
   bool is_told = false;
-  std::string size = "null", sha256 = "null"; // as JSON writes them; null where there is nothing that can be read
+  // as JSON writes them; null where there is nothing that can be read
+  std::string size = "null", sha256 = "null";
 
   File_state() = default;
   explicit File_state(const std::string& file) {

@@ -127,8 +127,8 @@ private:
   }
 };
 
-// What an option gives in one form for all texts that mean the same: numbers are fractions, presets of tolerances their bounds, and what is
-// given by a file is the hash of the file.
+// Returns the value of an option in one form for all texts with the same meaning. Numbers become
+// fractions, presets of tolerances become their bounds, and files become their hashes.
 std::string normal_value(const std::string& name, const std::string& value) {
   if (name == "require") return Requirement(value).text();
   if (name == "baseline") {
@@ -169,7 +169,7 @@ File_question question_of(const Arguments& options) {
   return question;
 }
 
-// What a file is asked, and what is known of it before.
+// The question for a file, and the previous record of it.
 struct Asked_file {
   const std::string& name;
   const List_demand& demand;
@@ -180,7 +180,7 @@ struct Asked_file {
     return '{' + File_record::json_name(name) + ",\"exit_code\":" + std::to_string(exit_code) + ',' + members;
   }
 
-  // What the answer belongs to, in front of the report.
+  // Returns the question of the answer, which precedes the report.
   std::string question() const {
     return ',' + asked.json() + ",\"size\":" + state.size + ",\"sha256\":" + state.sha256;
   }
@@ -190,7 +190,8 @@ struct Asked_file {
                                  demand.limits().json() + question() + '}');
   }
 
-  // The record of the messages of a process that gives no answer: the code of an Error, and the last message.
+  // The record of the messages of a process that gives no answer: the code of an Error, and the
+  // last message.
   std::string error(const std::string& errors) const {
     const std::string program = "geometric_continuity: ";
     std::string message = errors.substr(0, errors.find_last_not_of("\n") + 1);
@@ -226,14 +227,16 @@ std::string record_of(const std::string& file, const File_state& state, const Li
   const int code = WEXITSTATUS(end.status);
   if (code != requirement_met && code != requirement_not_met) return asked.error(end.errors);
   std::string& report = end.output;
-  report.erase(std::remove(report.begin(), report.end(), '\n'), report.end()); // none is inside of a string
+  // none is inside of a string
+  report.erase(std::remove(report.begin(), report.end(), '\n'), report.end());
   Claim_counts claims;
   if (const std::optional<Json_view> member = Json_view::of(report).member("claims"))
     claims = Claim_counts::of(*member);
   return asked.answer(code, "\"claims\":" + claims.json() + asked.question() + ",\"report\":" + report + '}');
 }
 
-// The names of a list, each once: a line each, or each ended by a null character, as find -print0 writes them.
+// The names of a list, each once: a line each, or each ended by a null character, as find -print0
+// writes them.
 std::vector<std::string> read_list(const std::string& name) {
   Input input(name);
   const std::string text{std::istreambuf_iterator<char>(input), std::istreambuf_iterator<char>()};

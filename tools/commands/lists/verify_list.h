@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-// What is asked of many files, each of which is verified by a process of its own.
+// The demands on many files, each of which is verified by a process of its own.
 struct List_demand {
   std::string list, output; // the names of files, and where their records are written
   Arguments options;        // of `verify`
@@ -22,7 +22,8 @@ struct List_demand {
   File_limits limits() const { return {seconds, static_cast<double>(memory) / 1048576}; }
 };
 
-// Runs `verify --jsonl`: writes one record for each file as it ends, but for those that have one which answers the same question about the same content, and returns the exit code of the worst.
+// Runs `verify --jsonl`: writes one record for each file as it ends, but for those that have one
+// which answers the same question about the same content, and returns the exit code of the worst.
 int verify_list(const List_demand& demand);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_LISTS_VERIFY_LIST_H

@@ -27,7 +27,7 @@
 #include <type_traits>
 #include <vector>
 
-// What is asked of the edges of a model.
+// The demands on the edges of a model.
 struct Edge_demand {
   std::optional<int> order;
   std::optional<GC::Edge_tolerance> tolerance;
@@ -41,7 +41,8 @@ inline void scale_parameters(Continuity& e, const Exact& factor) {
   }
 }
 
-// The decisions on a model, exact and within the tolerance. Parameters are printed times `parameter_unit`.
+// The decisions on a model, exact and within the tolerance. Parameters are printed times
+// `parameter_unit`.
 template <class Surface> class Model_report {
   const std::vector<Surface>& surfaces_;
   const Patch_places& places_;
@@ -140,7 +141,8 @@ private:
                                        [&](std::size_t n) { progress.step(n, [&] { return part(n); }); });
   }
 
-  // What is required, exactly or within the tolerance; where nothing is required, all orders within the tolerance.
+  // Returns the claim of the requirement, exactly or within the tolerance; where nothing is
+  // required, of all orders within the tolerance.
   Claim claim(int exact_order, const std::optional<Within>& within) const {
     if (!demand_.order) {
       const bool is_open = within && ((*within)(0) == GC::Verdict::undecided || (*within)(1) == GC::Verdict::undecided);
@@ -193,7 +195,8 @@ private:
     report_.row(array, line, claim);
   }
 
-  // Edges that no other surface has are listed; those that are single points have no tangent planes to compare.
+  // Edges that no other surface has are listed; those that are single points have no tangent planes
+  // to compare.
   void add_unshared(const Edge& e) {
     const bool collapsed = e.kind == GC::Model_edge_kind::collapsed;
     if (collapsed)
@@ -229,7 +232,8 @@ private:
     f.shape += net(surfaces_[*other]);
   }
 
-  // The control points of a patch as parts of the largest difference, wherever they are and in whatever unit.
+  // The control points of a patch as parts of the largest difference, wherever they are and in
+  // whatever unit.
   static std::string net(const Surface& surface) {
     std::vector<std::array<double, 3>> points;
     double largest = 0;

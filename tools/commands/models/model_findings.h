@@ -39,7 +39,7 @@ public:
   }
 };
 
-// What is wrong at an edge.
+// Returns the rule for a defect of an edge.
 inline Finding_rule edge_rule(GC::Edge_defect defect) {
   switch (defect) {
   case GC::Edge_defect::gap: return Finding_rule::gap;
@@ -98,7 +98,7 @@ inline std::optional<Measure> measure_of(Finding_rule rule, const GC::Nearly_coi
   return measure_of(rule, std::optional<GC::Normal_deviation<Exact>>(), within);
 }
 
-// What is to be said of it.
+// The words about an edge.
 struct Edge_words {
   std::string kind, place;
   GC::Edge_defect defect;

@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-// What `verify --surfaces --json` writes about edges and knot lines.
+// `verify --surfaces --json` writes this about edges and knot lines.
 
 namespace GC = CGAL::Geometric_continuity;
 

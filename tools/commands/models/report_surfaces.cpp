@@ -73,7 +73,8 @@ public:
     }
   }
 
-  // Returns what is drawn when the page shows these edges and knot lines: they come first, and the others as far as there is space.
+  // Returns what is drawn when the page shows these edges and knot lines: they come first, and the
+  // others as far as there is space.
   Report_model drawing(const std::vector<Report_item>& items) const {
     Report_model result;
     std::vector<std::size_t> order;

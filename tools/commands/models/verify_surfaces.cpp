@@ -18,14 +18,15 @@
 
 namespace {
 
-// Surfaces with exact numbers, or with floating-point numbers, about which everything is decided exactly as well.
+// Surfaces with exact numbers, or with floating-point numbers, about which everything is decided
+// exactly as well.
 template <class FT>
 using Surface_traits =
     GC::Traits_3<std::conditional_t<std::is_same_v<FT, double>, CGAL::Exact_predicates_inexact_constructions_kernel,
                                     CGAL::Simple_cartesian<FT>>>;
 
-// Decides the edges of surfaces with numbers FT, whose parameters are those of the files divided by `parameter_unit`. With a
-// tolerance the coordinates are those of the files.
+// Decides the edges of surfaces with numbers FT, whose parameters are those of the files divided by
+// `parameter_unit`. With a tolerance the coordinates are those of the files.
 template <class FT>
 int verify_surfaces_on(const Surface_model<Surface_traits<FT>>& model, const Patch_places& places,
                        const Report_mode& mode, const Edge_demand& demand, const Exact& parameter_unit) {

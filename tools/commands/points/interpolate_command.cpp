@@ -72,7 +72,8 @@ Written_curve fair_spline(const Command_line& line, const std::vector<typename P
   const auto curve = GC::interpolate_fair<Program_traits<FT>>(points.begin(), points.end(), closure_of(line));
   std::ostringstream os;
   for (const auto& piece : curve.segments())
-    GC::write_g2(os, exact(Program_curve<FT>(GC::Bezier_curve<Program_traits<FT>>(piece)))); // not rounded
+    // not rounded
+    GC::write_g2(os, exact(Program_curve<FT>(GC::Bezier_curve<Program_traits<FT>>(piece))));
   typedef std::conditional_t<std::is_same_v<FT, double>, double, GC::Decimal> Number;
   const double moved = CGAL::to_double(curve.moved);
   return {os.str(), decide_joins<Number>(os.str(), closure_of(line)),

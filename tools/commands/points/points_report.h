@@ -23,7 +23,8 @@
 #include <utility>
 #include <vector>
 
-// What `interpolate` and `fit` have in common: one file of points, a curve that may be closed, its joins, and where it is written.
+// `interpolate` and `fit` have this in common: one file of points, a curve that may be closed, its
+// joins, and where it is written.
 
 // Refuses any other number of files, and outputs that cannot be written.
 inline void check_points_arguments(const Command_line& line, const std::string& command) {

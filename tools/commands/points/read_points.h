@@ -14,9 +14,10 @@
 #include <string_view>
 #include <vector>
 
-// Reads points from a text: in each line the coordinates of one, decimals or fractions p/q, with blanks, commas or semicolons between
-// them. Empty lines are skipped, and what follows #. All have one dimension. Throws GC::Error with name, line and reason:
-// `malformed_input`, `dimension_mismatch`.
+// Reads points from a text: in each line the coordinates of one, decimals or fractions p/q, with
+// blanks, commas or semicolons between them. Empty lines are skipped, and what follows #. All have
+// one dimension. Throws GC::Error with name, line and reason: `malformed_input`,
+// `dimension_mismatch`.
 template <class FT>
 std::vector<typename Program_traits<FT>::Point> read_points(std::istream& is, const std::string& name) {
   std::vector<typename Program_traits<FT>::Point> points;

@@ -33,19 +33,23 @@ typedef GC::Svg_transform<Drawing_traits> Drawing_transform;
 
 // One curve of a contour by its control points, in whole units of a grid: 2 for a line.
 struct Grid_curve {
-  std::vector<GC::Grid_vector> points;                // none for what is no Bezier curve on the grid
+  // none for what is no Bezier curve on the grid
+  std::vector<GC::Grid_vector> points;
   std::string reason;                                 // why there are none
   bool fixed = false;                                 // its handles do not move
   std::shared_ptr<const Exact_segment> arc = nullptr; // an arc of an ellipse, in units of the grid
 };
 
-// Curves of some length, each of which starts where the one before it ends. Glyphs, paths and chains are such contours.
+// Curves of some length, each of which starts where the one before it ends. Glyphs, paths and
+// chains are such contours.
 struct Grid_contour {
   std::vector<Grid_curve> curves;
-  bool closed = false;                                 // the last one leads back to the first
-  bool may_leave_nodes_out = false;                    // in the middle of two handles of quadratics, as TrueType does
-  int decimals = 0;                                    // the unit is 10^-decimals
-  std::optional<Drawing_transform> map = std::nullopt; // by which it is drawn, where that changes angles
+  bool closed = false; // the last one leads back to the first
+  // in the middle of two handles of quadratics, as TrueType does
+  bool may_leave_nodes_out = false;
+  int decimals = 0; // the unit is 10^-decimals
+  // by which it is drawn, where that changes angles
+  std::optional<Drawing_transform> map = std::nullopt;
 
   // Returns a coordinate as a decimal, and a point, e.g. "(0.5, -2)".
   std::string text(std::int64_t coordinate) const;
@@ -62,13 +66,15 @@ Grid_bezier grid_bezier(const std::vector<GC::Grid_vector>& points);
 // Returns whether the control points lie on the chord, in order.
 bool is_line(const std::vector<GC::Grid_vector>& points);
 
-// The direction of an arc at an end, as the shortest whole vector; nothing where that is too long or irrational.
+// The direction of an arc at an end, as the shortest whole vector; nothing where that is too long
+// or irrational.
 std::optional<GC::Grid_vector> arc_direction(const Exact_segment& arc, bool at_end);
 
 // How many joins have each grade.
 typedef std::map<GC::Visual_class, std::size_t> Grade_counts;
 
-// Returns the grade of a join, the one behind this curve, as it is drawn; nothing where it is not known.
+// Returns the grade of a join, the one behind this curve, as it is drawn; nothing where it is not
+// known.
 std::optional<GC::Visual_class> grade(const Grid_contour& contour, std::size_t join, const GC::Corner_threshold& bound);
 
 // Counts the grades of all joins that are known.

@@ -27,7 +27,8 @@ Drawing_traits::FT power_of_ten(int exponent) {
   return power;
 }
 
-// Puts edits together: numbers may follow each other without a space where they cannot be taken for one, which depends on how they begin.
+// Puts edits together: numbers may follow each other without a space where they cannot be taken for
+// one, which depends on how they begin.
 class Edit_list {
   const std::string_view data_;
   Path_decimals& decimals_;
@@ -96,8 +97,8 @@ void Path_decimals::add(std::string_view data, const GC::Svg_path_places& places
 void Path_text::forget() {
   if (places_.commands.empty()) return;
   const long long last = places_.first_command + static_cast<long long>(places_.commands.size()) - 1;
-  places_.forget_before(upper(places_.commands.back().letter) == 'M' ? last
-                                                                     : last + 1); // that ends a subpath begins the next
+  // the M that ends a subpath begins the next
+  places_.forget_before(upper(places_.commands.back().letter) == 'M' ? last : last + 1);
 }
 
 bool Path_text::next() {
@@ -171,7 +172,8 @@ std::vector<Text_edit> Path_text::edits(const Grid_contour& from, const Grid_con
           return {from.text(x.x), from.text(x.y)};
         };
         const bool implied = kind == 'S' || kind == 'T';
-        const std::size_t written = implied ? 2 : 1; // the first control point with numbers of its own
+        // the first control point with numbers of its own
+        const std::size_t written = implied ? 2 : 1;
         for (std::size_t k = written; k + 1 < p.size(); ++k) {
           const auto [x, y] = text(p[k]);
           if (p[k].x != old[k].x) values[2 * (k - written)] = x;

@@ -29,8 +29,9 @@ struct Path_decimals {
   void add(std::string_view data, const GC::Svg_path_places& places);
 };
 
-// Path data as contours on its grid, one subpath after the other: the text stays as it is but for the numbers that must change. The grid
-// is that of the decimals with the most digits behind the point among the coordinates.
+// Path data as contours on its grid, one subpath after the other: the text stays as it is but for
+// the numbers that must change. The grid is that of the decimals with the most digits behind the
+// point among the coordinates.
 class Path_text {
   const std::string_view data_;
   Path_decimals decimals_; // as they will be
@@ -46,7 +47,8 @@ class Path_text {
   void forget();
 
 public:
-  // Takes path data, whose places are named `place` in messages, with its decimals, the map by which it is drawn, and whether it is filled.
+  // Takes path data, whose places are named `place` in messages, with its decimals, the map by
+  // which it is drawn, and whether it is filled.
   Path_text(std::string_view data, const std::string& place, const Path_decimals& decimals,
             const std::optional<Drawing_transform>& map, bool is_filled)
       : data_(data), decimals_(decimals), map_(map), is_filled_(is_filled), reader_(data, place, &places_) {}
@@ -58,8 +60,9 @@ public:
   const Drawing_subpath& subpath() const { return subpath_; }
   Grid_contour contour() const;
 
-  // Returns the edits, in order, that move the handles of the subpath from where they are in one contour to where they are in another one.
-  // The path keeps its grid: the last number with the most decimals keeps them.
+  // Returns the edits, in order, that move the handles of the subpath from where they are in one
+  // contour to where they are in another one. The path keeps its grid: the last number with the
+  // most decimals keeps them.
   std::vector<Text_edit> edits(const Grid_contour& from, const Grid_contour& to);
 };
 

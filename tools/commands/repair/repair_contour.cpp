@@ -30,11 +30,12 @@ CGAL::Exact_rational squared_distance(const Vector& p, const Vector& q) {
   return CGAL::Exact_rational(x * x + y * y);
 }
 
-// What moves leave behind: what is better is less.
+// The harm that moves leave behind; less is better.
 struct Harm {
   std::size_t kinks = 0; // that are left next to them
   std::size_t lost = 0;  // joins that are G2 no more
-  double change = 0; // the square of the largest distance between old and new points of the curves at equal parameters
+  // the square of the largest distance between old and new points of the curves at equal parameters
+  double change = 0;
   friend bool operator<(const Harm& x, const Harm& y) {
     return std::tie(x.kinks, x.lost, x.change) < std::tie(y.kinks, y.lost, y.change);
   }
@@ -79,7 +80,8 @@ class Contour_mender {
     return back;
   }
 
-  // The square of the largest value of n t (1-t)^(n-1), by which a handle of a curve of degree n moves its points, times that of the move.
+  // The square of the largest value of n t (1-t)^(n-1), by which a handle of a curve of degree n
+  // moves its points, times that of the move.
   double change(const Moves& moves) const {
     double most = 0;
     for (const Move& m : moves) {
@@ -91,7 +93,7 @@ class Contour_mender {
     return most;
   }
 
-  // What is to stay at a join next to a move.
+  // The state of a join next to a move, which must be kept.
   struct State {
     std::size_t join;
     std::optional<GC::Visual_class> grade;
@@ -104,7 +106,8 @@ class Contour_mender {
     return s;
   }
 
-  // Returns whether a join is harmed by moves from the contour that was; it has changed to this state.
+  // Returns whether a join is harmed by moves from the contour that was; it has changed to this
+  // state.
   bool is_harmed(const State& before, const State& after, const Moves& back) const {
     if (!before.grade) { // an arc that is not known: directions next to it stay as they are
       for (const Move& m : back) {
@@ -129,7 +132,8 @@ class Contour_mender {
     }
   }
 
-  // Decides what moves would do: nothing where they are allowed and make the join smooth, otherwise why they are not made.
+  // Decides what moves would do: nothing where they are allowed and make the join smooth, otherwise
+  // why they are not made.
   std::string objection(std::size_t join, const Moves& moves, const CGAL::Exact_rational& bound, Harm& harm) {
     std::set<std::size_t> joins;
     for (const Move& m : moves) {
@@ -155,7 +159,7 @@ class Contour_mender {
     return smooth ? "" : "another join would be harmed";
   }
 
-  // What would mend a kink.
+  // A proposal that would mend a kink.
   struct Proposal {
     std::size_t join;
     Moves moves = {}; // none where there is a reason
@@ -180,7 +184,8 @@ class Contour_mender {
 
   static std::string bound_text(const CGAL::Exact_rational& bound) { return rounded_up(CGAL::to_double(bound)); }
 
-  // Returns whether the node between two quadratics may be left out, so that it would move with their handles. A repair may make it so.
+  // Returns whether the node between two quadratics may be left out, so that it would move with
+  // their handles. A repair may make it so.
   bool may_be_left_out(std::size_t join) const {
     const Points &left = points(join), &right = points(next(join));
     return contour_.may_leave_nodes_out && left.size() == 3 && right.size() == 3 &&
@@ -319,8 +324,8 @@ class Contour_mender {
     return std::nullopt;
   }
 
-  // The handle of a quadratic belongs to both of its nodes: it moves to where the tangents at both intersect, or, where the other join is not
-  // to be smooth, along that at this node.
+  // The handle of a quadratic belongs to both of its nodes: it moves to where the tangents at both
+  // intersect, or, where the other join is not to be smooth, along that at this node.
   void add_quadratic(std::size_t join, std::size_t curve, const Vector& direction, std::vector<Moves>& choices,
                      std::string& reason) const {
     const bool at_end = curve == join;
@@ -363,7 +368,8 @@ class Contour_mender {
     choices.push_back({{curve, 1, at_end ? node - steps * d : node + steps * d}});
   }
 
-  // The side of a node for harmonising. A handle of a cubic moves the curvature at the other end, too: it stays where that is G2.
+  // The side of a node for harmonising. A handle of a cubic moves the curvature at the other end,
+  // too: it stays where that is G2.
   GC::Handle_side side(std::size_t curve, bool at_end) const {
     const Points& p = points(curve);
     const std::size_t n = p.size() - 1;
@@ -380,7 +386,8 @@ class Contour_mender {
     return GC::deviation(grid_bezier(points(join)), grid_bezier(points(next(join)))).curvature_jump;
   }
 
-  // The sum over all joins of the curves that moves change; of those with an arc there is none. As only what lessens it is accepted, the sum over all joins decreases.
+  // The sum over all joins of the curves that moves change; of those with an arc there is none. As
+  // only what lessens it is accepted, the sum over all joins decreases.
   double sum_of_jumps(const std::vector<Move>& moves) const {
     std::set<std::size_t> joins;
     for (const Move& m : moves)
@@ -435,8 +442,9 @@ class Contour_mender {
     return CGAL::Exact_rational((std::max)(1., std::floor(shortest / 10)));
   }
 
-  // Returns whether a proposal waits for that of a join next to it, with which it shares the handle of a quadratic: what harms less comes first,
-  // and of what is equal nothing unless both agree on the handle.
+  // Returns whether a proposal waits for that of a join next to it, with which it shares the handle
+  // of a quadratic: what harms less comes first, and of what is equal nothing unless both agree on
+  // the handle.
   bool waits(const Proposal& x, const Proposal& y) const {
     const std::size_t shared = next(x.join) == y.join ? y.join : x.join;
     if (x.join == y.join || points(shared).size() != 3 || y.moves.empty() || x.harm < y.harm) return false;
@@ -449,7 +457,8 @@ class Contour_mender {
     return place_of_handle(x) != place_of_handle(y);
   }
 
-  // Mends what the proposals say, unless they contradict each other. Returns whether a kink was mended.
+  // Mends what the proposals say, unless they contradict each other. Returns whether a kink was
+  // mended.
   bool mend(const std::vector<Proposal>& proposals) {
     const auto at = [&](std::size_t join) {
       const auto found = std::lower_bound(proposals.begin(), proposals.end(), join,
@@ -539,8 +548,8 @@ bool moves_within(const Grid_contour& from, const Grid_contour& to, const CGAL::
   return true;
 }
 
-// Makes the curvatures agree such that doing it again would change nothing. Where handles would go on and on, beyond how far they may, they
-// all stay.
+// Makes the curvatures agree such that doing it again would change nothing. Where handles would go
+// on and on, beyond how far they may, they all stay.
 std::vector<Curvature_jump> harmonised(Grid_contour& contour, const Repair_options& options) {
   constexpr int most_rounds = 16;
   Grid_contour result = contour;
@@ -591,7 +600,8 @@ std::string units(const GC::Enclosure& distance) {
 Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
   const Grid_contour given = contour;
   Contour_repair result = Contour_mender(contour, options).mend();
-  // What was left may be possible now; a limit that is given holds for all of it.
+  // A repair that was impossible before may be possible now; a given limit holds for all rounds
+  // together.
   for (bool more = !same_points(contour, given) && !result.unrepaired.empty(); more;) {
     Grid_contour again = contour;
     Contour_repair next = Contour_mender(again, options).mend();

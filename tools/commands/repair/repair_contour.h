@@ -16,11 +16,12 @@
 #include <string>
 #include <vector>
 
-// What to repair, and how.
+// Options that tell what to repair, and how.
 struct Repair_options {
   GC::Corner_threshold bound; // kinks are angles up to this one
-  std::optional<CGAL::Exact_rational>
-      max_move; // in units; unless it is given, twice what the kink is off and one more, for curvatures a tenth of the shorter handle
+  // in units; unless it is given, twice what the kink is off and one more, for curvatures a
+  // tenth of the shorter handle
+  std::optional<CGAL::Exact_rational> max_move;
   bool harmonise = false; // the curvatures, too
 };
 
@@ -52,7 +53,7 @@ struct Curvature_jump {
   std::string reason;          // why it is not harmonised; empty when it is
 };
 
-// What was done with a contour.
+// The result of the repair of a contour.
 struct Contour_repair {
   std::vector<Handle_move> moves;
   std::vector<Unrepaired_join> unrepaired;
@@ -61,11 +62,13 @@ struct Contour_repair {
   std::vector<std::size_t> lost; // the joins that were G2 and now are G1
 };
 
-// Makes each kink exactly G1 by moving handles, not nodes, so that the curves change as little as possible, and harmonises the curvatures
-// when that is asked for. A move that would harm another join is not made: a smooth one stays smooth, a corner stays a corner, a kink does
-// not grow, neither its angle nor by how much a handle is off, and a direction next to an arc that is not known stays as it is; a join that
-// is G2 falls to G1 only where no other move does. Mirror images are repaired to mirror images. What is said to be repaired is so by the
-// exact predicates. Repairing again changes nothing.
+// Makes each kink exactly G1 by moving handles, not nodes, so that the curves change as little as
+// possible, and harmonises the curvatures when that is asked for. A move that would harm another
+// join is not made: a smooth one stays smooth, a corner stays a corner, a kink does not grow,
+// neither its angle nor by how much a handle is off, and a direction next to an arc that is not
+// known stays as it is; a join that is G2 falls to G1 only where no other move does. Mirror images
+// are repaired to mirror images. The exact predicates confirm all repairs that are reported.
+// Repairing again changes nothing.
 Contour_repair repair(Grid_contour& contour, const Repair_options& options);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_CONTOUR_H

@@ -20,8 +20,8 @@
 
 namespace {
 
-// Calls f(i, grade, n) for each join of a subpath, as verify decides them, behind the segment i, with n segments that are looked through; the
-// grade is empty where it is not known.
+// Calls f(i, grade, n) for each join of a subpath, as verify decides them, behind the segment i,
+// with n segments that are looked through; the grade is empty where it is not known.
 template <class Function>
 void for_each_join(const Drawing_element& element, const Drawing_subpath& path, const GC::Corner_threshold& bound,
                    Function f) {
@@ -67,7 +67,8 @@ std::optional<Drawing_transform> skewing_map(const Drawing_element& element, Pat
   return is_drawn(role) && !is_similarity ? std::optional<Drawing_transform>(element.transform) : std::nullopt;
 }
 
-// Returns whether a curve is read as it was computed. One that has become straight by a handle at its node is read as a line.
+// Returns whether a curve is read as it was computed. One that has become straight by a handle at
+// its node is read as a line.
 bool is_read_as(const Grid_curve& read, const Grid_curve& computed) {
   return read.points == computed.points ||
          (read.points.size() == 2 && is_line(computed.points) && read.points.front() == computed.points.front() &&
@@ -78,7 +79,7 @@ bool is_read_as(const Grid_curve& read, const Grid_curve& computed) {
   throw std::logic_error(place + ": what would be written is not what was computed; nothing is written");
 }
 
-// What a reader of drawings for repair does with shapes and paths: counts joins.
+// Counts the joins of shapes and paths when a drawing is read for repair.
 class Counting_handler : public Drawing_handler {
 protected:
   const GC::Corner_threshold& bound_;
@@ -95,7 +96,8 @@ public:
   void not_read(const Drawing_element&, const std::string&) override {}
 
 protected:
-  // Counts the joins of a path, up to an error, of which the text is returned. Calls note(has_kinks) behind each subpath.
+  // Counts the joins of a path, up to an error, of which the text is returned. Calls
+  // note(has_kinks) behind each subpath.
   template <class Note>
   std::string count(const Drawing_element& element, const Path_data& path, GC::Svg_path_places* places, Note note) {
     GC::Svg_path_reader<Drawing_traits> reader(path.value, "d", places);

@@ -10,9 +10,10 @@
 
 #include <string>
 
-// Returns the text of a drawing whose paths are repaired, also those that are defined and not drawn. What is written is read again by the
-// reader of `verify`, and its joins are counted as `verify` does. Throws GC::Error as read_svg_drawing() does, `malformed_input` also for
-// UTF-16, and std::logic_error where what would be written is not what was computed.
+// Returns the text of a drawing whose paths are repaired, also those that are defined and not
+// drawn. The reader of `verify` reads the result again, and its joins are counted as `verify`
+// counts them. Throws GC::Error as read_svg_drawing() does, `malformed_input` also for UTF-16, and
+// std::logic_error where what would be written is not what was computed.
 std::string repaired_drawing(const std::string& text, const std::string& name, const Repair_options& options,
                              Repair_report& report);
 

@@ -49,15 +49,17 @@ class Font_mender {
   std::size_t moved_ = 0, glyphs_ = 0, glyphs_with_kinks_ = 0, repaired_glyphs_ = 0, left_ = 0, lost_ = 0;
   GC::Enclosure largest_{0, 0};
   std::string largest_glyph_;
-  Join_counts before_, after_;                    // but for those of glyphs that are left alone
-  Join_counts left_alone_;                        // of glyphs without a grid
-  std::string font_;                              // a member of the objects of JSON, where there are several fonts
+  Join_counts before_, after_; // but for those of glyphs that are left alone
+  Join_counts left_alone_;     // of glyphs without a grid
+  // a member of the objects of JSON, where there are several fonts
+  std::string font_;
   std::map<int, std::vector<std::string>> users_; // of components: the glyphs that consist of them
   std::map<int, Glyph_outline> mended_;           // glyphs of which a handle has moved
   std::size_t composites_ = 0;
   Claims claims_; // of glyphs that cannot be read
 
-  // A contour of a glyph, and the glyphs in which it is drawn as well. Names of glyphs may occur twice, their numbers do not.
+  // A contour of a glyph, and the glyphs in which it is drawn as well. Names of glyphs may occur
+  // twice, their numbers do not.
   struct Place {
     int index;
     std::string glyph;
@@ -135,7 +137,8 @@ class Font_mender {
   }
 
   void note(const Place& place, const Grid_contour& contour, const Contour_repair& done) {
-    std::vector<std::size_t> first{0}; // the number of the first point of each curve among those of the contour
+    // the number of the first point of each curve among those of the contour
+    std::vector<std::size_t> first{0};
     for (const Grid_curve& curve : contour.curves) first.push_back(first.back() + curve.points.size() - 1);
     for (const Handle_move& m : done.moves) {
       const std::vector<GC::Grid_vector>& points = contour.curves[m.curve].points;

@@ -21,7 +21,7 @@
 #include <utility>
 #include <vector>
 
-// What the reports of `repair` are about.
+// Returns the subject of the reports of `repair`.
 inline Report_subject repair_subject(bool has_gaps = false) {
   return {"join",
           "every join",
@@ -31,7 +31,7 @@ inline Report_subject repair_subject(bool has_gaps = false) {
           {}};
 }
 
-// What `repair` has done with a file, for people and for machines.
+// Reports the repairs of a file, for people and for machines.
 class Repair_report {
   const Report_mode mode_;
   const bool json_ = mode_.format == Report_format::json;
@@ -92,8 +92,8 @@ public:
     for (const auto& [grade, count] : after) after_[grade] += count;
   }
 
-  // What was done with a contour. `place` is where it is, in words, and `members` the same as members of JSON objects; `curve_name(i)`
-  // is the name of a curve, e.g. "command 3".
+  // Adds the repair of a contour. `place` is its place in words, and `members` is the same as
+  // members of JSON objects; `curve_name(i)` is the name of a curve, e.g. "command 3".
   template <class Name>
   void add(const std::string& place, const std::string& members, const Grid_contour& contour,
            const Contour_repair& done, Name curve_name) {
@@ -152,7 +152,7 @@ public:
       undecided_["an arc of a rotated ellipse, whose tangent differs by too little to be told, or not at all"] += joins;
   }
 
-  // What could not be read as a whole.
+  // Adds a part that could not be read as a whole.
   void add_unread(const std::string& place, const std::string& members, const std::string& reason) {
     unrepaired_.push_back(json_ ? '{' + members + ",\"reason\":" + json_text(reason) + '}' : place + ": " + reason);
   }

@@ -9,10 +9,13 @@
 
 #include <string_view>
 
-// What the program `geometric_continuity_cad`, which alone needs OpenCASCADE, writes to its standard output: this text, which is that of its
-// build, then one of these, and behind it the bytes of a model or a reason. It is called as
+// The program `geometric_continuity_cad`, which alone needs OpenCASCADE, writes to its standard
+// output this text, which identifies its build, then one of these, and behind it the bytes of a
+// model or a reason. It is called as
 //   geometric_continuity_cad FILE READING MEMORY
-// with the bytes of a `Cad_reading` in hexadecimal digits, and the bytes of memory that it may take. Its standard input is a pipe, the other end of which is open as long as anybody waits for the answer.
+// with the bytes of a `Cad_reading` in hexadecimal digits, and the bytes of memory that it may
+// take. Its standard input is a pipe, the other end of which is open as long as anybody waits for
+// the answer.
 constexpr std::string_view cad_build = GEOMETRIC_CONTINUITY_CAD_BUILD;
 
 enum class Cad_answer : char { model = 'M', bad_file = 'B', no_memory = 'N' };

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-// What a CAD file holds, without anything of the library that reads it.
+// These types hold the contents of a CAD file, and do not depend on the library that reads it.
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -25,7 +25,9 @@ enum class Cad_edge_kind {
   boundary,     // one face has it
   non_manifold, // three faces or more share it
   degenerate,   // it is said to be a point, such as an apex or a pole
-  knot_line // none of the file: a line inside of a face where the formula of its surface changes and need not be smooth
+  // none of the file: a line inside of a face where the formula of its surface changes and need not
+  // be smooth
+  knot_line
 };
 
 inline const char* name(Cad_edge_kind kind) {
@@ -43,22 +45,27 @@ inline const char* name(Cad_edge_kind kind) {
 // Numbers of edges and faces count from 0, in the order of the file; knot lines come last.
 struct Cad_edge {
   Cad_edge_kind kind;
-  bool closed;                    // it begins where it ends
-  bool projected = false;         // a curve in a parameter plane is not in the file, but the projection of one in space
+  bool closed; // it begins where it ends
+  // a curve in a parameter plane is not in the file, but the projection of one in space
+  bool projected = false;
   std::vector<std::size_t> faces; // which have it, in order; both sides of a seam are one face
   double tolerance;               // how far its curves may be apart, as the file says
   double begin = 0, end = 0;      // the common parameters
-  std::optional<std::array<GC::Edge_side, 2>> sides; // if they can be compared; of a degenerate edge twice the same
-  std::string reason; // why they cannot be compared, if there are two; of a boundary: beside which edge it lies
+  // if they can be compared; of a degenerate edge twice the same
+  std::optional<std::array<GC::Edge_side, 2>> sides;
+  // why they cannot be compared, if there are two; of a boundary: beside which edge it lies
+  std::string reason;
   std::vector<GC::Cad_point<3>> points; // on the edge, if it is to be drawn and can be; rounded
   std::array<bool, 2> projections{};    // which of the sides have curves that are projections
-  std::optional<GC::Edge_curve> space;  // the curve in space, if there is one; of a degenerate edge its first point
-  bool inside_out = false;              // the faces are oriented as if one were turned inside out
-  // Where the sides, and the curve in space, are placed in the model: a part has the same ones wherever it is placed.
+  // the curve in space, if there is one; of a degenerate edge its first point
+  std::optional<GC::Edge_curve> space;
+  bool inside_out = false; // the faces are oriented as if one were turned inside out
+  // Where the sides, and the curve in space, are placed in the model: a part has the same ones
+  // wherever it is placed.
   GC::Cad_placement place = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
 };
 
-// What a file says of a face.
+// The label that a file gives a face.
 struct Cad_label {
   std::string id;                              // of its entity, e.g. "#123"
   std::string name;                            // empty if it has none
@@ -66,11 +73,13 @@ struct Cad_label {
   std::size_t instance = 0;                    // the number of the placed part that has it
 };
 
-// A face as it is drawn: rounded points, and triangles by their numbers. Empty if it cannot be drawn.
+// A face as it is drawn: rounded points, and triangles by their numbers. Empty if it cannot be
+// drawn.
 struct Cad_mesh {
   std::vector<GC::Cad_point<3>> points;
   std::vector<std::array<std::size_t, 3>> triangles;
-  // Of a face whose boundary has been healed, which is not the one that is decided: how far the edges are from the triangles, rounded.
+  // If the boundary of a face has been healed, and so differs from the one that is decided: how far
+  // the edges are from the triangles, rounded.
   std::optional<double> healed;
   std::string reason = {}; // why it cannot be drawn; empty if it can
 };
@@ -78,14 +87,18 @@ struct Cad_mesh {
 struct Cad_model {
   std::vector<std::string> faces; // what their surfaces are, e.g. "cylinder"
   std::vector<Cad_edge> edges;
-  std::vector<Cad_mesh> meshes;                                 // of the faces, if they are to be drawn
-  std::vector<std::string> lost;                                // what of the file could not be read, with the reason
-  std::vector<std::string> open_shells;                         // that are said to be closed
-  std::size_t sewn = 0;                                         // edges that sewing made of two
-  std::vector<std::pair<std::size_t, std::string>> not_covered; // faces whose surfaces could not be read, and why
-  std::vector<Cad_label> labels;                                // of the faces
-  std::vector<std::string>
-      instances; // the names of the placed parts, if there are several and a part is placed again or has a name
+  // of the faces, if they are to be drawn
+  std::vector<Cad_mesh> meshes;
+  // what of the file could not be read, with the reason
+  std::vector<std::string> lost;
+  std::vector<std::string> open_shells; // that are said to be closed
+  std::size_t sewn = 0;                 // edges that sewing made of two
+  // faces whose surfaces could not be read, and why
+  std::vector<std::pair<std::size_t, std::string>> not_covered;
+  std::vector<Cad_label> labels; // of the faces
+  // the names of the placed parts, if there are several and a part is placed again or has a
+  // name
+  std::vector<std::string> instances;
   std::size_t shapes = 0;      // the different parts among them
   std::size_t loose_edges = 0; // that belong to no face, such as those of a wire
 };

@@ -15,7 +15,8 @@ typedef std::unordered_map<std::string, long long> Lines;
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
-// Finds the names before signs of equality, outside of texts 'it''s' and of comments, which may go over many lines.
+// Finds the names before signs of equality, outside of texts 'it''s' and of comments, which may go
+// over many lines.
 class Step_scanner {
   Lines lines_;
   bool in_text_ = false, in_comment_ = false;

@@ -25,8 +25,9 @@
 #include <variant>
 #include <vector>
 
-// A model as bytes, on its way from the process that reads the file to the program, on the same machine: numbers as they lie in memory,
-// what is shared once. Both processes are of one build, see Cad_answer.h.
+// A model as bytes, on its way from the process that reads the file to the program, on the same
+// machine: numbers as they lie in memory, what is shared once. Both processes are of one build, see
+// Cad_answer.h.
 
 // The number of members of each class. Where it is wrong, the program does not compile.
 template <class T> inline constexpr int number_of_members = 0;
@@ -142,8 +143,9 @@ public:
 
 // Throws std::runtime_error for bytes that no Byte_writer has written.
 class Byte_reader {
-  std::string_view bytes_;                                                      // that are left
-  std::vector<std::pair<std::type_index, std::shared_ptr<const void>>> shared_; // nothing while it is read
+  std::string_view bytes_; // that are left
+  // nothing while it is read
+  std::vector<std::pair<std::type_index, std::shared_ptr<const void>>> shared_;
   int depth_ = 0;
 
   [[noreturn]] static void fail() { throw std::runtime_error("damaged bytes of a model"); }

@@ -44,8 +44,8 @@ std::string reader_program() {
                            "install libocct-data-exchange-dev and build the program again");
 }
 
-// Returns all that the process writes which reads a file. Throws std::runtime_error when it takes longer or writes more than is allowed, or
-// crashes.
+// Returns all that the process writes which reads a file. Throws std::runtime_error when it takes
+// longer or writes more than is allowed, or crashes.
 std::string answer(std::vector<std::string> command, double seconds, std::uint64_t most) {
   const Process_end end = Child_process(std::move(command), {seconds, most}, false).wait();
   if (end.took_too_long())
@@ -55,7 +55,8 @@ std::string answer(std::vector<std::string> command, double seconds, std::uint64
   return end.output;
 }
 
-// Reads a file in a process of its own. Throws std::runtime_error with the reason, without the name of the file.
+// Reads a file in a process of its own. Throws std::runtime_error with the reason, without the name
+// of the file.
 Cad_model read_apart(const std::string& file, const Cad_reading& reading) {
   const std::uint64_t memory = memory_for(file);
   Byte_writer request;

@@ -11,10 +11,12 @@
 
 #include <string>
 
-// Returns whether these are CAD models, by their extensions. Throws std::invalid_argument when only some are.
+// Returns whether these are CAD models, by their extensions. Throws std::invalid_argument when only
+// some are.
 bool are_cad_files(const Arguments& files);
 
-// Reads a STEP, IGES or BREP file. Throws with its name and the reason: also when the program has been built without OpenCASCADE.
+// Reads a STEP, IGES or BREP file. Throws with its name and the reason: also when the program has
+// been built without OpenCASCADE.
 Cad_model read_cad(const std::string& file, const Cad_reading& reading);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_READ_CAD_H

@@ -10,9 +10,9 @@
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
@@ -31,7 +31,8 @@
 // One instantiation for each number type serves all dimensions.
 template <class FT> using Program_traits = GC::Traits_d<CGAL::Cartesian_d<FT>>;
 template <class FT>
-using Program_curve = GC::Rational_bezier_curve<Program_traits<FT>>; // polynomial ones have the weights 1
+// polynomial ones have the weights 1
+using Program_curve = GC::Rational_bezier_curve<Program_traits<FT>>;
 typedef CGAL::Exact_rational Exact;
 typedef Program_curve<Exact> Exact_curve;
 typedef GC::Curve_end_jets<Program_traits<Exact>> Exact_ends;
@@ -53,8 +54,9 @@ template <class FT> Exact_curve exact(const Program_curve<FT>& curve) {
   }
 }
 
-// Returns the curve that a reader of the file has before him to which this one is written: floating-point numbers are written as
-// the shortest decimals that lead back to them, which are other numbers.
+// Returns the curve that a reader of the file has before him to which this one is written:
+// floating-point numbers are written as the shortest decimals that lead back to them, which are
+// other numbers.
 template <class FT> Exact_curve as_written(const Program_curve<FT>& curve) {
   if constexpr (std::is_same_v<FT, Exact>)
     return curve;
@@ -65,15 +67,17 @@ template <class FT> Exact_curve as_written(const Program_curve<FT>& curve) {
   }
 }
 
-// Returns a curve of which all weights are equal without them. Throws std::invalid_argument for any other, with what needs that.
+// Returns a curve of which all weights are equal without them. Throws std::invalid_argument for any
+// other, with what needs that.
 template <class FT>
 GC::Bezier_curve<Program_traits<FT>> polynomial(const Program_curve<FT>& curve, const std::string& what) {
   if (const std::optional<GC::Bezier_curve<Program_traits<FT>>> c = curve.polynomial()) return *c;
   throw std::invalid_argument(what + " needs polynomial curves, and one of these is rational");
 }
 
-// Reads the curves of several files piece by piece, one file after the other. A curve with inner knots is cut into its spans; only
-// one of them is kept in memory. Reader is `G2_piece_reader` or `G2_span_reader`.
+// Reads the curves of several files piece by piece, one file after the other. A curve with inner
+// knots is cut into its spans; only one of them is kept in memory. Reader is `G2_piece_reader` or
+// `G2_span_reader`.
 template <class Reader> class Curve_stream {
   std::vector<std::string> files_;
   Reading_position position_;
@@ -128,9 +132,7 @@ private:
     curve = reader.next();
     return curve ? curve->dimension() : 0;
   }
-  template <class Span> static int read(Reader& reader, Span& span) {
-    return reader.next(span) ? span.dimension() : 0;
-  }
+  template <class Span> static int read(Reader& reader, Span& span) { return reader.next(span) ? span.dimension() : 0; }
 };
 
 // Reads all curves of several files.

@@ -20,8 +20,8 @@
 #include <string_view>
 #include <vector>
 
-// The plane curves of a .g2 text as one contour, and where their coordinates stand. The grid is that of the decimals with the most digits
-// behind the point among all coordinates.
+// The plane curves of a .g2 text as one contour, and where their coordinates stand. The grid is
+// that of the decimals with the most digits behind the point among all coordinates.
 class G2_curves_text {
   const std::string& text_;
   std::vector<GC::G2_curve_text> curves_;

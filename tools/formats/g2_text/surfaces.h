@@ -49,7 +49,8 @@ struct Surface_place {
   long long line;
 };
 
-// The surfaces of a model with the numbers as they are written, in their order; those with weights over exact numbers.
+// The surfaces of a model with the numbers as they are written, in their order; those with weights
+// over exact numbers.
 template <class Exact_traits> class Surface_texts {
   typedef GC::Rational_bspline_surface<Exact_traits> Rational;
   std::vector<GC::G2_surface_text> texts_;
@@ -83,8 +84,8 @@ public:
   }
 };
 
-// Reads the surfaces of several files, which together are one model, with a reader for each file. Calls note(file, reader) behind
-// each surface, with the number of the file.
+// Reads the surfaces of several files, which together are one model, with a reader for each file.
+// Calls note(file, reader) behind each surface, with the number of the file.
 template <class Reader, class Model, class Note>
 void read_surfaces(const std::vector<std::string>& files, Model& model, Note note) {
   const Reading_position position(files);

@@ -14,14 +14,14 @@
 #include <utility>
 #include <vector>
 
-// Where the characters of the value of an attribute stand in the text of a file, in which some are written as references to
-// characters, and ends of lines are spaces in the value.
+// Where the characters of the value of an attribute stand in the text of a file, in which some are
+// written as references to characters, and ends of lines are spaces in the value.
 class Attribute_text {
   std::string_view raw_;  // what stands between the quotation marks
   std::size_t begin_ = 0; // in the file
   std::string refusal_;
-  std::vector<std::size_t>
-      positions_; // of each character in `raw_`, and of the end; none where they are those of the value
+  // of each character in `raw_`, and of the end; none where they are those of the value
+  std::vector<std::size_t> positions_;
 
   static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
@@ -43,7 +43,7 @@ class Attribute_text {
     }
   }
 
-  // What a reference to a character stands for; others are not those of numbers and letters.
+  // Returns the character of a reference; other references do not stand for numbers and letters.
   static char character(std::string_view name) {
     if (name.size() < 2 || name[0] != '#') return '&';
     const bool hexadecimal = name[1] == 'x';
@@ -53,7 +53,8 @@ class Attribute_text {
   }
 
 public:
-  // Finds the attribute in the text of a tag, which begins there in the file. The tag must outlive this object.
+  // Finds the attribute in the text of a tag, which begins there in the file. The tag must outlive
+  // this object.
   Attribute_text(std::string_view tag, std::size_t tag_begin, std::string_view name, std::string_view value) {
     if (tag.empty() || tag[0] != '<') {
       refusal_ = "it stands in an entity";
@@ -81,11 +82,13 @@ public:
   // Why the places are not known; empty when they are.
   const std::string& refusal() const { return refusal_; }
 
-  // Returns where a character of the value, or its end, stands in the file. \pre the places are known
+  // Returns where a character of the value, or its end, stands in the file. \pre the places are
+  // known
   std::size_t operator[](std::size_t i) const { return begin_ + (positions_.empty() ? i : positions_[i]); }
 };
 
-// The lines of a file on which the characters of the value of an attribute stand, as far as they are asked for.
+// The lines of a file on which the characters of the value of an attribute stand, as far as they
+// are asked for.
 class Attribute_lines {
   const std::string_view tag_, name_, value_;
   const long long first_line_; // of the tag
@@ -97,7 +100,8 @@ public:
   Attribute_lines(std::string_view tag, long long first_line, std::string_view name, std::string_view value)
       : tag_(tag), name_(name), value_(value), first_line_(first_line), line_(first_line) {}
 
-  // Returns the line; that of the tag where the place is not known. Linear in all when the places ascend.
+  // Returns the line; that of the tag where the place is not known. Linear in all when the places
+  // ascend.
   long long operator[](std::size_t i) {
     if (!text_) text_.emplace(tag_, 0, name_, value_);
     if (!text_->refusal().empty()) return first_line_;

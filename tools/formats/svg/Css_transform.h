@@ -114,7 +114,8 @@ template <class Traits> class Css_transform_reader {
     return function;
   }
 
-  // A function, what its arguments are, and how many there are at least: x and y are lengths, n are numbers, a are angles.
+  // A function, what its arguments are, and how many there are at least: x and y are lengths, n are
+  // numbers, a are angles.
   struct Function {
     std::string_view name, arguments;
     std::size_t least;
@@ -182,16 +183,19 @@ public:
   }
 };
 
-/// Returns the map of a list of transforms of CSS, the property `transform`: `matrix`, `translate`, `scale`, `rotate`, `skew` and those of
-/// one axis, with lengths and angles in their units; percentages are parts of the viewport. Angles are those of `parse_svg_transform()`.
-/// \throws Error `malformed_input` with a text `name: reason`, also for transforms in space and functions such as `calc()`
+/// Returns the map of a list of transforms of CSS, the property `transform`: `matrix`, `translate`,
+/// `scale`, `rotate`, `skew` and those of one axis, with lengths and angles in their units;
+/// percentages are parts of the viewport. Angles are those of `parse_svg_transform()`.
+/// \throws Error `malformed_input` with a text `name: reason`, also for transforms in space and
+///   functions such as `calc()`
 template <class Traits>
 Svg_transform<Traits> parse_css_transform(std::string_view text, const std::string& name,
                                           const Svg_viewport<typename Traits::FT>& viewport) {
   return Css_transform_reader<Traits>(text, name, viewport)();
 }
 
-/// Reads the property `transform-origin`, a point of the viewport: two lengths, percentages or names of sides, or one of these.
+/// Reads the property `transform-origin`, a point of the viewport: two lengths, percentages or
+/// names of sides, or one of these.
 /// \throws Error `malformed_input` with a text `name: reason`
 template <class FT>
 std::array<FT, 2> parse_css_origin(std::string_view text, const std::string& name, const Svg_viewport<FT>& viewport,

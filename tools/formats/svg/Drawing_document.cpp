@@ -132,7 +132,8 @@ class Drawing_reader {
     return XML_STATUS_ERROR;
   }
 
-  // Refuses what is not well-formed. Expat does not name the entity, which is the first one that is not known.
+  // Refuses what is not well-formed. Expat does not name the entity, which is the first one that is
+  // not known.
   [[noreturn]] void refuse_error(XML_Error error) const {
     if (error == XML_ERROR_NO_MEMORY) throw std::bad_alloc();
     if (error == XML_ERROR_UNDEFINED_ENTITY || error == XML_ERROR_ATTRIBUTE_EXTERNAL_ENTITY_REF)
@@ -144,7 +145,7 @@ class Drawing_reader {
     if (reason) refuse(*reason);
   }
 
-  // What has been read of the file from the place on to which the current call refers.
+  // Returns the bytes that have been read from the place of the current call on.
   std::string_view rest() const {
     int offset = 0, size = 0;
     const char* const context = XML_GetInputContext(parser_.get(), &offset, &size);
@@ -156,7 +157,8 @@ class Drawing_reader {
   std::size_t length() const { return static_cast<std::size_t>(XML_GetCurrentByteCount(parser_.get())); }
   std::string_view piece() const { return rest().substr(0, length()); }
 
-  // The name without the namespace of SVG; other namespaces are left in front. Drawings without any namespace are read.
+  // The name without the namespace of SVG; other namespaces are left in front. Drawings without any
+  // namespace are read.
   static std::string local_name(const std::string& name) {
     const std::string svg = "http://www.w3.org/2000/svg ";
     return name.compare(0, svg.size(), svg) == 0 ? name.substr(svg.size()) : name;
@@ -167,7 +169,8 @@ class Drawing_reader {
   void start(const std::string& full_name, const char** pairs) {
     std::vector<Drawing_node>& nodes = document_.nodes;
     const std::size_t number = nodes.size();
-    if (has_doctype_) refuse_if(entities_.refusal_in(piece())); // in attributes, Expat skips them in silence
+    // in attributes, Expat skips them in silence
+    if (has_doctype_) refuse_if(entities_.refusal_in(piece()));
     if (open_.size() == max_depth) refuse("elements are nested deeper than " + std::to_string(max_depth));
     Drawing_node node;
     node.name = document_.name(local_name(full_name));
@@ -199,7 +202,8 @@ class Drawing_reader {
     }
   }
 
-  // Returns whether one of the declarations may; most of those that editors write do not, and are not kept.
+  // Returns whether one of the declarations may; most of those that editors write do not, and are
+  // not kept.
   static bool may_change_outlines(const std::string& style) {
     for (const Style_declaration& d : style_declarations(style))
       for (const char* element : {"path", "circle", "rect"})
@@ -253,7 +257,8 @@ public:
       const XML_Status status = XML_ParseBuffer(parser_.get(), static_cast<int>(read), last);
       if (error_) std::rethrow_exception(error_);
       if (status != XML_STATUS_OK) refuse_error(XML_GetErrorCode(parser_.get()));
-      // a tag that is longer than a block is scanned again with the next one: longer blocks keep that linear
+      // a tag that is longer than a block is scanned again with the next one: longer blocks keep
+      // that linear
       const XML_Index before = std::exchange(position, XML_GetCurrentByteIndex(parser_.get()));
       const bool stuck = position == before;
       if (stuck && size == last_block) refuse("a tag is longer than 256 MiB");
@@ -263,7 +268,7 @@ public:
   }
 };
 
-// What the animation moves of the element that holds it, or to which it refers.
+// Does the animation move the outlines of the element that contains it, or to which it refers?
 bool moves_outlines(const Drawing_node& node) {
   if (node.name == "animateMotion" || node.name == "animateTransform") return true;
   if (node.name != "animate" && node.name != "set") return false;

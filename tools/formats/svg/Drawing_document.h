@@ -25,14 +25,16 @@ struct Drawing_node {
   std::size_t bytes_before = 0;   // a measure of what is written before it
   long long animated_in_line = 0; // where an element stands that moves it; 0 where there is none
   Drawing_attributes attributes;
-  std::string tag;           // of a path, as it is written, where that is needed for lines or places
+  // of a path, as it is written, where that is needed for lines or places
+  std::string tag;
   std::size_t tag_begin = 0; // in the file
 };
 
-// What is kept of a drawing besides its elements.
+// The parts of a drawing that are kept besides its elements.
 enum class Drawing_tags { with_lines, all };
 
-// The elements of a drawing, in the order of the file: an element stands before those that it holds.
+// The elements of a drawing, in the order of the file: an element stands before those that it
+// holds.
 class Drawing_document {
   std::set<std::string> names_;                           // of elements
   std::unordered_map<std::string_view, std::size_t> ids_; // of the first element of each id
@@ -60,7 +62,8 @@ public:
     for (std::size_t i = 0; i < nodes.size(); ++i) mark_animated(i);
   }
 
-  // Returns the id to which an element refers, with the attribute `href`; empty where it refers to another file or to nothing.
+  // Returns the id to which an element refers, with the attribute `href`; empty where it refers to
+  // another file or to nothing.
   static std::string_view reference(const Drawing_node& node) {
     const std::string_view text = Style_text::trimmed(node.attributes.text("href"));
     return text.substr(0, 1) == "#" ? text.substr(1) : std::string_view();

@@ -19,13 +19,15 @@
 
 typedef GC::Svg_transform<Drawing_traits> Drawing_map;
 
-// The coordinates in which what stands in an element is written: the map to those of the drawing, and the nearest viewport.
+// The coordinates in which what stands in an element is written: the map to those of the drawing,
+// and the nearest viewport.
 struct Drawing_frame {
   Drawing_map map;
   Drawing_viewport viewport;
   bool is_filled = true; // as elements are where nothing else is said
 
-  // Returns the frame of which the coordinates are mapped to those of this one. Throws GC::Error when the product of the maps is not possible.
+  // Returns the frame of which the coordinates are mapped to those of this one. Throws GC::Error
+  // when the product of the maps is not possible.
   Drawing_frame inner(const Drawing_map& inner_map) const { return {map * inner_map, viewport, is_filled}; }
 };
 
@@ -40,8 +42,8 @@ inline bool has_transform(const Drawing_attributes& a) {
   return !text.empty() && text != "none";
 }
 
-// Returns the attributes of an element with what its own style sets in their place; transforms in a style have names of their own. Throws
-// GC::Error and Not_covered for what is not decided.
+// Returns the attributes of an element with what its own style sets in their place; transforms in a
+// style have names of their own. Throws GC::Error and Not_covered for what is not decided.
 inline Drawing_attributes styled_attributes(const Drawing_node& node, const Style_sheets& sheets, bool is_outermost) {
   Drawing_attributes attributes = node.attributes;
   const std::vector<Style_declaration> style = style_declarations(node.attributes.text("style"));
@@ -53,8 +55,8 @@ inline Drawing_attributes styled_attributes(const Drawing_node& node, const Styl
     if (!sheets.changes(d, is_outermost ? std::string_view() : node.name, has_transforms)) continue;
     const std::string place = "style, " + d.name;
     const std::string name = d.name.compare(0, 8, "-webkit-") == 0 ? d.name.substr(8) : d.name;
-    const bool is_shape =
-        node.name == "rect" || node.name == "circle" || node.name == "ellipse"; // others are read in many ways
+    // others are read in many ways
+    const bool is_shape = node.name == "rect" || node.name == "circle" || node.name == "ellipse";
     const auto length = [&](const char* property) {
       if (name != property || !is_shape) return false;
       if (d.value != "auto") GC::parse_css_length<Drawing_number>(d.value, place, Drawing_number(1));
@@ -76,7 +78,8 @@ inline Drawing_attributes styled_attributes(const Drawing_node& node, const Styl
   return attributes;
 }
 
-// The map of the transform of an element, of which the attributes are styled_attributes(). Throws GC::Error and Not_covered.
+// The map of the transform of an element, of which the attributes are styled_attributes(). Throws
+// GC::Error and Not_covered.
 inline Drawing_map own_transform(const Drawing_attributes& a, const Drawing_viewport& viewport) {
   if (!has_transform(a)) return Drawing_map();
   const Drawing_map map =
@@ -114,7 +117,8 @@ inline Drawing_viewport outermost_viewport(const Drawing_attributes& a) {
   return {length("width"), length("height")};
 }
 
-// The frame of what stands in an inner element svg, or in a symbol that is repeated. Throws GC::Error and Not_covered.
+// The frame of what stands in an inner element svg, or in a symbol that is repeated. Throws
+// GC::Error and Not_covered.
 inline Drawing_frame inner_frame(const Drawing_frame& outer, const Drawing_attributes& a, const Repeated_size& given) {
   const Drawing_lengths lengths(a, outer.viewport);
   const auto size = [](const std::optional<Drawing_number>& given_size, const std::optional<Drawing_number>& own,

@@ -22,7 +22,8 @@ class Style_text {
 
   static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 
-  // Where what begins there ends: a quoted text, one in parentheses or brackets, an escaped character, or another one.
+  // Where what begins there ends: a quoted text, one in parentheses or brackets, an escaped
+  // character, or another one.
   static std::size_t behind(std::string_view s, std::size_t i) {
     const char c = s[i];
     if (c == '\\') return (std::min)(i + 2, s.size());

@@ -21,7 +21,7 @@ struct Styled_element {
   std::string_view name, id, classes;
 };
 
-// What a property does to the outline of an element.
+// The effect of a property on the outline of an element.
 enum class Style_effect { none, shape, place, place_of_transform, animation };
 
 // The name of a property without the prefix that browsers read as if it were not there.
@@ -54,8 +54,9 @@ inline Style_effect style_effect(std::string_view property, std::string_view ele
              : Style_effect::none;
 }
 
-// The style sheets of a drawing, as far as they may change outlines: which elements a rule may be for, and what it sets. What depends on
-// more than names, ids and classes, or on the device, may be.
+// The style sheets of a drawing, as far as they may change outlines: which elements a rule may be
+// for, and what it sets. Selectors that depend on more than names, ids and classes, or on the
+// device, may match.
 class Style_sheets {
   enum class Relation { descendant, child, other };
   struct Step {
@@ -82,7 +83,7 @@ class Style_sheets {
            (c & 0x80) != 0;
   }
 
-  // Reads one selector. What is not read of it may be true.
+  // Reads one selector. Conditions that are not read may be true.
   static Selector selector(std::string_view text) {
     static const std::initializer_list<std::string_view> states{"hover",   "active",        "focus",        "visited",
                                                                 "checked", "focus-visible", "focus-within", "target"};
@@ -240,8 +241,8 @@ public:
     add_blocks(sheet, line);
   }
 
-  // Returns whether a declaration changes the outline of an element: of its own style, or of one of the sheets. The outermost element, of which the
-  // size changes nothing, has no name.
+  // Returns whether a declaration changes the outline of an element: of its own style, or of one of
+  // the sheets. The outermost element, of which the size changes nothing, has no name.
   bool changes(const Style_declaration& d, std::string_view element, bool has_transform) const {
     const bool is_neutral = d.value == "none" || d.value == "initial" || d.value == "unset";
     switch (style_effect(d.name, element)) {
@@ -256,7 +257,8 @@ public:
 
   bool is_empty() const { return first_line_ == 0; }
 
-  // Returns whether a rule may fill the last element of a path from the root on; where its own style says something else, an important rule.
+  // Returns whether a rule may fill the last element of a path from the root on; where its own
+  // style says something else, an important rule.
   bool may_fill(const std::vector<Styled_element>& path, bool has_style) const {
     return any_filled_ || std::any_of(fills_.begin(), fills_.end(), [&](const Rule& rule) {
              return (!has_style || rule.is_important) &&
@@ -266,7 +268,8 @@ public:
   }
   bool has_fills() const { return any_filled_ || !fills_.empty(); }
 
-  // Says which rule may change the outline of the last element of a path from the root on; nothing where none does.
+  // Says which rule may change the outline of the last element of a path from the root on; nothing
+  // where none does.
   std::optional<std::string> change(const std::vector<Styled_element>& path, bool has_transform) const {
     const auto text = [](long long line, const std::string& what) {
       return "the style sheet in line " + std::to_string(line) + " may set " + what;

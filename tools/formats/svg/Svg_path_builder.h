@@ -19,8 +19,9 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-// A straight cubic or quadratic with a handle that is retracted into its node, as editors write lines: all control
-// points lie between the ends. Its first derivative vanishes at the node, that of the line does not.
+// A straight cubic or quadratic with a handle that is retracted into its node, as editors write
+// lines: all control points lie between the ends. Its first derivative vanishes at the node, that
+// of the line does not.
 template <class FT> bool is_line_with_retracted_handle(const std::vector<Coordinate_vector<FT, 2>>& points) {
   typedef Coordinate_vector<FT, 2> Coordinates;
   const std::size_t m = points.size() - 1;
@@ -36,8 +37,8 @@ template <class FT> bool is_line_with_retracted_handle(const std::vector<Coordin
   return true;
 }
 
-// Executes the commands of path data, in absolute coordinates, and collects the segments of one subpath after the
-// other.
+// Executes the commands of path data, in absolute coordinates, and collects the segments of one
+// subpath after the other.
 template <class Traits> class Svg_path_builder {
 public:
   typedef typename Traits::FT FT;
@@ -105,7 +106,8 @@ public:
     add(std::move(points));
   }
 
-  // The last handle reflected at the current point, when the last command drew a curve of this degree.
+  // The last handle reflected at the current point, when the last command drew a curve of this
+  // degree.
   Coordinates reflected_control(int degree) const {
     if (control_degree_ != degree) return current_;
     Coordinates x;

@@ -29,8 +29,9 @@ inline std::string svg_reason(const Error& error) {
   return std::string(error.what()).substr(to_string(error.code()).size() + 2);
 }
 
-// Reads numbers, flags and names from the text of an attribute, by the grammar of SVG: white space and one comma may
-// separate numbers, and need not where the next number cannot be a part of the one before. The text must outlive it.
+// Reads numbers, flags and names from the text of an attribute, by the grammar of SVG: white space
+// and one comma may separate numbers, and need not where the next number cannot be a part of the
+// one before. The text must outlive it.
 class Svg_scanner {
   std::string_view text_;
   std::string name_;
@@ -51,7 +52,8 @@ class Svg_scanner {
     while (!at_end() && is_digit(peek())) ++position_;
   }
 
-  // The longest beginning of the rest that is a number: an exponent is a part of it only when it has a digit.
+  // The longest beginning of the rest that is a number: an exponent is a part of it only when it
+  // has a digit.
   void skip_number() {
     if (!take('+')) take('-');
     take_digits();
@@ -174,7 +176,8 @@ public:
     skip_space();
   }
 
-  // Takes all that is left, without white space at its end. A message still refers to what was read before.
+  // Takes all that is left, without white space at its end. A message still refers to what was read
+  // before.
   std::string_view rest() {
     std::string_view rest = text_.substr(position_);
     while (!rest.empty() && is_space(rest.back())) rest.remove_suffix(1);

@@ -17,9 +17,11 @@ namespace Geometric_continuity {
 /// One segment of an SVG path, and the command that draws it.
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2
 template <class Traits> struct Svg_segment : Path_segment<Traits> {
-  long long command; ///< the number of the command in the path data, from 1 on; each implicit repetition counts
-  char letter;       ///< the letter of the command, as written
-  std::size_t place; ///< where the command begins in the path data: its letter, or the first number of a repetition
+  /// the number of the command in the path data, from 1 on; each implicit repetition counts
+  long long command;
+  char letter; ///< the letter of the command, as written
+  /// where the command begins in the path data: its letter, or the first number of a repetition
+  std::size_t place;
 
   /// Returns the image under an invertible affine map of points.
   template <class Transformation> Svg_segment transform(const Transformation& map) const {
@@ -27,16 +29,19 @@ template <class Traits> struct Svg_segment : Path_segment<Traits> {
   }
 };
 
-/// What a path draws from one command M, or from the end of a closed subpath, to the next.
+/// The curve that a path draws from one command M, or from the end of a closed subpath, to the
+/// next.
 template <class Traits> struct Svg_subpath {
   std::deque<Svg_segment<Traits>> segments; ///< each starts where the one before it ends
-  bool closed = false;      ///< the end of the last one is the start of the first, and they join: by Z, or join_ends()
+  /// the end of the last one is the start of the first, and they join: by Z, or join_ends()
+  bool closed = false;
   std::size_t left_out = 0; ///< the number of segments that leave_out_points() has removed
 
   /// Returns the number of joins: that behind the last segment is one if the subpath is closed.
   std::size_t joins() const { return segments.empty() || closed ? segments.size() : segments.size() - 1; }
 
-  /// Removes the segments of no length, which have no direction: what is before and behind them meets.
+  /// Removes the segments of no length, which have no direction: what is before and behind them
+  /// meets.
   void leave_out_points() {
     const auto end = std::remove_if(segments.begin(), segments.end(),
                                     [](const Svg_segment<Traits>& segment) { return !segment.has_length(); });
@@ -44,7 +49,8 @@ template <class Traits> struct Svg_subpath {
     segments.erase(end, segments.end());
   }
 
-  /// Makes a join where the end is the start, as the outline of what is filled has it, with the command Z or without it.
+  /// Makes a join where the end is the start, as the outline of what is filled has it, with the
+  /// command Z or without it.
   void join_ends() { closed = closed || (!segments.empty() && segments.back().end() == segments.front().start()); }
 
   /// Returns the image under an invertible affine map of points.

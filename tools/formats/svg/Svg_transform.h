@@ -22,7 +22,8 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// An affine map of the plane, \f$ (x, y) \mapsto (ax + cy + e, bx + dy + f) \f$, as in SVG's `matrix(a b c d e f)`.
+/// An affine map of the plane, \f$ (x, y) \mapsto (ax + cy + e, bx + dy + f) \f$, as in SVG's
+/// `matrix(a b c d e f)`.
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2
 template <class Traits> class Svg_transform {
 public:
@@ -65,11 +66,13 @@ public:
     return Geometric_continuity::to_point<Traits>(y);
   }
 
-  /// Returns the map that applies first `inner`, then `outer`. In an exact field it is exact as long as no numerator or
-  /// denominator has more than `max_svg_transform_bits` bits; otherwise all six numbers are rounded to `double`, so that
-  /// products of many maps stay short. No order of continuity depends on that, see `parse_svg_transform()`.
-  /// \throws Error `not_finite` when the product is outside the range of floating-point numbers; `work_limit` when its
-  ///   numbers are too long, and rounded ones would be infinite or make an invertible map singular or vice versa
+  /// Returns the map that applies first `inner`, then `outer`. In an exact field it is exact as
+  /// long as no numerator or denominator has more than `max_svg_transform_bits` bits; otherwise all
+  /// six numbers are rounded to `double`, so that products of many maps stay short. No order of
+  /// continuity depends on that, see `parse_svg_transform()`.
+  /// \throws Error `not_finite` when the product is outside the range of floating-point numbers;
+  ///   `work_limit` when its numbers are too long, and rounded ones would be infinite or make an
+  ///   invertible map singular or vice versa
   friend Svg_transform operator*(const Svg_transform& outer, const Svg_transform& inner) {
     const std::array<FT, 6>&m = outer.m_, &n = inner.m_;
     return Svg_transform({FT(m[0] * n[0] + m[2] * n[1]), FT(m[1] * n[0] + m[3] * n[1]), FT(m[0] * n[2] + m[2] * n[3]),
@@ -99,8 +102,8 @@ private:
   }
 };
 
-// The rational rotation next to the given one: cos = (1 - t^2)/(1 + t^2), sin = 2t/(1 + t^2) with t = tan(angle/2)
-// rounded to double, after the quarter turns, which are exact.
+// The rational rotation next to the given one: cos = (1 - t^2)/(1 + t^2), sin = 2t/(1 + t^2) with
+// t = tan(angle/2) rounded to double, after the quarter turns, which are exact.
 template <class Traits> Svg_transform<Traits> svg_rotation(const typename Traits::FT& degrees) {
   typedef typename Traits::FT FT;
   const Quarter_turns<FT> turns(degrees);
@@ -115,8 +118,9 @@ template <class Traits> Svg_transform<Traits> svg_rotation(const typename Traits
   return Svg_transform<Traits>({cosine, sine, FT(FT(0) - sine), cosine, FT(0), FT(0)});
 }
 
-// The product of a list of transforms, of which the last one is applied first. Consecutive rotations about one centre are one rotation,
-// by the sum of the angles: the numbers do not grow with the list.
+// The product of a list of transforms, of which the last one is applied first. Consecutive
+// rotations about one centre are one rotation, by the sum of the angles: the numbers do not grow
+// with the list.
 template <class Traits> class Svg_transform_product {
   typedef typename Traits::FT FT;
   typedef Svg_transform<Traits> Transform;
@@ -189,7 +193,8 @@ private:
   }
 };
 
-// Calls action() and refuses, at what the scanner has read last, a product of transforms that is not possible.
+// Calls action() and refuses, at what the scanner has read last, a product of transforms that is
+// not possible.
 template <class Action> void refusing_at(const Svg_scanner& scanner, Action action) {
   try {
     action();
@@ -251,20 +256,24 @@ private:
   }
 };
 
-/// Returns the map of a list of transforms, the attribute `transform`: `matrix`, `translate`, `scale`, `rotate`,
-/// `skewX`, `skewY`, with the numbers of `parse_number()`. The last one is applied first.
+/// Returns the map of a list of transforms, the attribute `transform`: `matrix`, `translate`,
+/// `scale`, `rotate`, `skewX`, `skewY`, with the numbers of `parse_number()`. The last one is
+/// applied first.
 ///
-/// In an exact field the map is exact for all but angles: a rotation by other than a multiple of 90 degrees is replaced
-/// by a rotation with rational cosine and sine, and a skew by other than a multiple of 45 degrees by one with a
-/// rational tangent, at an angle that differs by the error of `std::tan()` in `double`. No order of continuity depends
-/// on that: C, G and F orders are the same before and after any invertible affine map, and the rotation does not change
-/// any angle or curvature.
+/// In an exact field the map is exact for all but angles: a rotation by other than a multiple of 90
+/// degrees is replaced by a rotation with rational cosine and sine, and a skew by other than a
+/// multiple of 45 degrees by one with a rational tangent, at an angle that differs by the error of
+/// `std::tan()` in `double`. No order of continuity depends on that: C, G and F orders are the same
+/// before and after any invertible affine map, and the rotation does not change any angle or
+/// curvature.
 ///
-/// Consecutive rotations about one centre are one rotation, by the sum of the angles. Products whose numbers are longer
-/// than `max_svg_transform_bits` are rounded to `double`: not even then does an order of continuity change.
+/// Consecutive rotations about one centre are one rotation, by the sum of the angles. Products
+/// whose numbers are longer than `max_svg_transform_bits` are rounded to `double`: not even then
+/// does an order of continuity change.
 ///
-/// \throws Error `malformed_input` with a text `name, character N: reason`, also for products that cannot be rounded;
-///   `not_finite` when the product of the transforms is outside the range of floating-point numbers
+/// \throws Error `malformed_input` with a text `name, character N: reason`, also for products that
+///   cannot be rounded; `not_finite` when the product of the transforms is outside the range of
+///   floating-point numbers
 template <class Traits>
 Svg_transform<Traits> parse_svg_transform(std::string_view text, const std::string& name = "transform") {
   return Svg_transform_reader<Traits>(text, name)();

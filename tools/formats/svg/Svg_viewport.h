@@ -5,7 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_VIEWPORT_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_VIEWPORT_H
 
-/// Viewports of SVG: their sizes, and how the attributes `viewBox` and `preserveAspectRatio` map into them.
+/// Viewports of SVG: their sizes, and how the attributes `viewBox` and `preserveAspectRatio` map
+/// into them.
 
 #include "formats/svg/Svg_scanner.h"
 #include "formats/svg/Svg_transform.h"
@@ -19,11 +20,13 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-// The size of the nearest viewport in its own units, as far as it is known: percentages are parts of it.
+// The size of the nearest viewport in its own units, as far as it is known: percentages are parts
+// of it.
 template <class FT> struct Svg_viewport {
   std::optional<FT> width, height;
 
-  // That of lengths that are neither horizontal nor vertical, where the square root is rational.
+  // Returns the size for lengths that are neither horizontal nor vertical, if the square root is
+  // rational.
   std::optional<FT> diagonal() const {
     if (!width || !height) return std::nullopt;
     if (*width == *height) return width;
@@ -34,7 +37,8 @@ template <class FT> struct Svg_viewport {
 template <class FT> struct Svg_view_box { FT x, y, width, height; };
 
 /// Reads the attribute `viewBox`.
-/// \throws Error `malformed_input` with a text `name, character N: reason`, also for a negative size
+/// \throws Error `malformed_input` with a text `name, character N: reason`, also for a negative
+///   size
 template <class FT> Svg_view_box<FT> parse_svg_view_box(std::string_view text, const std::string& name = "viewBox") {
   Svg_scanner scanner(text, name);
   scanner.skip_space();

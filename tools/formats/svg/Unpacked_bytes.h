@@ -20,8 +20,8 @@
 
 namespace GC = CGAL::Geometric_continuity;
 
-// The bytes of a stream, unpacked while they are read when they are packed by gzip. That is told by the first byte, which
-// begins no text.
+// The bytes of a stream, unpacked while they are read when they are packed by gzip. The first byte,
+// which begins no text, shows this.
 class Unpacked_bytes {
   static constexpr int first_byte = 0x1F; // of what gzip has packed
 
@@ -83,8 +83,9 @@ public:
     if (packed_) inflateEnd(&inflater_);
   }
 
-  // Reads as many bytes as this, fewer only at the end, and returns how many. Throws GC::Error with the name:
-  // `malformed_input` for packed bytes that are damaged or cut off, `work_limit` for too many unpacked ones.
+  // Reads as many bytes as this, fewer only at the end, and returns how many. Throws GC::Error with
+  // the name: `malformed_input` for packed bytes that are damaged or cut off, `work_limit` for too
+  // many unpacked ones.
   std::size_t read(char* to, std::size_t size) {
     if (packed_) return unpack(to, size);
     stream_.read(to, static_cast<std::streamsize>(size));

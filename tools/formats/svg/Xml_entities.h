@@ -14,8 +14,9 @@
 #include <string>
 #include <string_view>
 
-// The entities that an XML file declares itself, as authoring tools do to abbreviate namespaces. Only those are read: no
-// other file is opened, and where a declaration could stand in one, a parser must not skip the reference in silence.
+// The entities that an XML file declares itself, as authoring tools do to abbreviate namespaces.
+// Only those are read: no other file is opened, and where a declaration could stand in one, a
+// parser must not skip the reference in silence.
 class Xml_entities {
   static constexpr int max_depth = 16; // parsers descend into entities recursively
 
@@ -42,7 +43,8 @@ public:
     return std::nullopt;
   }
 
-  // Why one of the references in a piece of the file must not be there. Zero bytes of UTF-16 are left out.
+  // Why one of the references in a piece of the file must not be there. Zero bytes of UTF-16 are
+  // left out.
   std::optional<std::string> refusal_in(std::string_view piece) const {
     std::string text(piece);
     text.erase(std::remove(text.begin(), text.end(), '\0'), text.end());
@@ -53,15 +55,15 @@ public:
     return reason;
   }
 
-  // The same for what stands between the first two quotation marks of one kind.
+  // Checks the text between the first two quotation marks of one kind.
   std::optional<std::string> refusal_in_quoted(std::string_view text) const {
     const std::size_t begin = text.find_first_of("'\"");
     if (begin == std::string_view::npos) return std::nullopt;
     return refusal_in(text.substr(begin, text.find(text[begin], begin + 1) - begin));
   }
 
-  // Declares an entity of the file itself. Returns why it is refused: its references must be to entities that are
-  // declared before it, so that none refers to itself.
+  // Declares an entity of the file itself. Returns why it is refused: its references must be to
+  // entities that are declared before it, so that none refers to itself.
   std::optional<std::string> declare(const std::string& name, std::string_view value) {
     std::optional<std::string> reason = refusal_in(value);
     if (reason) return *reason + ", or not before the entity " + CGAL::Geometric_continuity::quoted_token(name);

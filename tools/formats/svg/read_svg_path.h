@@ -23,8 +23,10 @@ namespace Geometric_continuity {
 
 /// One command of path data, and where it stands.
 struct Svg_command {
-  char letter;              ///< that is in force; that of L and l for what follows a point of M and m
-  bool is_given;            ///< whether the letter is written, as the first character of the command
+  /// that is in force; that of L and l for what follows a point of M and m
+  char letter;
+  /// whether the letter is written, as the first character of the command
+  bool is_given;
   std::size_t begin;        ///< where the command begins
   std::size_t first_number; ///< the index of its first number in `Svg_path_places::numbers`
 };
@@ -46,21 +48,24 @@ struct Svg_path_places {
   }
 };
 
-/// Reads the subpaths of SVG path data, the attribute `d`, one after the other: the commands M, L, H, V, C, S, Q, T, A
-/// and Z, absolute and relative, with implicit repetitions, and numbers with as few separators as the grammar of SVG
-/// allows.
+/// Reads the subpaths of SVG path data, the attribute `d`, one after the other: the commands M, L,
+/// H, V, C, S, Q, T, A and Z, absolute and relative, with implicit repetitions, and numbers with as
+/// few separators as the grammar of SVG allows.
 ///
-/// Coordinates are read by `parse_number()`, so that in an exact field the decimals are taken exactly, and sums of
-/// relative coordinates are exact too. Arcs stay arcs of ellipses, see `Elliptical_arc`. As SVG says, an arc with a zero
-/// radius is a line, one with equal ends is omitted, and Z draws a line unless the subpath is already at its start.
+/// Coordinates are read by `parse_number()`, so that in an exact field the decimals are taken
+/// exactly, and sums of relative coordinates are exact too. Arcs stay arcs of ellipses, see
+/// `Elliptical_arc`. As SVG says, an arc with a zero radius is a line, one with equal ends is
+/// omitted, and Z draws a line unless the subpath is already at its start.
 ///
-/// A cubic or a quadratic with a handle at its node has a zero tangent there. When all its control points lie between
-/// its ends, this is how editors write a line, and it is read as a line. A segment of no length is kept; its tangents
-/// are zero.
+/// A cubic or a quadratic with a handle at its node has a zero tangent there. When all its control
+/// points lie between its ends, this is how editors write a line, and it is read as a line. A
+/// segment of no length is kept; its tangents are zero.
 ///
-/// Where SVG asks a viewer to draw what comes before an error, this reader throws, and then gives that by `before_error()`.
+/// Where SVG asks a viewer to draw what comes before an error, this reader throws, and then gives
+/// that by `before_error()`.
 ///
-/// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2 whose `FT` is accepted by `parse_number()`
+/// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2 whose `FT` is accepted by
+///   `parse_number()`
 template <class Traits> class Svg_path_reader {
   typedef typename Traits::FT FT;
   typedef Coordinate_vector<FT, 2> Coordinates;
@@ -73,18 +78,20 @@ template <class Traits> class Svg_path_reader {
   Svg_path_places* const places_;
 
 public:
-  /// Reads `text`, which must outlive the reader. Error messages begin with `name`. Each command that is read is added to `places`.
+  /// Reads `text`, which must outlive the reader. Error messages begin with `name`. Each command
+  /// that is read is added to `places`.
   explicit Svg_path_reader(std::string_view text, std::string name = "path data", Svg_path_places* places = nullptr)
       : scanner_(text, std::move(name)), places_(places) {
     scanner_.skip_space();
   }
 
-  /// Returns the next subpath, or nothing at the end. A subpath without segments is left out unless it is closed. After
-  /// an error only `before_error()` can be called.
-  /// \throws Error `malformed_input` with a text `name, character N: reason`, where `N` counts from 1, for everything
-  ///   that is no path data, for numbers that `double` cannot hold or `Elliptical_arc` refuses, and in an exact field for
-  ///   numbers and coordinates of more than `max_svg_number_bits` bits and for arcs with a ratio of the radii of more
-  ///   than `max_svg_ratio_bits` or an `Elliptical_arc::radicand()` of more than `max_svg_radicand_bits`
+  /// Returns the next subpath, or nothing at the end. A subpath without segments is left out unless
+  /// it is closed. After an error only `before_error()` can be called.
+  /// \throws Error `malformed_input` with a text `name, character N: reason`, where `N` counts from
+  ///   1, for everything that is no path data, for numbers that `double` cannot hold or
+  ///   `Elliptical_arc` refuses, and in an exact field for numbers and coordinates of more than
+  ///   `max_svg_number_bits` bits and for arcs with a ratio of the radii of more than
+  ///   `max_svg_ratio_bits` or an `Elliptical_arc::radicand()` of more than `max_svg_radicand_bits`
   std::optional<Svg_subpath<Traits>> next() {
     while (!ended_) {
       if (scanner_.at_end()) {
@@ -101,7 +108,8 @@ public:
     return std::nullopt;
   }
 
-  /// Returns, after an error, what its subpath draws before the command with the error, if that is anything.
+  /// Returns, after an error, what its subpath draws before the command with the error, if that is
+  /// anything.
   std::optional<Svg_subpath<Traits>> before_error() {
     builder_.end();
     return builder_.take_complete();

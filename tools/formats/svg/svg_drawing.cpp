@@ -23,7 +23,8 @@
 
 namespace {
 
-// What use elements repeat, together, as it is written: so many bytes, or this many times the drawing when that is more.
+// The elements that use elements repeat may have this size together, as written: so many bytes, or
+// this many times the size of the drawing if that is more.
 constexpr std::size_t free_repetition = 1 << 24, most_repetitions = 10;
 constexpr std::size_t most_nested = 256; // elements in each other, with those that are repeated
 
@@ -53,9 +54,11 @@ int most_decimals(std::string_view text) {
   return most;
 }
 
-// Goes through the elements of a drawing, and through those that use elements repeat, and hands on what they draw.
+// Goes through the elements of a drawing, and through those that use elements repeat, and hands on
+// what they draw.
 class Drawing_walk {
-  // What is gone through: the elements from one on, and those that a use element repeats in its place.
+  // A part that is traversed: the elements from one on, and those that a use element repeats in its
+  // place.
   struct Part {
     std::size_t next, end;
     std::size_t frames;      // how many there are below
@@ -74,7 +77,8 @@ class Drawing_walk {
   const bool takes_paths_ = handler_.takes_paths();
   std::vector<Part> parts_;
   std::vector<Open_frame> frames_;
-  std::set<std::size_t> repeated_;            // the elements that use elements draw, where paths are taken
+  // the elements that use elements draw, where paths are taken
+  std::set<std::size_t> repeated_;
   std::size_t repetition_ = 0;                // bytes
   mutable std::vector<std::size_t> ordinals_; // of the elements, once one was asked for
 
@@ -176,8 +180,9 @@ class Drawing_walk {
     return document_.sheets.change(path_to(i), has_transform(attributes));
   }
 
-  // Style sheets are not applied: an element counts as filled where a rule may fill it, and where one of them speaks of the property and the
-  // element does not. A style comes before a rule that is not important, and a rule before an attribute.
+  // Style sheets are not applied: an element counts as filled where a rule may fill it, and where
+  // one of them speaks of the property and the element does not. A style comes before a rule that
+  // is not important, and a rule before an attribute.
   bool is_filled(std::size_t i, bool inherited) const {
     const Drawing_attributes& attributes = node(i).attributes;
     const bool has_style = attributes.has("style fill");
@@ -188,7 +193,7 @@ class Drawing_walk {
     return value != "none" && value != "transparent";
   }
 
-  // Of an element that is not drawn there.
+  // Takes an element that is not drawn there.
   bool is_filled_where_it_stands(std::size_t i) const {
     const std::size_t parent = node(i).parent;
     return is_filled(i, parent == i || is_filled_where_it_stands(parent));

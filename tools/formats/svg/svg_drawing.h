@@ -25,18 +25,23 @@ typedef GC::Svg_subpath<Drawing_traits> Drawing_subpath;
 struct Drawing_element {
   std::string file, name, id; // the id may be empty
   long long line;
-  GC::Svg_transform<Drawing_traits> transform = {}; // from its own coordinates to those of the drawing
-  Attribute_lines* lines = nullptr;                 // of the data of a path, while it is handed on
-  int decimals = -1;            // of the numbers of a path or a polygon as they are written, at most; otherwise -1
+  // from its own coordinates to those of the drawing
+  GC::Svg_transform<Drawing_traits> transform = {};
+  Attribute_lines* lines = nullptr; // of the data of a path, while it is handed on
+  // of the numbers of a path or a polygon as they are written, at most; otherwise -1
+  int decimals = -1;
   bool is_filled = false;       // so that where a subpath ends at its start there is a join
   bool has_percentages = false; // so that its size depends on the viewport
-  std::string repeated_by = {}; // the use elements that draw it, e.g. use "u" (line 20); empty where it stands
+  // the use elements that draw it, e.g. use "u" (line 20); empty where it stands
+  std::string repeated_by = {};
 
-  // Tells which element it is without lines, while it is handed on: by its id, otherwise from the nearest element around it that has one, or
-  // from the outermost one, on, e.g. g#leaves/path[3]; what repeats it comes before it.
+  // Tells which element it is without lines, while it is handed on: by its id, otherwise from the
+  // nearest element around it that has one, or from the outermost one, on, e.g. g#leaves/path[3];
+  // what repeats it comes before it.
   std::function<std::string()> path = [] { return std::string(); };
 
-  // Returns the name, the id, the line and what repeats it, e.g. path "leaf" (line 12), repeated by use "u" (line 20).
+  // Returns the name, the id, the line and what repeats it, e.g. path "leaf" (line 12), repeated by
+  // use "u" (line 20).
   std::string text() const;
 
   // Returns the line on which a command of the path begins; that of the element for shapes.
@@ -66,16 +71,17 @@ class Drawing_handler {
 public:
   virtual ~Drawing_handler() = default;
 
-  // Receives a subpath of a path or of a basic shape, in the coordinates of the drawing, without its segments of no length, of which there
-  // may be no other. The
+  // Receives a subpath of a path or of a basic shape, in the coordinates of the drawing, without
+  // its segments of no length, of which there may be no other. The
   // subpaths of an element are numbered from 1 on.
   virtual void subpath(const Drawing_element& element, int number, const Drawing_subpath& subpath) = 0;
 
-  // Receives an element that would draw something, but cannot be read, or not as a whole: what it draws as far as it is read is received
-  // before it. Other elements in it are not received.
+  // Receives an element that would draw something, but cannot be read, or not as a whole: what it
+  // draws as far as it is read is received before it. Other elements in it are not received.
   virtual void not_read(const Drawing_element& element, const std::string& reason) = 0;
 
-  // Returns whether path() is to receive all paths, also those that are defined and not drawn, in place of the subpaths of those that are.
+  // Returns whether path() is to receive all paths, also those that are defined and not drawn, in
+  // place of the subpaths of those that are.
   virtual bool takes_paths() const { return false; }
   virtual void path(const Drawing_element&, const Path_data&) {}
 
@@ -83,25 +89,30 @@ public:
   virtual void progress(double) {}
 };
 
-// Reads all paths and basic shapes that the SVG file draws, in order; at no time more than one subpath is in memory besides the elements
-// as they are written. What is defined but not drawn (defs, symbols, clip paths, ...) is skipped. The name "-" is standard
-// input. The text may be packed by gzip, whatever the name.
+// Reads all paths and basic shapes that the SVG file draws, in order; at no time more than one
+// subpath is in memory besides the elements as they are written. What is defined but not drawn
+// (defs, symbols, clip paths, ...) is skipped. The name "-" is standard input. The text may be
+// packed by gzip, whatever the name.
 //
-// The coordinates are those of the outermost element svg: those of its contents, without its own view box. A use element draws what it
-// refers to in the same file, and is not received itself; together they may repeat 16 MiB of elements, or ten times the length of the
-// drawing. An element with an attribute that cannot be read, that a style sheet or an animation may change, or whose size is not known is
-// not read, nor is what stands in it; of path data and points with an error that is what follows it.
+// The coordinates are those of the outermost element svg: those of its contents, without its own
+// view box. A use element draws what it refers to in the same file, and is not received itself;
+// together they may repeat 16 MiB of elements, or ten times the length of the drawing. An element
+// with an attribute that cannot be read, that a style sheet or an animation may change, or whose
+// size is not known is not read, nor is what stands in it; of path data and points with an error
+// that is what follows it.
 //
-// Entities are read when the file itself declares them and they expand to no more than 1 MiB, or ten times the length of
-// the file; no other file is ever opened. Throws GC::Error with file, line and reason: `malformed_input` for what is not
-// well-formed or no SVG, for references to other entities, and for elements nested deeper than 256; `work_limit` for more than 256 MiB
-// unpacked; `cannot_read_file` with the reason of the system.
+// Entities are read when the file itself declares them and they expand to no more than 1 MiB, or
+// ten times the length of the file; no other file is ever opened. Throws GC::Error with file, line
+// and reason: `malformed_input` for what is not well-formed or no SVG, for references to other
+// entities, and for elements nested deeper than 256; `work_limit` for more than 256 MiB unpacked;
+// `cannot_read_file` with the reason of the system.
 void read_svg_drawing(const std::string& file, Drawing_handler& handler);
 
 // Reads a drawing from a stream; the name is used in messages.
 void read_svg_drawing(std::istream& stream, const std::string& name, Drawing_handler& handler);
 
-// Returns whether a file is an SVG drawing: by its name, or because it begins like XML or is packed by gzip.
+// Returns whether a file is an SVG drawing: by its name, or because it begins like XML or is packed
+// by gzip.
 bool is_svg_file(const std::string& file);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_DRAWING_H

@@ -5,7 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_SHAPES_H
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_SVG_SHAPES_H
 
-/// The basic shapes of SVG as paths, by the equivalent commands that SVG gives, and the lengths in their attributes.
+/// The basic shapes of SVG as paths, by the equivalent commands that SVG gives, and the lengths in
+/// their attributes.
 
 #include "formats/svg/Svg_path_builder.h"
 #include "formats/svg/Svg_scanner.h"
@@ -70,7 +71,8 @@ template <class FT> void require_not_negative(const FT& x, const char* what) {
 
 enum class Svg_outline { open, closed };
 
-// The path of a list of points. Where `error` is given, the path up to an error, which is open, is returned with the reason.
+// The path of a list of points. Where `error` is given, the path up to an error, which is open, is
+// returned with the reason.
 template <class Traits>
 Svg_subpath<Traits> read_svg_points(std::string_view points, Svg_outline outline, const std::string& name,
                                     std::string* error) {
@@ -97,13 +99,14 @@ Svg_subpath<Traits> read_svg_points(std::string_view points, Svg_outline outline
   return outline == Svg_outline::closed && !empty ? path.close() : path.end();
 }
 
-/// Returns a length, the text of an attribute such as `width`, in user units: a number as `parse_number()` reads it,
-/// directly followed by nothing or by one of CSS's units `px`, `in`, `cm`, `mm`, `q`, `pt` and `pc`, in capital or small
-/// letters, of which 96 `px` are one `in`, or by `%`, of which 100 are the length `whole`; white space may surround both. The
-/// result is empty for a length other than 0 that has no meaning without a viewport or a font: in `%` where `whole` is not given, `em`, `ex`, `ch`, `ic`, `rem`, `lh`, `vw`, `vh`, `vi`, `vb`, `vmin` or
-/// `vmax`.
-/// \throws Error `malformed_input` with a text `name, character N: reason`; in an exact field for a number of more than
-///   `max_svg_number_bits` bits, too
+/// Returns a length, the text of an attribute such as `width`, in user units: a number as
+/// `parse_number()` reads it, directly followed by nothing or by one of CSS's units `px`, `in`,
+/// `cm`, `mm`, `q`, `pt` and `pc`, in capital or small letters, of which 96 `px` are one `in`, or
+/// by `%`, of which 100 are the length `whole`; white space may surround both. The result is empty
+/// for a length other than 0 that has no meaning without a viewport or a font: in `%` where `whole`
+/// is not given, `em`, `ex`, `ch`, `ic`, `rem`, `lh`, `vw`, `vh`, `vi`, `vb`, `vmin` or `vmax`.
+/// \throws Error `malformed_input` with a text `name, character N: reason`; in an exact field for a
+///   number of more than `max_svg_number_bits` bits, too
 template <class FT>
 std::optional<FT> parse_svg_length(std::string_view text, const std::string& name = "length",
                                    const std::optional<FT>& whole = std::nullopt) {
@@ -144,8 +147,8 @@ Svg_subpath<Traits> svg_line(const typename Traits::FT& x1, const typename Trait
   return path.end();
 }
 
-/// Returns the path M L ... of a polyline, from the text of the attribute `points`. Where `error` is given, it receives
-/// the text of an error, and the path up to there is returned.
+/// Returns the path M L ... of a polyline, from the text of the attribute `points`. Where `error`
+/// is given, it receives the text of an error, and the path up to there is returned.
 /// \throws Error `malformed_input` with a text `name, character N: reason`, unless `error` is given
 template <class Traits>
 Svg_subpath<Traits> read_svg_polyline(std::string_view points, const std::string& name = "points",
@@ -153,7 +156,8 @@ Svg_subpath<Traits> read_svg_polyline(std::string_view points, const std::string
   return read_svg_points<Traits>(points, Svg_outline::open, name, error);
 }
 
-/// Returns the path M L ... Z of a polygon, as `read_svg_polyline()` does; the path up to an error is not closed.
+/// Returns the path M L ... Z of a polygon, as `read_svg_polyline()` does; the path up to an error
+/// is not closed.
 /// \throws Error `malformed_input` with a text `name, character N: reason`, unless `error` is given
 template <class Traits>
 Svg_subpath<Traits> read_svg_polygon(std::string_view points, const std::string& name = "points",
@@ -161,9 +165,10 @@ Svg_subpath<Traits> read_svg_polygon(std::string_view points, const std::string&
   return read_svg_points<Traits>(points, Svg_outline::closed, name, error);
 }
 
-/// Returns the path of an ellipse, or of a circle: M, four quarters A, Z, from the point with the largest `x` on. It is
-/// empty when a radius is zero.
-/// \throws Error `malformed_input` for a negative radius; `not_finite` for a number that is not finite
+/// Returns the path of an ellipse, or of a circle: M, four quarters A, Z, from the point with the
+/// largest `x` on. It is empty when a radius is zero.
+/// \throws Error `malformed_input` for a negative radius; `not_finite` for a number that is not
+///   finite
 template <class Traits>
 Svg_subpath<Traits> svg_ellipse(const typename Traits::FT& cx, const typename Traits::FT& cy,
                                 const typename Traits::FT& rx, const typename Traits::FT& ry) {
@@ -180,9 +185,11 @@ Svg_subpath<Traits> svg_ellipse(const typename Traits::FT& cx, const typename Tr
   return path.close();
 }
 
-/// Returns the path of a rectangle, M L A ... Z, whose corners are rounded by quarters of ellipses unless a radius is
-/// zero. Radii of more than half the size are reduced to that. It is empty when the width or the height is zero.
-/// \throws Error `malformed_input` for a negative size or radius; `not_finite` for a number that is not finite
+/// Returns the path of a rectangle, M L A ... Z, whose corners are rounded by quarters of ellipses
+/// unless a radius is zero. Radii of more than half the size are reduced to that. It is empty when
+/// the width or the height is zero.
+/// \throws Error `malformed_input` for a negative size or radius; `not_finite` for a number that is
+///   not finite
 template <class Traits>
 Svg_subpath<Traits> svg_rectangle(const typename Traits::FT& x, const typename Traits::FT& y,
                                   const typename Traits::FT& width, const typename Traits::FT& height,

@@ -13,17 +13,19 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// The longest numerator or denominator, in bits, of a number or a coordinate in the path data, lengths and transforms
-/// of SVG. Every finite `double` is shorter.
+/// The longest numerator or denominator, in bits, of a number or a coordinate in the path data,
+/// lengths and transforms of SVG. Every finite `double` is shorter.
 constexpr int max_svg_number_bits = 1280;
 
 /// The longest numerator or denominator, in bits, of the ratio of the radii of an arc of SVG.
 constexpr int max_svg_ratio_bits = 640;
 
-/// The longest numerator or denominator, in bits, of the number `Elliptical_arc::radicand()` of an arc of SVG.
+/// The longest numerator or denominator, in bits, of the number `Elliptical_arc::radicand()` of an
+/// arc of SVG.
 constexpr int max_svg_radicand_bits = 1536;
 
-/// The longest numerator or denominator, in bits, in an exact product of transforms of SVG; see `Svg_transform`.
+/// The longest numerator or denominator, in bits, in an exact product of transforms of SVG; see
+/// `Svg_transform`.
 constexpr int max_svg_transform_bits = 1024;
 
 /// Refuses an infinity and what is no number, before it can reach a result.

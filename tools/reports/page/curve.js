@@ -1,4 +1,5 @@
-// Points and curvatures of Bezier curves, as a picture needs them. Whatever is stated about a join comes with the data.
+// Points and curvatures of Bezier curves, as a picture needs them. Whatever is stated about a join
+// comes with the data.
 
 // A curve is {dimension, points: flat coordinates, weights: an array or undefined, group}.
 function degreeOf(curve) { return curve.points.length / curve.dimension - 1; }
@@ -23,8 +24,8 @@ function homogeneous(curve) {
   return rows;
 }
 
-// The point x, and the derivatives x' and x'', by the scheme of de Casteljau, whose last three steps hold them, and the
-// quotient rule.
+// The point x, and the derivatives x' and x'', by the scheme of de Casteljau, whose last three
+// steps hold them, and the quotient rule.
 function derivatives(rows, t) {
   const n = rows.length - 1;
   let level = rows, second = null, first = null;
@@ -63,8 +64,8 @@ function samples(curve, count) {
   return result;
 }
 
-// Two orthonormal directions of the plane in which these points extend most: the plane itself where there is one. By
-// iteration on their second moments.
+// Two orthonormal directions of the plane in which these points extend most: the plane itself where
+// there is one. By iteration on their second moments.
 function planeOf(points) {
   const d = points[0].length;
   if (d === 2) return [[1, 0], [0, 1]];

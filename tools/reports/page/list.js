@@ -2,7 +2,8 @@
 
 let wholeName = 'whole', numbered = true, joinPage = '';
 
-// An element with a class and children; texts become text nodes, so that nothing from a file is ever read as markup.
+// An element with a class and children; texts become text nodes, so that nothing from a file is
+// ever read as markup.
 function element(name, className, ...children) {
   const node = document.createElement(name);
   if (className) node.className = className;
@@ -10,7 +11,8 @@ function element(name, className, ...children) {
   return node;
 }
 
-// Bounds [lower, upper] are texts, rounded outwards where they were computed; equal ones are the number itself.
+// Bounds [lower, upper] are texts, rounded outwards where they were computed; equal ones are the
+// number itself.
 function boundTexts(bounds, unit) {
   if (!bounds) return ['not known', ''];
   const [lower, upper] = bounds;
@@ -56,7 +58,8 @@ function textOf(item) {
 }
 
 class JoinList {
-  // draw(canvas, item) draws a row; chosen(item) is called when another row is chosen; opened(item) for Enter and clicks.
+  // draw(canvas, item) draws a row; chosen(item) is called when another row is chosen; opened(item)
+  // for Enter and clicks.
   constructor(items, { draw, chosen, opened }) {
     this.items = items;
     this.draw = draw;
@@ -78,7 +81,8 @@ class JoinList {
 
   get item() { return this.items[this.shown[this.position]]; }
 
-  // Applies filter and order. The chosen join stays chosen where it is still shown and `keep` says so, otherwise it is the first.
+  // Applies filter and order. The chosen join stays chosen where it is still shown and `keep` says
+  // so, otherwise it is the first.
   update(keep = true) {
     const before = keep ? this.shown[this.position] : undefined;
     this.shown = this.items.map((_, i) => i).filter((i) =>

@@ -1,7 +1,8 @@
-// Draws surfaces with their edges coloured by grade, from far to near, as seen along a direction that the user turns.
+// Draws surfaces with their edges coloured by grade, from far to near, as seen along a direction
+// that the user turns.
 
-// A model is {patches: [{m, n, points}], edges: [{points, grade, patches}]}: each patch a grid of (m + 1) (n + 1) points, or with
-// triangles, by threes the numbers of its points.
+// A model is {patches: [{m, n, points}], edges: [{points, grade, patches}]}: each patch a grid of
+// (m + 1) (n + 1) points, or with triangles, by threes the numbers of its points.
 class Model {
   constructor(data) {
     this.patches = data.patches.map((p) => ({ points: triples(p.points), colour: p.colour && softened(p.colour) }));
@@ -60,8 +61,8 @@ const cornersOf = ({ triangles }, points) => Array.from({ length: triangles.leng
   [0, 1, 2].map((j) => points[triangles[3 * i + j]]));
 const sidesOf = (corners) => corners.map((p, i) => length(subtract(corners[(i + 1) % 3], p)));
 
-// The length beyond which sides of triangles are halved, so that the middle of each tells what lies in front of what; but not so
-// short that the pieces are too many to be drawn.
+// The length beyond which sides of triangles are halved, so that the middle of each tells what lies
+// in front of what; but not so short that the pieces are too many to be drawn.
 function sizeOfTriangles(data, patches) {
   const boxes = [];
   data.forEach((p, i) => {
@@ -73,7 +74,8 @@ function sizeOfTriangles(data, patches) {
   return size;
 }
 
-// The points of a polyline, and so many between them that its segments are no longer than this size.
+// The points of a polyline, and so many between them that its segments are no longer than this
+// size.
 function refined(points, size) {
   return points.flatMap((p, i) => {
     const n = i === 0 ? 1 : Math.max(1, Math.ceil(length(subtract(p, points[i - 1])) / size));
@@ -96,7 +98,8 @@ function trianglesOf(data, points, size) {
   return facets;
 }
 
-// The rows are the directions to the right, up and towards the viewer, of a camera above the plane of x and y.
+// The rows are the directions to the right, up and towards the viewer, of a camera above the plane
+// of x and y.
 function cameraRows({ azimuth, elevation }) {
   const ca = Math.cos(azimuth), sa = Math.sin(azimuth), ce = Math.cos(elevation), se = Math.sin(elevation);
   return [[-sa, ca, 0], [-se * ca, -se * sa, ce], [ce * ca, ce * sa, se]];
@@ -112,7 +115,8 @@ function mixed(a, b, t) {
   return `rgb(${x.map((v, i) => Math.round(v + (y[i] - v) * t)).join(' ')})`;
 }
 
-// Options: camera, frame, patches (numbers), edges (numbers, or all), chosen (the number of an edge), fill, zoom.
+// Options: camera, frame, patches (numbers), edges (numbers, or all), chosen (the number of an
+// edge), fill, zoom.
 function drawModel(canvas, model, options) {
   const { context, width, height } = prepared(canvas);
   if (width === 0) return;

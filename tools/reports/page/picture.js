@@ -11,7 +11,8 @@ function readColours() {
     colours[name] = style.getPropertyValue('--' + name.split(' ')[0]).trim();
 }
 
-// Fits a canvas to its box on the screen and returns its context, in units of the page, and its size.
+// Fits a canvas to its box on the screen and returns its context, in units of the page, and its
+// size.
 function prepared(canvas) {
   const scale = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
   if (canvas.width !== Math.round(width * scale)) canvas.width = Math.round(width * scale);
@@ -36,8 +37,8 @@ function pointsOf(item) {
   return points;
 }
 
-// A map from the space of the curves to the canvas: the join in the middle, and around it as much as the shorter of both
-// curves takes, twice.
+// A map from the space of the curves to the canvas: the join in the middle, and around it as much
+// as the shorter of both curves takes, twice.
 class View {
   constructor(item, width, height, zoom, shift, down) {
     this.directions = planeOf(pointsOf(item));
@@ -72,8 +73,8 @@ class View {
   }
 }
 
-// The offsets from the centre of those points that lie within the distance `most`, and, on the way out, of the place where it is
-// reached.
+// The offsets from the centre of those points that lie within the distance `most`, and, on the way
+// out, of the place where it is reached.
 function offsetsWithin(points, centre, most, wayOut) {
   const result = [];
   for (const p of points) {
@@ -103,7 +104,8 @@ function ballOf(curve) {
   return curve.ball;
 }
 
-// The curvature to which the longest teeth belong: that at the join, where it is not much less than elsewhere.
+// The curvature to which the longest teeth belong: that at the join, where it is not much less than
+// elsewhere.
 function referenceCurvature(left, right) {
   const all = [...left, ...right].filter((s) => s.k).map((s) => length(s.k)).sort((a, b) => a - b);
   if (all.length === 0) return 0;
@@ -116,7 +118,8 @@ function drawComb(context, view, curve, colour, unit, longest) {
   for (const s of curve) {
     if (!s.k) continue;
     const k = view.vector(s.k), size = Math.hypot(k[0], k[1]), base = view.point(s.x);
-    // a curve in space may bend towards the viewer: the tooth is as long as the curvature, seen from here
+    // a curve in space may bend towards the viewer: the tooth is as long as the curvature, seen
+    // from here
     const wanted = size === 0 ? 0 : Math.min(size / view.scale * unit, longest) / size;
     bases.push(base);
     ends.push([base[0] - k[0] * wanted, base[1] - k[1] * wanted]);

@@ -6,29 +6,32 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_G2_H
 
 /// \file IO/g2.h
-/// Curves and surfaces in SINTEF's text format `.g2`, read and written without loss. A text holds objects one after the
-/// other, each a sequence of words separated by white space.
+/// Curves and surfaces in SINTEF's text format `.g2`, read and written without loss. A text holds
+/// objects one after the other, each a sequence of words separated by white space.
 ///
 /// A curve has the words
-/// - `100`, the class of spline curves, the version `1 0`, the number of auxiliary integers, and these, which are
-///   skipped;
+/// - `100`, the class of spline curves, the version `1 0`, the number of auxiliary integers, and
+///   these, which are skipped;
 /// - the dimension, and the rational flag: 0, or 1 for a curve with weights;
 /// - the number of control points, the order (degree + 1), and the knots, as many as both together;
-/// - the control points; with the flag 1 the products \f$ w x \f$ of the coordinates and the weight, and then the weight
-///   \f$ w \f$.
+/// - the control points; with the flag 1 the products \f$ w x \f$ of the coordinates and the
+///   weight, and then the weight \f$ w \f$.
 ///
-/// A line, `120`, with its dimension, location, direction, 1 and the parameters of its two ends, is read as a curve of degree 1.
-/// A plane, `250`, with its dimension 3, location, normal, axis, 1 and the bounds of both parameters, is read as a surface of degree
-/// 1 by 1 if its normal and its axis are orthogonal and have rational lengths, by which they are divided; so are planes with the
-/// flag 11, the bounds and the domain, and those with the flag, 0 or 1, that says whether the parameters change places.
-/// Circles, cylinders and other elementary classes are refused: their angles in radians are not exact numbers. As rational
-/// splines they are.
+/// A line, `120`, with its dimension, location, direction, 1 and the parameters of its two ends, is
+/// read as a curve of degree 1. A plane, `250`, with its dimension 3, location, normal, axis, 1 and
+/// the bounds of both parameters, is read as a surface of degree 1 by 1 if its normal and its axis
+/// are orthogonal and have rational lengths, by which they are divided; so are planes with the flag
+/// 11, the bounds and the domain, and those with the flag, 0 or 1, that says whether the parameters
+/// change places. Circles, cylinders and other elementary classes are refused: their angles in
+/// radians are not exact numbers. As rational splines they are.
 ///
-/// A surface has the class `200`, and in place of the third line the same numbers for `u` and then for `v`. Its control
-/// points are \f$ b_{00}, b_{10}, \dots, b_{m-1,0}, b_{01}, \dots, b_{m-1,n-1} \f$: the index that belongs to `u` runs
-/// fastest.
+/// A surface has the class `200`, and in place of the third line the same numbers for `u` and then
+/// for `v`. Its control points are
+/// \f$ b_{00}, b_{10}, \dots, b_{m-1,0}, b_{01}, \dots, b_{m-1,n-1} \f$: the index that belongs to
+/// `u` runs fastest.
 ///
-/// Coordinates and knots are read by `parse_number()`, so that a number may also be a fraction `p/q`.
+/// Coordinates and knots are read by `parse_number()`, so that a number may also be a fraction
+/// `p/q`.
 
 #include <CGAL/Geometric_continuity/IO/internal/G2_parser.h>
 #include <CGAL/Geometric_continuity/IO/internal/g2_text.h>
@@ -95,17 +98,19 @@ Surface rational_g2_surface(const Points& w, const Direction& u, const Direction
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// Reads curves one after the other from a text in the `.g2` format, in memory that does not depend on the length of
-/// the text. A B-spline curve needs at least as many control points as its order, and knots as `Knot_vector` does. A
-/// Bézier curve has as many control points as its order, and two knots `a < b`, each repeated as often as the order
-/// says; its domain is [a, b]. All curves of a text have one dimension, which is that of `Traits` or, when `Traits`
-/// leaves it open, lies between 2 and `max_g2_dimension`. The order is at most `max_g2_order`.
-/// A byte order mark of UTF-8 is skipped; UTF-16 is refused.
+/// Reads curves one after the other from a text in the `.g2` format, in memory that does not depend
+/// on the length of the text. A B-spline curve needs at least as many control points as its order,
+/// and knots as `Knot_vector` does. A Bézier curve has as many control points as its order, and two
+/// knots `a < b`, each repeated as often as the order says; its domain is [a, b]. All curves of a
+/// text have one dimension, which is that of `Traits` or, when `Traits` leaves it open, lies
+/// between 2 and `max_g2_dimension`. The order is at most `max_g2_order`. A byte order mark of
+/// UTF-8 is skipped; UTF-16 is refused.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` whose `FT` is accepted by `parse_number()`
-/// \tparam Curve `Rational_bspline_curve<Traits>` or `Bspline_curve<Traits>`, or, for texts without inner knots,
-///   `Rational_bezier_curve<Traits>` or `Bezier_curve<Traits>`. Curves with the rational flag are refused where a polynomial
-///   type is read; polynomial curves are read as rational ones with the weights 1
+/// \tparam Curve `Rational_bspline_curve<Traits>` or `Bspline_curve<Traits>`, or, for texts without
+///   inner knots, `Rational_bezier_curve<Traits>` or `Bezier_curve<Traits>`. Curves with the
+///   rational flag are refused where a polynomial type is read; polynomial curves are read as
+///   rational ones with the weights 1
 template <class Traits, class Curve = Bezier_curve<Traits>> class G2_curve_reader {
   static constexpr bool bezier =
       std::is_same_v<Curve, Bezier_curve<Traits>> || std::is_same_v<Curve, Rational_bezier_curve<Traits>>;
@@ -125,9 +130,11 @@ public:
       : parser_(is, std::move(name), internal::g2_curves,
                 rational ? internal::G2_weights::allowed : internal::G2_weights::refused) {}
 
-  /// Returns the next curve, or nothing at the end of the text. After an error the reader cannot be used any more.
-  /// \throws Error `malformed_input` with a text `name:line: reason` for everything that is no curve of the format, and
-  ///   for a text without any curve; `cannot_read_file` when reading fails for another reason
+  /// Returns the next curve, or nothing at the end of the text. After an error the reader cannot be
+  /// used any more.
+  /// \throws Error `malformed_input` with a text `name:line: reason` for everything that is no
+  ///   curve of the format, and for a text without any curve; `cannot_read_file` when reading fails
+  ///   for another reason
   std::optional<Curve> next() {
     if (!parser_.next_object()) return std::nullopt;
     internal::G2_direction<FT> u = parser_.read_direction(shape);
@@ -158,18 +165,20 @@ private:
 template <class Traits> using G2_bspline_reader = G2_curve_reader<Traits, Bspline_curve<Traits>>;
 
 /// \ingroup PkgGeometricContinuityIO
-/// Reads surfaces one after the other from a text in the `.g2` format, in memory that does not depend on the length of
-/// the text. A B-spline surface needs, in both directions, at least as many control points as the order says, and knots
-/// as `Knot_vector` does. A Bézier patch has as many control points as the orders say, and in both directions two
-/// knots, each repeated as often as the order says, which are its domain. All surfaces of a text have one dimension,
-/// which is that of `Traits` or, when `Traits` leaves it open, lies between 2 and `max_g2_dimension`. The orders are at
-/// most `max_g2_order`.
+/// Reads surfaces one after the other from a text in the `.g2` format, in memory that does not
+/// depend on the length of the text. A B-spline surface needs, in both directions, at least as many
+/// control points as the order says, and knots as `Knot_vector` does. A Bézier patch has as many
+/// control points as the orders say, and in both directions two knots, each repeated as often as
+/// the order says, which are its domain. All surfaces of a text have one dimension, which is that
+/// of `Traits` or, when `Traits` leaves it open, lies between 2 and `max_g2_dimension`. The orders
+/// are at most `max_g2_order`.
 /// A byte order mark is treated as for curves.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` whose `FT` is accepted by `parse_number()`
-/// \tparam Surface `Rational_bspline_surface<Traits>` or `Bspline_surface<Traits>`, or, for texts without inner knots,
-///   `Rational_bezier_patch<Traits>` or `Bezier_patch<Traits>`. Surfaces with the rational flag are refused where a polynomial type
-///   is read; polynomial surfaces are read as rational ones with the weights 1
+/// \tparam Surface `Rational_bspline_surface<Traits>` or `Bspline_surface<Traits>`, or, for texts
+///   without inner knots, `Rational_bezier_patch<Traits>` or `Bezier_patch<Traits>`. Surfaces with
+///   the rational flag are refused where a polynomial type is read; polynomial surfaces are read as
+///   rational ones with the weights 1
 template <class Traits, class Surface = Bezier_patch<Traits>> class G2_surface_reader {
   static constexpr bool bezier =
       std::is_same_v<Surface, Bezier_patch<Traits>> || std::is_same_v<Surface, Rational_bezier_patch<Traits>>;
@@ -190,17 +199,20 @@ public:
       : parser_(is, std::move(name), internal::g2_surfaces,
                 rational ? internal::G2_weights::allowed : internal::G2_weights::refused) {}
 
-  /// Returns the next surface, or nothing at the end of the text. After an error the reader cannot be used any more.
-  /// \throws Error `malformed_input` with a text `name:line: reason` for everything that is no surface of the format,
-  ///   and for a text without any surface; `cannot_read_file` when reading fails for another reason
+  /// Returns the next surface, or nothing at the end of the text. After an error the reader cannot
+  /// be used any more.
+  /// \throws Error `malformed_input` with a text `name:line: reason` for everything that is no
+  ///   surface of the format, and for a text without any surface; `cannot_read_file` when reading
+  ///   fails for another reason
   std::optional<Surface> next() {
     std::optional<Surface> result;
     visit_next([&](auto&& surface) { result.emplace(std::move(surface)); });
     return result;
   }
 
-  /// Reads the next surface, and calls `f` with it: with a polynomial surface as a `Bezier_patch` or `Bspline_surface`, also where
-  /// `Surface` is rational. Returns false, without a call, at the end of the text.
+  /// Reads the next surface, and calls `f` with it: with a polynomial surface as a `Bezier_patch`
+  /// or `Bspline_surface`, also where `Surface` is rational. Returns false, without a call, at the
+  /// end of the text.
   /// \throws Error as `next()`
   template <class Function> bool visit_next(Function f) {
     if (!parser_.next_object()) return false;
@@ -283,7 +295,8 @@ void write_g2_surface(std::ostream& os, const Surface& surface, bool rational, R
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// Returns all curves of a text in the `.g2` format, which are Bézier curves. Error messages begin with `name`.
+/// Returns all curves of a text in the `.g2` format, which are Bézier curves. Error messages begin
+/// with `name`.
 /// \throws Error as `G2_curve_reader` does
 template <class Traits>
 std::vector<Bezier_curve<Traits>> read_g2_curves(std::istream& is, const std::string& name = "input") {
@@ -309,7 +322,8 @@ std::vector<Rational_bspline_curve<Traits>> read_g2_rational_bsplines(std::istre
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Returns all surfaces of a text in the `.g2` format, which are Bézier patches. Error messages begin with `name`.
+/// Returns all surfaces of a text in the `.g2` format, which are Bézier patches. Error messages
+/// begin with `name`.
 /// \throws Error as `G2_surface_reader` does
 template <class Traits>
 std::vector<Bezier_patch<Traits>> read_g2_surfaces(std::istream& is, const std::string& name = "input") {
@@ -325,7 +339,8 @@ std::vector<Bspline_surface<Traits>> read_g2_bspline_surfaces(std::istream& is, 
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Returns all surfaces of a text in the `.g2` format, rational or not, as rational B-spline surfaces.
+/// Returns all surfaces of a text in the `.g2` format, rational or not, as rational B-spline
+/// surfaces.
 /// \throws Error as `G2_surface_reader` does
 template <class Traits>
 std::vector<Rational_bspline_surface<Traits>> read_g2_rational_bspline_surfaces(std::istream& is,
@@ -335,8 +350,8 @@ std::vector<Rational_bspline_surface<Traits>> read_g2_rational_bspline_surfaces(
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a Bézier curve in the `.g2` format without loss, with an empty line after it. Nothing is written when an
-/// error is thrown. Failures of the stream are seen in its state.
+/// Writes a Bézier curve in the `.g2` format without loss, with an empty line after it. Nothing is
+/// written when an error is thrown. Failures of the stream are seen in its state.
 /// \throws Error as `write_number()` does
 template <class Traits, int Degree> void write_g2(std::ostream& os, const Bezier_curve<Traits, Degree>& curve) {
   const std::pair<typename Traits::FT, typename Traits::FT> domain = curve.domain();
@@ -344,17 +359,18 @@ template <class Traits, int Degree> void write_g2(std::ostream& os, const Bezier
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a B-spline curve in the `.g2` format without loss, with an empty line after it. Nothing is written when an
-/// error is thrown. Failures of the stream are seen in its state.
+/// Writes a B-spline curve in the `.g2` format without loss, with an empty line after it. Nothing
+/// is written when an error is thrown. Failures of the stream are seen in its state.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Bspline_curve<Traits>& curve) {
   internal::write_g2_curve(os, curve, curve.knots());
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a rational Bézier curve in the `.g2` format without loss, with an empty line after it: the products \f$ w_i b_i \f$ and
-/// the weights \f$ w_i \f$, or a polynomial curve where all weights are 1. A product of floating-point numbers is written with as many digits as
-/// give the control point back when it is divided by the weight. Nothing is written when an error is thrown.
+/// Writes a rational Bézier curve in the `.g2` format without loss, with an empty line after it:
+/// the products \f$ w_i b_i \f$ and the weights \f$ w_i \f$, or a polynomial curve where all
+/// weights are 1. A product of floating-point numbers is written with as many digits as give the
+/// control point back when it is divided by the weight. Nothing is written when an error is thrown.
 /// \throws Error as `write_number()` does
 template <class Traits, int Degree>
 void write_g2(std::ostream& os, const Rational_bezier_curve<Traits, Degree>& curve) {
@@ -364,31 +380,33 @@ void write_g2(std::ostream& os, const Rational_bezier_curve<Traits, Degree>& cur
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a rational B-spline curve in the `.g2` format without loss, with an empty line after it, as a rational Bézier curve.
+/// Writes a rational B-spline curve in the `.g2` format without loss, with an empty line after it,
+/// as a rational Bézier curve.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Rational_bspline_curve<Traits>& curve) {
   internal::write_rational_g2_curve(os, curve, curve.knots());
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a B-spline surface in the `.g2` format without loss, with an empty line after it. Nothing is written when an
-/// error is thrown. Failures of the stream are seen in its state.
+/// Writes a B-spline surface in the `.g2` format without loss, with an empty line after it. Nothing
+/// is written when an error is thrown. Failures of the stream are seen in its state.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Bspline_surface<Traits>& surface) {
   internal::write_g2_surface(os, surface, false, [&](int i, int j) { return surface.coordinates(i, j); });
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a Bézier patch in the `.g2` format without loss, with an empty line after it. Nothing is written when an
-/// error is thrown. Failures of the stream are seen in its state.
+/// Writes a Bézier patch in the `.g2` format without loss, with an empty line after it. Nothing is
+/// written when an error is thrown. Failures of the stream are seen in its state.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Bezier_patch<Traits>& patch) {
   write_g2(os, Bspline_surface<Traits>(patch));
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a rational B-spline surface in the `.g2` format without loss, with an empty line after it: the products
-/// \f$ w_{ij} b_{ij} \f$ and the weights, as for a rational curve, or a polynomial surface where all weights are 1.
+/// Writes a rational B-spline surface in the `.g2` format without loss, with an empty line after
+/// it: the products \f$ w_{ij} b_{ij} \f$ and the weights, as for a rational curve, or a polynomial
+/// surface where all weights are 1.
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Rational_bspline_surface<Traits>& surface) {
   if (internal::has_unit_weights(surface))

@@ -6,10 +6,11 @@
 #define CGAL_GEOMETRIC_CONTINUITY_IO_JSON_H
 
 /// \file IO/json.h
-/// Verdicts on joins as JSON. `write_json()` writes a value: a text, a flag, an enclosure, or an object for what was
-/// decided about a join. `write_json_members()` writes the members of such an object without the braces, so that a
-/// program can add members of its own. Exact numbers are strings, and what is undefined is null. Each function writes
-/// its text at once, or nothing when it throws; the locale, the width and the flags of the stream are ignored.
+/// Verdicts on joins as JSON. `write_json()` writes a value: a text, a flag, an enclosure, or an
+/// object for the decision about a join. `write_json_members()` writes the members of such an
+/// object without the braces, so that a program can add members of its own. Exact numbers are
+/// strings, and undefined values are null. Each function writes its text at once, or nothing when
+/// it throws; the locale, the width and the flags of the stream are ignored.
 
 #include <CGAL/Geometric_continuity/IO/internal/utf8.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
@@ -102,8 +103,9 @@ template <class Within> std::string json_of_verdicts(const Within& within) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a text as a JSON string, in quotes and with escapes for quotes, backslashes and control characters. The text
-/// is expected in UTF-8; what is not becomes U+FFFD, one for each longest part that could begin a character.
+/// Writes a text as a JSON string, in quotes and with escapes for quotes, backslashes and control
+/// characters. The text is expected in UTF-8; what is not becomes U+FFFD, one for each longest part
+/// that could begin a character.
 inline void write_json(std::ostream& os, std::string_view text) { internal::write_text(os, internal::json_text(text)); }
 
 /// \ingroup PkgGeometricContinuityIO
@@ -117,7 +119,8 @@ inline void write_json(std::ostream& os, const std::optional<bool>& flag) {
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes an enclosure as `[lower,upper]`, without loss, or `null` when it is empty. An infinite upper bound is `null`.
+/// Writes an enclosure as `[lower,upper]`, without loss, or `null` when it is empty. An infinite
+/// upper bound is `null`.
 /// \throws Error `not_finite` for a bound that is not a number, and for an infinite lower bound
 inline void write_json(std::ostream& os, const std::optional<Enclosure>& enclosure) {
   internal::write_text(os, internal::json_text(enclosure));
@@ -141,8 +144,8 @@ std::enable_if_t<std::is_same_v<Within, Order_within>> write_json_members(std::o
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes the enclosures of a deviation as the members of a JSON object, without braces: those of `write_json(os, within)` behind
-/// the verdicts.
+/// Writes the enclosures of a deviation as the members of a JSON object, without braces: those of
+/// `write_json(os, within)` behind the verdicts.
 /// \throws Error `not_finite` for an enclosure with a bound that is not a number
 /// \tparam Deviation `Join_deviation`
 template <class Deviation>
@@ -152,9 +155,11 @@ std::enable_if_t<std::is_same_v<Deviation, Join_deviation>> write_json_members(s
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes what was decided about the join of the curves number `left` and `right`, of two curves 0 and 1, as a JSON object
+/// Writes the decision about the join of the curves number `left` and `right`, of two curves 0 and
+/// 1, as a JSON object
 /// `{"left":…,"right":…,"c_order":…,"g_order":…,"f_order":…,"betas":["p/q",…],"regular":…,"tangent_equal":…,
-/// "curvature_equal":…,"curvature_vector_equal":…,"torsion_equal":…}`. A gap between the end points is `c_order` -1.
+/// "curvature_equal":…,"curvature_vector_equal":…,"torsion_equal":…}`. A gap between the end points
+/// is `c_order` -1.
 /// \throws Error as `write_number()` does for the shape parameters
 template <class FT> void write_json(std::ostream& os, const Join_continuity<FT>& join, int left = 0, int right = 1) {
   internal::write_text(os, '{' + internal::json_members(join, left, right) + '}');
@@ -163,7 +168,8 @@ template <class FT> void write_json(std::ostream& os, const Join_continuity<FT>&
 /// \ingroup PkgGeometricContinuityIO
 /// Writes the verdicts for the orders 0 to 3 and the enclosures of a deviation as a JSON object
 /// `{"within":["proved",…],"gap":[…,…],"tangent_angle":[…,…],"curvature_jump":[…,…],"torsion_jump":[…,…],
-/// "angle_degrees":[…,…],"curvature_percent":[…,…]}`, where `tangent_angle` is in radians and `curvature_jump` a ratio.
+/// "angle_degrees":[…,…],"curvature_percent":[…,…]}`, where `tangent_angle` is in radians and
+/// `curvature_jump` a ratio.
 /// \throws Error `not_finite` for an enclosure with a bound that is not a number
 /// \tparam Within `Order_within`
 template <class Within>

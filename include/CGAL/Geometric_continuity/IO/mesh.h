@@ -56,11 +56,14 @@ inline Mesh_format mesh_format(const std::string& path) {
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes the points and triangles of a tessellation by the functions of \cgal for polygon soups. Triangles keep the orientation that
-/// `tessellate()` gives them: outwards for closed solids. Coordinates are rounded to `double` and written with 17 digits, so that nothing
-/// more is lost, whatever the locale. Nothing is written when an error is thrown. Failures of the stream are seen in its state.
-/// \throws Error `dimension_mismatch` unless the points are in dimension 3; `not_finite` for coordinates that are no
-///   finite `double`; `wrong_number_of_points` for a triangle with the index of a point that does not exist
+/// Writes the points and triangles of a tessellation by the functions of \cgal for polygon soups.
+/// Triangles keep the orientation that `tessellate()` gives them: outwards for closed solids.
+/// Coordinates are rounded to `double` and written with 17 digits, so that nothing more is lost,
+/// whatever the locale. Nothing is written when an error is thrown. Failures of the stream are seen
+/// in its state.
+/// \throws Error `dimension_mismatch` unless the points are in dimension 3; `not_finite` for
+///   coordinates that are no finite `double`; `wrong_number_of_points` for a triangle with the
+///   index of a point that does not exist
 template <class Traits>
 void write_mesh(std::ostream& os, const Tessellation<Traits>& tessellation, Mesh_format format) {
   std::vector<Simple_cartesian<double>::Point_3> points;

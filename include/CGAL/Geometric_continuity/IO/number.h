@@ -21,28 +21,32 @@
 #include <string_view>
 
 /// \file IO/number.h
-/// Numbers as text, read and written without loss: decimals, and fractions p/q for exact fields; and numbers that are kept as they are
-/// written. What is longer than the limits of text.h is refused.
+/// Numbers as text, read and written without loss: decimals, and fractions p/q for exact fields;
+/// and numbers that are kept as they are written. What is longer than the limits of text.h is
+/// refused.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityIO
-/// Returns the number that is written in a text. This is an optional sign, then a decimal (`12`, `-.5`, `3.`, `1e-3`,
-/// `1.5E+4`) or a fraction `p/q` of two integers of which the second is positive and has no sign.
+/// Returns the number that is written in a text. This is an optional sign, then a decimal (`12`,
+/// `-.5`, `3.`, `1e-3`, `1.5E+4`) or a fraction `p/q` of two integers of which the second is
+/// positive and has no sign.
 ///
-/// In a field other than the floating-point types the number is exactly what is written: `0.1` is 1/10. In `float` and
-/// `double` decimals and fractions are rounded to the nearest number, to the even one in a tie; a number that would
-/// become infinite, a fraction beyond the largest finite number, and a number that is not zero and would become zero
-/// are refused. A number that becomes subnormal is read.
+/// In a field other than the floating-point types the number is exactly what is written: `0.1` is
+/// 1/10. In `float` and `double` decimals and fractions are rounded to the nearest number, to the
+/// even one in a tie; a number that would become infinite, a fraction beyond the largest finite
+/// number, and a number that is not zero and would become zero are refused. A number that becomes
+/// subnormal is read.
 ///
 /// Linear many operations of the field in the number of characters.
 ///
-/// \tparam FT a field number type: `float`, `double`, or a type constructible from `int` with `+`, `-`, `*` and `/`.
-///   When it has a member function `exact()`, it must be constructible from the result.
-/// \throws Error `malformed_input`, with the text (shortened) and the reason, for everything else: an empty text,
-///   `nan`, `inf`, hexadecimal numbers, trailing characters, more than `max_number_length` characters, an exponent
-///   beyond `max_decimal_exponent`
+/// \tparam FT a field number type: `float`, `double`, or a type constructible from `int` with `+`,
+///   `-`, `*` and `/`. When it has a member function `exact()`, it must be constructible from the
+///   result.
+/// \throws Error `malformed_input`, with the text (shortened) and the reason, for everything else:
+///   an empty text, `nan`, `inf`, hexadecimal numbers, trailing characters, more than
+///   `max_number_length` characters, an exponent beyond `max_decimal_exponent`
 template <class FT> FT parse_number(std::string_view token) {
   try {
     return internal::number_value<FT>(token);
@@ -52,22 +56,26 @@ template <class FT> FT parse_number(std::string_view token) {
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Writes a number without loss: `parse_number()` of the text gives the number back, provided that the text is not
-/// longer than `max_number_length`. Floating-point numbers are written as their shortest decimal, numbers of other
-/// fields as `p` or `p/q`. Locale, precision, width and flags of the stream are ignored.
+/// Writes a number without loss: `parse_number()` of the text gives the number back, provided that
+/// the text is not longer than `max_number_length`. Floating-point numbers are written as their
+/// shortest decimal, numbers of other fields as `p` or `p/q`. Locale, precision, width and flags of
+/// the stream are ignored.
 ///
-/// \tparam FT `float`, `double`, or a field number type as for `parse_number()` with `==` and an `operator<<` that
-///   prints `p` or `p/q`; when it has a member function `exact()`, that is asked of the result
-/// \throws Error `not_finite` for an infinite or undefined floating-point number; `cannot_write_file` when the number
-///   type prints something else than the number, as does `Quotient<MP_Float>`; nothing is written then
+/// \tparam FT `float`, `double`, or a field number type as for `parse_number()` with `==` and an
+///   `operator<<` that prints `p` or `p/q`; when it has a member function `exact()`, that is asked
+///   of the result
+/// \throws Error `not_finite` for an infinite or undefined floating-point number;
+///   `cannot_write_file` when the number type prints something else than the number, as does
+///   `Quotient<MP_Float>`; nothing is written then
 template <class FT> void write_number(std::ostream& os, const FT& x) {
   internal::write_text(os, internal::number_text(x));
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// A number as it stands in a text, exactly: a decimal with at most 18 digits as an integer times a power of ten, for which no
-/// memory is allocated, and everything else that `parse_number()` accepts as a rational number. It is for storing and comparing;
-/// whoever computes takes `value()`, or brings several numbers on a common grid with `on_grid()`.
+/// A number as it stands in a text, exactly: a decimal with at most 18 digits as an integer times a
+/// power of ten, for which no memory is allocated, and everything else that `parse_number()`
+/// accepts as a rational number. It is for storing and comparing; whoever computes takes `value()`,
+/// or brings several numbers on a common grid with `on_grid()`.
 class Decimal {
   std::int64_t digits_ = 0;
   int exponent_ = 0;
@@ -76,7 +84,8 @@ class Decimal {
 public:
   /// Constructs 0.
   Decimal() = default;
-  /// Constructs `digits` \f$ \cdot 10^{exponent} \f$. \pre at most 18 digits, and an exponent of at most `max_decimal_exponent`
+  /// Constructs `digits` \f$ \cdot 10^{exponent} \f$. \pre at most 18 digits, and an exponent of at
+  /// most `max_decimal_exponent`
   explicit Decimal(std::int64_t digits, int exponent = 0) : digits_(digits), exponent_(digits == 0 ? 0 : exponent) {}
   /// Constructs any rational number.
   explicit Decimal(const Exact_rational& x) : exact_(std::make_shared<const Exact_rational>(x)) {}
@@ -94,7 +103,8 @@ public:
   /// Returns whether the number is kept as a decimal.
   bool is_decimal() const { return !exact_; }
 
-  /// Returns the exponent of the power of ten of which the number is a multiple; 0 for the number 0. \pre `is_decimal()`
+  /// Returns the exponent of the power of ten of which the number is a multiple; 0 for the
+  /// number 0. \pre `is_decimal()`
   int exponent() const { return exponent_; }
 
   /// Returns the number.
@@ -112,9 +122,9 @@ public:
     return internal::exact_value<Exact_rational>(parts);
   }
 
-  /// Computes the integer `x` with the number \f$ x \cdot 10^{exponent} \f$. Returns false, and leaves `x`, if there is none below
-  /// \f$ 2^{60} \f$ in absolute value, for an exponent above `exponent()` unless the number is 0, and for a number that is not kept as
-  /// a decimal.
+  /// Computes the integer `x` with the number \f$ x \cdot 10^{exponent} \f$. Returns false, and
+  /// leaves `x`, if there is none below \f$ 2^{60} \f$ in absolute value, for an exponent above
+  /// `exponent()` unless the number is 0, and for a number that is not kept as a decimal.
   bool on_grid(int exponent, std::int64_t& x) const {
     if (exact_) return false;
     if (digits_ == 0) {
@@ -128,7 +138,8 @@ public:
     return true;
   }
 
-  /// Returns an enclosure of the number. \pre rounding is upwards, as in the scope of `Protect_FPU_rounding`
+  /// Returns an enclosure of the number. \pre rounding is upwards, as in the scope of
+  /// `Protect_FPU_rounding`
   Interval_nt<false> enclosure() const {
     typedef Interval_nt<false> Interval;
     if (exact_) return Interval(CGAL::to_interval(*exact_));

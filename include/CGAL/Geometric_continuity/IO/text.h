@@ -12,7 +12,8 @@
 #include <string_view>
 
 /// \file IO/text.h
-/// Text that comes from outside: how much of it is read, so that a few characters cannot fill the memory, and how it is shown in messages.
+/// Text that comes from outside: how much of it is read, so that a few characters cannot fill the
+/// memory, and how it is shown in messages.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -35,7 +36,8 @@ constexpr int max_g2_dimension = 16;
 
 namespace internal {
 
-// Returns whether a character controls a terminal, ends a line or changes the direction of the text.
+// Returns whether a character controls a terminal, ends a line or changes the direction of the
+// text.
 inline bool is_control_character(char32_t c) {
   const auto between = [c](char32_t first, char32_t last) { return first <= c && c <= last; };
   return c < 0x20 || between(0x7F, 0x9F) || c == 0x061C || between(0x200E, 0x200F) || between(0x2028, 0x202E) ||
@@ -61,10 +63,10 @@ inline std::string escaped_character(const Utf8_character& c) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// Returns a text as it can be shown on one line of a terminal, whatever it holds: names of files and of elements come from
-/// outside. Control characters, line separators and characters that change the direction of the text become `\n`, `\r`, `\t`,
-/// `\xhh` or `\uhhhh`, bytes that are not UTF-8 `\xhh`. All else stays, also backslashes, so that a second call changes
-/// nothing.
+/// Returns a text as it can be shown on one line of a terminal, whatever it holds: names of files
+/// and of elements come from outside. Control characters, line separators and characters that
+/// change the direction of the text become `\n`, `\r`, `\t`, `\xhh` or `\uhhhh`, bytes that are not
+/// UTF-8 `\xhh`. All else stays, also backslashes, so that a second call changes nothing.
 inline std::string printable(std::string_view text) {
   std::string result;
   internal::for_each_utf8_character(text, [&](const internal::Utf8_character& c) {
@@ -85,8 +87,8 @@ inline bool is_utf8(std::string_view text) {
 }
 
 /// \ingroup PkgGeometricContinuityIO
-/// Returns a text as messages show it: in single quotes, cut after 40 characters, and with bytes that cannot be printed
-/// as `\xHH`.
+/// Returns a text as messages show it: in single quotes, cut after 40 characters, and with bytes
+/// that cannot be printed as `\xHH`.
 inline std::string quoted_token(std::string_view text) {
   constexpr std::size_t longest = 40;
   constexpr char hex[] = "0123456789ABCDEF";

@@ -18,9 +18,10 @@
 #include <vector>
 
 /// \file Basis_matrix.h
-/// The 4 x 4 matrices of cubic curves, how one changes into another, and those of Hermite, Bézier, B-spline and cardinal
-/// curves. The functions with which the points of a curve are weighted, and whether the curve stays in the convex hull of its
-/// points: \f$ \sum_i f_i = 1 \f$ and \f$ f_i \ge 0 \f$. Lecture slides, "Blended curves", "Bézier curves III".
+/// The 4 x 4 matrices of cubic curves, how one changes into another, and those of Hermite, Bézier,
+/// B-spline and cardinal curves. The functions with which the points of a curve are weighted, and
+/// whether the curve stays in the convex hull of its points: \f$ \sum_i f_i = 1 \f$ and
+/// \f$ f_i \ge 0 \f$. Lecture slides, "Blended curves", "Bézier curves III".
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -55,9 +56,9 @@ template <class FT> Basis_matrix<FT> rounded_matrix(const Basis_matrix<typename 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The basis matrix `M` of a cubic curve \f$ Q(t) = G\,M\,[t^3\ t^2\ t\ 1]^T \f$: a 4 x 4 matrix whose row `i` is the
-/// blending function of the `i`-th column of the geometry `G`, with the columns \f$ t^3, t^2, t, 1 \f$. Lecture slides,
-/// "Blended curves".
+/// The basis matrix `M` of a cubic curve \f$ Q(t) = G\,M\,[t^3\ t^2\ t\ 1]^T \f$: a 4 x 4 matrix
+/// whose row `i` is the blending function of the `i`-th column of the geometry `G`, with the
+/// columns \f$ t^3, t^2, t, 1 \f$. Lecture slides, "Blended curves".
 ///
 /// All members can be used at compile time, if the number type can.
 ///
@@ -107,10 +108,11 @@ public:
     return sum;
   }
 
-  /// Returns the inverse, as the matrix of cofactors divided by the determinant. Its existence is decided
-  /// exactly, and the inverse of a matrix of floating-point numbers is exact up to one rounding of each entry, by
-  /// `CGAL::to_double()`.
-  /// \throws Error `singular_frame` when the determinant is zero, and for whole numbers unless it is 1 or -1
+  /// Returns the inverse, as the matrix of cofactors divided by the determinant. Its existence is
+  /// decided exactly, and the inverse of a matrix of floating-point numbers is exact up to one
+  /// rounding of each entry, by `CGAL::to_double()`.
+  /// \throws Error `singular_frame` when the determinant is zero, and for whole numbers unless it
+  ///   is 1 or -1
   /// \throws Error `not_finite` for an infinite or undefined entry, and when the inverse overflows
   constexpr Basis_matrix inverse() const {
     if constexpr (std::is_floating_point_v<FT>)
@@ -159,9 +161,9 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the matrix \f$ A = M_{from} M_{to}^{-1} \f$ that changes the geometry of a curve in one basis into that of
-/// the same curve in another one: \f$ G_{to} = G_{from} A \f$. Exact; the matrix for floating-point numbers is exact up
-/// to one rounding of each entry.
+/// Returns the matrix \f$ A = M_{from} M_{to}^{-1} \f$ that changes the geometry of a curve in one
+/// basis into that of the same curve in another one: \f$ G_{to} = G_{from} A \f$. Exact; the matrix
+/// for floating-point numbers is exact up to one rounding of each entry.
 /// \throws Error `singular_frame`, `not_finite` when the basis `to` cannot be inverted
 template <class FT>
 constexpr Basis_matrix<FT> change_of_basis(const Basis_matrix<FT>& from, const Basis_matrix<FT>& to) {
@@ -173,7 +175,8 @@ constexpr Basis_matrix<FT> change_of_basis(const Basis_matrix<FT>& from, const B
 
 namespace internal {
 
-// Row by row the values at 0 and 1 and the derivatives at 0 and 1 of t^3, t^2, t, 1 stand in the columns.
+// Row by row the values at 0 and 1 and the derivatives at 0 and 1 of t^3, t^2, t, 1 stand in the
+// columns.
 constexpr Basis_matrix<int> hermite_constraints({{{0, 1, 0, 3}, {0, 1, 0, 2}, {0, 1, 1, 1}, {1, 1, 0, 0}}});
 constexpr Basis_matrix<int> hermite_matrix = hermite_constraints.inverse();
 // equivalent [0 -> 1, 2]: computed by the compiler, which also asserts that it is inverted by the
@@ -188,39 +191,43 @@ static_assert(bezier_matrix == Basis_matrix<int>({{{-1, 3, -3, 1}, {3, -6, 3, 0}
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the matrix of the four conditions on a Hermite curve: \f$ G_H = G_H M_H\,\cdot \f$ this matrix, the columns
-/// of which are \f$ [t^3\ t^2\ t\ 1]^T \f$ at 0 and 1 and its derivatives at 0 and 1. Lecture slides, corrected.
+/// Returns the matrix of the four conditions on a Hermite curve: \f$ G_H = G_H M_H\,\cdot \f$ this
+/// matrix, the columns of which are \f$ [t^3\ t^2\ t\ 1]^T \f$ at 0 and 1 and its derivatives at 0
+/// and 1. Lecture slides, corrected.
 template <class FT> Basis_matrix<FT> hermite_constraint_matrix() {
   return internal::hermite_constraints.template over<FT>();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns \f$ M_H \f$, the inverse of `hermite_constraint_matrix()`, taken at compile time. The rows stand for the end
-/// points \f$ P_1, P_4 \f$ and the derivatives \f$ R_1, R_4 \f$ there. Lecture slides, corrected.
+/// Returns \f$ M_H \f$, the inverse of `hermite_constraint_matrix()`, taken at compile time. The
+/// rows stand for the end points \f$ P_1, P_4 \f$ and the derivatives \f$ R_1, R_4 \f$ there.
+/// Lecture slides, corrected.
 template <class FT> Basis_matrix<FT> hermite_matrix() { return internal::hermite_matrix.template over<FT>(); }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns \f$ M_{HB} \f$ with \f$ G_H = G_B M_{HB} \f$: \f$ R_1 = 3 (P_2 - P_1) \f$ and \f$ R_4 = 3 (P_4 - P_3) \f$.
-/// Lecture slides.
+/// Returns \f$ M_{HB} \f$ with \f$ G_H = G_B M_{HB} \f$: \f$ R_1 = 3 (P_2 - P_1) \f$ and
+/// \f$ R_4 = 3 (P_4 - P_3) \f$. Lecture slides.
 template <class FT> Basis_matrix<FT> hermite_from_bezier_matrix() {
   return internal::hermite_from_bezier_matrix.template over<FT>();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns \f$ M_B = M_{HB} M_H \f$, the rows of which are the Bernstein polynomials of degree 3. Lecture slides,
-/// corrected.
+/// Returns \f$ M_B = M_{HB} M_H \f$, the rows of which are the Bernstein polynomials of degree 3.
+/// Lecture slides, corrected.
 template <class FT> Basis_matrix<FT> bezier_matrix() { return internal::bezier_matrix.template over<FT>(); }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the matrix of the uniform cubic B-spline: the curve of four neighbours is near the second and the third.
+/// Returns the matrix of the uniform cubic B-spline: the curve of four neighbours is near the
+/// second and the third.
 template <class FT> Basis_matrix<FT> bspline_matrix() {
   return FT(FT(1) / FT(6)) * internal::bspline_matrix.template over<FT>();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the matrix of the cardinal spline: the curve of four neighbours leads from the second to the third, with
-/// derivatives \f$ \frac{1-c}{2} (P_3 - P_1) \f$ and \f$ \frac{1-c}{2} (P_4 - P_2) \f$ for the tension `c`. Tension 0
-/// is Catmull-Rom; tension 1 has zero derivatives and a singular matrix.
+/// Returns the matrix of the cardinal spline: the curve of four neighbours leads from the second to
+/// the third, with derivatives \f$ \frac{1-c}{2} (P_3 - P_1) \f$ and
+/// \f$ \frac{1-c}{2} (P_4 - P_2) \f$ for the tension `c`. Tension 0 is Catmull-Rom; tension 1 has
+/// zero derivatives and a singular matrix.
 template <class FT> Basis_matrix<FT> cardinal_matrix(const FT& tension) {
   const FT o(0), e(1), s = FT(FT(FT(1) - tension) / FT(2)), r = FT(-s);
   return Basis_matrix<FT>({{{o, o, r, o}, {e, o, o, r}, {o, e, s, o}, {o, o, o, s}}}) * hermite_matrix<FT>();
@@ -241,16 +248,16 @@ template <class FT> std::vector<Bernstein_polynomial<FT>> rows_as_polynomials(co
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the four blending functions of a cubic basis: polynomials of degree 3 on [0, 1], with which the columns of
-/// the geometry are weighted. Lecture slides, "Blended curves".
+/// Returns the four blending functions of a cubic basis: polynomials of degree 3 on [0, 1], with
+/// which the columns of the geometry are weighted. Lecture slides, "Blended curves".
 /// \throws Error `not_finite` for an infinite or undefined floating-point number
 template <class FT> std::vector<Bernstein_polynomial<FT>> blending_functions(const Basis_matrix<FT>& basis) {
   return internal::rows_as_polynomials(change_of_basis(basis, bezier_matrix<FT>()));
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the Bernstein polynomials \f$ B_0^n, \dots, B_n^n \f$, the blending functions of the Bézier curves of degree
-/// `n >= 0`.
+/// Returns the Bernstein polynomials \f$ B_0^n, \dots, B_n^n \f$, the blending functions of the
+/// Bézier curves of degree `n >= 0`.
 /// \throws Error `negative_count` when `n` is negative
 template <class FT> std::vector<Bernstein_polynomial<FT>> bernstein_polynomials(int n) {
   if (n < 0) throw Error(Error_code::negative_count, "bernstein_polynomials: degree");
@@ -264,9 +271,9 @@ template <class FT> std::vector<Bernstein_polynomial<FT>> bernstein_polynomials(
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Decides whether the functions sum to 1 everywhere, so that the curve moves with its points. Exact for the
-/// coefficients as given: floating-point numbers are taken as the rational numbers they are. Lecture slides, "Bézier
-/// curves III".
+/// Decides whether the functions sum to 1 everywhere, so that the curve moves with its points.
+/// Exact for the coefficients as given: floating-point numbers are taken as the rational numbers
+/// they are. Lecture slides, "Bézier curves III".
 /// \throws Error `not_finite` when a coefficient is infinite or not a number
 template <class FT> bool is_partition_of_unity(const std::vector<Bernstein_polynomial<FT>>& functions) {
   typedef typename Exact_field<FT>::type Field;
@@ -290,9 +297,10 @@ template <class FT> bool is_nonnegative(const Bernstein_polynomial<FT>& p) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Decides whether every curve that has these blending functions stays in the convex hull of its points for `t` in [0,
-/// 1]: the functions sum to 1 and are nonnegative there. This is so for Bézier curves and B-splines, but not for
-/// Catmull-Rom splines. Lecture slides, "Bézier curves III", corrected.
+/// Decides whether every curve that has these blending functions stays in the convex hull of its
+/// points for `t` in [0, 1]: the functions sum to 1 and are nonnegative there. This is so for
+/// Bézier curves and B-splines, but not for Catmull-Rom splines. Lecture slides, "Bézier curves
+/// III", corrected.
 /// \throws Error `not_finite` when a coefficient is infinite or not a number
 template <class FT> bool has_convex_hull_property(const std::vector<Bernstein_polynomial<FT>>& functions) {
   for (const Bernstein_polynomial<FT>& f : functions)

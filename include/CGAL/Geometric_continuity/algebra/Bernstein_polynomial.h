@@ -18,21 +18,24 @@
 #include <vector>
 
 /// \file Bernstein_polynomial.h
-/// Polynomials on [0, 1] in Bernstein form: their coefficients are control points, and their signs tell much about the signs of
-/// the polynomial. Farin, "Curves and Surfaces for CAGD", chapters 5 and 6. And polynomials in powers over an exact field, for
-/// Euclid's algorithm: the greatest common divisor, and the polynomial with the same roots, all of them simple.
+/// Polynomials on [0, 1] in Bernstein form: their coefficients are control points, and their signs
+/// tell much about the signs of the polynomial. Farin, "Curves and Surfaces for CAGD", chapters 5
+/// and 6. And polynomials in powers over an exact field, for Euclid's algorithm: the greatest
+/// common divisor, and the polynomial with the same roots, all of them simple.
 ///
-/// The functions on coefficients \f$ c_0, \dots, c_n \f$ of \f$ \sum_i c_i B_i^n(t) \f$ in random-access containers `c` use
-/// field arithmetic only. Curves run them on coordinates and on vectors of coordinates; `Bernstein_polynomial` wraps them for
-/// scalar polynomials. The algorithms are de Casteljau's. They run in the innermost loops and do not check their arguments: it
-/// is the caller's duty that `c` has the `n + 1` elements and, where this is said, the room that is needed, and that `n` and
-/// `k` are not negative.
+/// The functions on coefficients \f$ c_0, \dots, c_n \f$ of \f$ \sum_i c_i B_i^n(t) \f$ in
+/// random-access containers `c` use field arithmetic only. Curves run them on coordinates and on
+/// vectors of coordinates; `Bernstein_polynomial` wraps them for scalar polynomials. The algorithms
+/// are de Casteljau's. They run in the innermost loops and do not check their arguments: it is the
+/// caller's duty that `c` has the `n + 1` elements and, where this is said, the room that is
+/// needed, and that `n` and `k` are not negative.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the row \f$ \binom{n}{0}, \dots, \binom{n}{n} \f$ of Pascal's triangle, `n >= 0`. \f$ O(n) \f$
+/// Returns the row \f$ \binom{n}{0}, \dots, \binom{n}{n} \f$ of Pascal's triangle, `n >= 0`.
+/// \f$ O(n) \f$
 /// \throws Error `negative_count` when `n` is negative
 template <class FT> std::vector<FT> binomial_coefficients(int n) {
   if (n < 0) throw Error(Error_code::negative_count, "binomial_coefficients");
@@ -42,15 +45,16 @@ template <class FT> std::vector<FT> binomial_coefficients(int n) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Does one step of de Casteljau's algorithm at `t`: overwrites \f$ c_0, \dots, c_n \f$ by the `n` coefficients
-/// \f$ (1-t) c_i + t c_{i+1} \f$ in the first places.
+/// Does one step of de Casteljau's algorithm at `t`: overwrites \f$ c_0, \dots, c_n \f$ by the `n`
+/// coefficients \f$ (1-t) c_i + t c_{i+1} \f$ in the first places.
 template <class FT, class Coefficients> void de_casteljau_step(Coefficients& c, int n, const FT& t) {
   const FT s = FT(1) - t;
   for (int i = 0; i < n; ++i) c[i] = s * c[i] + t * c[i + 1];
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Overwrites \f$ c_0, \dots, c_n \f$ by the forward differences \f$ c_{i+1} - c_i \f$ in the first `n` places.
+/// Overwrites \f$ c_0, \dots, c_n \f$ by the forward differences \f$ c_{i+1} - c_i \f$ in the first
+/// `n` places.
 template <class Coefficients> void difference_step(Coefficients& c, int n) {
   for (int i = 0; i < n; ++i) c[i] = c[i + 1] - c[i];
 }
@@ -63,9 +67,9 @@ template <class FT, class Coefficients> auto bernstein_value(Coefficients& c, in
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Computes the derivatives of order 0 to `k` at `t`, with respect to `t`: `out(j, value)` is called for each
-/// `j`, in this order; `c` is overwritten. The coefficients are numbers or vectors of the same dimension.
-/// \f$ O(n^2 + k^3) \f$
+/// Computes the derivatives of order 0 to `k` at `t`, with respect to `t`: `out(j, value)` is
+/// called for each `j`, in this order; `c` is overwritten. The coefficients are numbers or vectors
+/// of the same dimension. \f$ O(n^2 + k^3) \f$
 template <class FT, class Coefficients, class Output>
 void bernstein_derivatives(Coefficients& c, int n, const FT& t, int k, Output out) {
   typedef std::decay_t<decltype(c[0])> Coefficient;
@@ -90,9 +94,10 @@ void bernstein_derivatives(Coefficients& c, int n, const FT& t, int k, Output ou
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Computes the derivatives of order 0 to `k` at `t = 0` from the first `k + 1` coefficients, in `c`, which is
-/// overwritten, and calls `out(j, value)` for each `j`, in this order: \f$ \frac{n!}{(n-j)!} \Delta^j c_0 \f$. The
-/// coefficients in reverse order give the derivatives at `t = 1` up to the sign \f$ (-1)^j \f$. \f$ O(k^2) \f$
+/// Computes the derivatives of order 0 to `k` at `t = 0` from the first `k + 1` coefficients, in
+/// `c`, which is overwritten, and calls `out(j, value)` for each `j`, in this order:
+/// \f$ \frac{n!}{(n-j)!} \Delta^j c_0 \f$. The coefficients in reverse order give the derivatives
+/// at `t = 1` up to the sign \f$ (-1)^j \f$. \f$ O(k^2) \f$
 template <class FT, class Coefficients, class Output>
 void bernstein_end_derivatives(Coefficients& c, int n, int k, Output out) {
   const int last = k < n ? k : n;
@@ -106,10 +111,11 @@ void bernstein_end_derivatives(Coefficients& c, int n, int k, Output out) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Overwrites \f$ c_0, \dots, c_n \f$ by the coefficients on \f$ [t, 1] \f$ and writes those on \f$ [0, t] \f$ to
-/// `left`, which has room for `n + 1`. \f$ O(n^2) \f$
+/// Overwrites \f$ c_0, \dots, c_n \f$ by the coefficients on \f$ [t, 1] \f$ and writes those on
+/// \f$ [0, t] \f$ to `left`, which has room for `n + 1`. \f$ O(n^2) \f$
 template <class FT, class Coefficients> void bernstein_split(Coefficients& c, int n, const FT& t, Coefficients& left) {
-  // curves/internal/bezier_jet.h has the same for a degree known at compile time; after i steps, c[0] is the next coefficient of the left part
+  // curves/internal/bezier_jet.h has the same for a degree known at compile time; after i steps,
+  // c[0] is the next coefficient of the left part
   const FT s = FT(1) - t;
   left[0] = c[0];
   for (int i = 1; i <= n; ++i) {
@@ -133,11 +139,11 @@ template <class FT_> class Bernstein_polynomial {
 public:
   typedef FT_ FT; ///< the number type
 
-  /// Constructs a polynomial from `n + 1 >= 1` coefficients. \throws Error `wrong_number_of_points` without
-  /// coefficients
+  /// Constructs a polynomial from `n + 1 >= 1` coefficients. \throws Error `wrong_number_of_points`
+  /// without coefficients
   explicit Bernstein_polynomial(std::vector<FT> coefficients) : c_(std::move(coefficients)) { check(); }
-  /// Constructs a polynomial from `n + 1 >= 1` coefficients. \throws Error `wrong_number_of_points` without
-  /// coefficients
+  /// Constructs a polynomial from `n + 1 >= 1` coefficients. \throws Error `wrong_number_of_points`
+  /// without coefficients
   Bernstein_polynomial(std::initializer_list<FT> coefficients) : c_(coefficients) { check(); }
   /// Constructs a polynomial from a range of `n + 1 >= 1` coefficients.
   /// \throws Error `wrong_number_of_points` without coefficients
@@ -182,7 +188,8 @@ public:
     return FT(sum / FT(degree() + 1));
   }
 
-  /// Returns the same function with the degree raised by `times >= 0`. \f$ O(n\,times + times^2) \f$
+  /// Returns the same function with the degree raised by `times >= 0`.
+  /// \f$ O(n\,times + times^2) \f$
   /// \throws Error `negative_count` when `times` is negative
   Bernstein_polynomial elevated(int times = 1) const {
     if (times < 0) throw Error(Error_code::negative_count, "Bernstein_polynomial::elevated");
@@ -199,8 +206,8 @@ public:
     return {Bernstein_polynomial(std::move(left)), Bernstein_polynomial(std::move(right))};
   }
 
-  /// Returns the restriction to [a, b], reparametrised to [0, 1]: \f$ t \mapsto p(a + t (b - a)) \f$ for any `a` and
-  /// `b`. \f$ O(n^2) \f$
+  /// Returns the restriction to [a, b], reparametrised to [0, 1]:
+  /// \f$ t \mapsto p(a + t (b - a)) \f$ for any `a` and `b`. \f$ O(n^2) \f$
   Bernstein_polynomial restricted(const FT& a, const FT& b) const {
     if (a == FT(1)) { // split from the other side: [b, 1] reversed
       Bernstein_polynomial r = split(b).second;
@@ -259,7 +266,8 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns all values \f$ B_0^n(t), \dots, B_n^n(t) \f$ of the Bernstein basis of degree `n >= 0`. \f$ O(n^2) \f$
+/// Returns all values \f$ B_0^n(t), \dots, B_n^n(t) \f$ of the Bernstein basis of degree `n >= 0`.
+/// \f$ O(n^2) \f$
 /// \throws Error `negative_count` when `n` is negative
 template <class FT> std::vector<FT> bernstein_basis(int n, const FT& t) {
   if (n < 0) throw Error(Error_code::negative_count, "bernstein_basis: degree");
@@ -281,10 +289,11 @@ template <class FT, int N> bool is_zero_coefficient(const Coordinate_vector<FT, 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients \f$ a_k = \binom{n}{k} \Delta^k c_0 \f$ of the powers of `t`, up to the last that is not
-/// zero but at least \f$ a_0 \f$, from the `n + 1` Bernstein coefficients \f$ c_i \f$ on [0, 1], which are numbers or
-/// vectors. None from none. \f$ O(n^2) \f$
-/// \tparam FT a field number type \tparam Row a `std::vector` of such numbers or of vectors over them
+/// Returns the coefficients \f$ a_k = \binom{n}{k} \Delta^k c_0 \f$ of the powers of `t`, up to the
+/// last that is not zero but at least \f$ a_0 \f$, from the `n + 1` Bernstein coefficients
+/// \f$ c_i \f$ on [0, 1], which are numbers or vectors. None from none. \f$ O(n^2) \f$
+/// \tparam FT a field number type \tparam Row a `std::vector` of such numbers or of vectors over
+///   them
 template <class FT, class Row> Row powers_from_bernstein(Row c) {
   const int n = static_cast<int>(c.size()) - 1;
   Row a;
@@ -299,8 +308,8 @@ template <class FT, class Row> Row powers_from_bernstein(Row c) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// A polynomial \f$ \sum_{k=0}^n a_k t^k \f$ with \f$ a_n \ne 0 \f$; the zero polynomial has no coefficients and the
-/// degree -1.
+/// A polynomial \f$ \sum_{k=0}^n a_k t^k \f$ with \f$ a_n \ne 0 \f$; the zero polynomial has no
+/// coefficients and the degree -1.
 /// \tparam FT a field number type with exact operations
 template <class FT_> class Power_polynomial {
 public:
@@ -337,7 +346,8 @@ public:
     for (FT& x : a_) x /= leading;
   }
 
-  /// Divides by `d`, leaves the remainder here and returns the quotient. \f$ O((n-m+1) m) \f$ for degrees `n`, `m`
+  /// Divides by `d`, leaves the remainder here and returns the quotient. \f$ O((n-m+1) m) \f$ for
+  /// degrees `n`, `m`
   /// \throws Error `wrong_number_of_points` when `d` is zero
   Power_polynomial divide(const Power_polynomial& d) {
     if (d.is_zero()) throw Error(Error_code::wrong_number_of_points, "Power_polynomial: division by zero");
@@ -351,8 +361,9 @@ public:
     return Power_polynomial(std::move(q));
   }
 
-  /// Returns the same function in Bernstein form, \f$ c_i = \sum_k a_k \binom{i}{k} / \binom{n}{k} \f$, of the same
-  /// degree; of degree 0 for zero. \f$ O(n^2) \f$
+  /// Returns the same function in Bernstein form,
+  /// \f$ c_i = \sum_k a_k \binom{i}{k} / \binom{n}{k} \f$, of the same degree; of degree 0 for
+  /// zero. \f$ O(n^2) \f$
   Bernstein_polynomial<FT> bernstein() const {
     if (is_zero()) return Bernstein_polynomial<FT>{FT(0)};
     const int n = degree();
@@ -391,8 +402,9 @@ template <class FT> std::size_t most_words(const Power_polynomial<FT>& p) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the greatest common divisor, up to a factor that is not zero, by Euclid's algorithm; zero if both are.
-/// \f$ O(nm) \f$ operations for degrees `n`, `m`, on numbers that grow in length up to the order of `n + m`
+/// Returns the greatest common divisor, up to a factor that is not zero, by Euclid's algorithm;
+/// zero if both are. \f$ O(nm) \f$ operations for degrees `n`, `m`, on numbers that grow in length
+/// up to the order of `n + m`
 /// \throws Error `work_limit`
 template <class FT> Power_polynomial<FT> greatest_common_divisor(Power_polynomial<FT> a, Power_polynomial<FT> b) {
   static_assert(!std::is_floating_point_v<FT>, "divisibility is decided in an exact field");
@@ -409,8 +421,8 @@ template <class FT> Power_polynomial<FT> greatest_common_divisor(Power_polynomia
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns `p` divided by the greatest common divisor of `p` and its derivative: it has the same roots, and all of them
-/// are simple. It costs as much as `greatest_common_divisor()`.
+/// Returns `p` divided by the greatest common divisor of `p` and its derivative: it has the same
+/// roots, and all of them are simple. It costs as much as `greatest_common_divisor()`.
 /// \throws Error `wrong_number_of_points` when `p` is zero, `work_limit`
 template <class FT> Bernstein_polynomial<FT> square_free_part(const Bernstein_polynomial<FT>& p) {
   const internal::Work_on_part work("square_free_part");

@@ -22,9 +22,10 @@
 #include <vector>
 
 /// \file Coordinate_vector.h
-/// Columns of numbers, with which all formulas of the package are written, and what is linear about them: determinants, without divisions
-/// where that is cheap, so that numbers stay short, and otherwise by elimination; Gram determinants; and the coordinates in the plane
-/// of two vectors, which are quotients of such. *Algebraic G1 connection*, (7) to (11).
+/// Columns of numbers, with which all formulas of the package are written, and their linear
+/// algebra: determinants, without divisions where that is cheap, so that numbers stay short, and
+/// otherwise by elimination; Gram determinants; and the coordinates in the plane of two vectors,
+/// which are quotients of such. *Algebraic G1 connection*, (7) to (11).
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -34,8 +35,9 @@ namespace Geometric_continuity {
 /// formulas of the package are written on this type, so that one text serves every kernel and
 /// every dimension.
 ///
-/// That two vectors of a dimension known at run time only have the same dimension when they meet is the caller's duty:
-/// these operations run in the innermost loops. The functions of the package that read points and vectors check it.
+/// The caller must ensure that two vectors whose dimension is known at run time only have the same
+/// dimension, because these operations run in the innermost loops. The functions of the package
+/// that read points and vectors check it.
 ///
 /// \tparam FT a field number type
 /// \tparam N the dimension, or 0 when it is known at run time only
@@ -47,7 +49,8 @@ public:
   Coordinate_vector() = default;
 
   /// Constructs the zero vector of dimension `d`.
-  /// \throws Error `dimension_mismatch` unless `N` is `d` or 0, `negative_count` when `d` is negative
+  /// \throws Error `dimension_mismatch` unless `N` is `d` or 0, `negative_count` when `d` is
+  ///   negative
   explicit Coordinate_vector(int d) {
     if constexpr (N == 0) {
       if (d < 0) throw Error(Error_code::negative_count, "vector of negative dimension");
@@ -173,8 +176,8 @@ Coordinate_vector<FT, N> orthogonal_component(const Coordinate_vector<FT, N>& v,
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the component of `v` orthogonal to all `q`, which are orthogonal to each other: one step of Gram and
-/// Schmidt.
+/// Returns the component of `v` orthogonal to all `q`, which are orthogonal to each other: one step
+/// of Gram and Schmidt.
 /// \throws Error `zero_direction` when \f$ q \cdot q \f$ is zero for a vector `q`
 template <class FT, int N>
 Coordinate_vector<FT, N> orthogonal_component(Coordinate_vector<FT, N> v,
@@ -208,7 +211,8 @@ template <class FT, class Entry> FT determinant_by_minors(int n, Entry entry) {
   return minors.back();
 }
 
-// By Gaussian elimination in the field, O(n^3). The pivot is the largest number of a column, when they are rounded.
+// By Gaussian elimination in the field, O(n^3). The pivot is the largest number of a column, when
+// they are rounded.
 template <class FT, class Entry> FT determinant_by_elimination(int n, Entry entry) {
   std::vector<std::vector<FT>> rows(n);
   for (int i = 0; i < n; ++i)
@@ -239,8 +243,9 @@ template <class FT, class Entry> FT determinant_by_elimination(int n, Entry entr
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the determinant of the `n` x `n` matrix with entries `entry(row, column)`: up to `n == 6` without divisions,
-/// by Laplace expansion; above, by elimination in the field, in \f$ O(n^3) \f$. The determinant without rows is 1.
+/// Returns the determinant of the `n` x `n` matrix with entries `entry(row, column)`: up to
+/// `n == 6` without divisions, by Laplace expansion; above, by elimination in the field, in
+/// \f$ O(n^3) \f$. The determinant without rows is 1.
 /// \throws Error `negative_count` when `n` is negative
 template <class FT, class Entry> FT determinant(int n, Entry entry) {
   if (n < 0) throw Error(Error_code::negative_count, "determinant: rows");
@@ -251,8 +256,9 @@ template <class FT, class Entry> FT determinant(int n, Entry entry) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the Gram determinant \f$ \det (v_a \cdot v_b) \f$ of the vectors: the squared volume they span,
-/// zero if and only if they are linearly dependent. It costs the determinant of as many rows as there are vectors.
+/// Returns the Gram determinant \f$ \det (v_a \cdot v_b) \f$ of the vectors: the squared volume
+/// they span, zero if and only if they are linearly dependent. It costs the determinant of as many
+/// rows as there are vectors.
 template <class FT, int N> FT gram_determinant(const std::vector<Coordinate_vector<FT, N>>& v) {
   const int n = static_cast<int>(v.size());
   if (n == 0) return FT(1);
@@ -263,8 +269,8 @@ template <class FT, int N> FT gram_determinant(const std::vector<Coordinate_vect
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The coordinates \f$ (\alpha, \beta) \f$ of vectors \f$ u = \alpha v + \beta w \f$ in the plane of two independent vectors
-/// \f$ v, w \f$, by the normal equations
+/// The coordinates \f$ (\alpha, \beta) \f$ of vectors \f$ u = \alpha v + \beta w \f$ in the plane
+/// of two independent vectors \f$ v, w \f$, by the normal equations
 /// \f[ \left[\begin{array}{cc} v \cdot v & v \cdot w \\ v \cdot w & w \cdot w \end{array}\right]
 ///     \left[\begin{array}{c} \alpha \\ \beta \end{array}\right] = \left[\begin{array}{c} v \cdot u \\ w \cdot u \end{array}\right], \f]
 /// in any dimension and without a root. *Algebraic G1 connection*, (7) to (11).
@@ -275,7 +281,8 @@ public:
 
   /// Takes the two vectors. \f$ O(n) \f$ in dimension `n`
   /// \param place what the text of the error names
-  /// \throws Error `singular_frame` when \f$ v \f$ and \f$ w \f$ are parallel, or one of them is zero
+  /// \throws Error `singular_frame` when \f$ v \f$ and \f$ w \f$ are parallel, or one of them is
+  ///   zero
   Plane_coordinates(const Coordinate_vector<FT, N>& v, const Coordinate_vector<FT, N>& w,
                     const char* place = "Plane_coordinates")
       : v_(v), w_(w), vv_(dot(v, v)), vw_(dot(v, w)), ww_(dot(w, w)), gram_(vv_ * ww_ - vw_ * vw_) {
@@ -289,8 +296,8 @@ public:
     return divided(c);
   }
 
-  /// Returns the coordinates of the vector of the plane that is nearest to `u`: of `u` itself, if it is in the plane.
-  /// \f$ O(n) \f$
+  /// Returns the coordinates of the vector of the plane that is nearest to `u`: of `u` itself, if
+  /// it is in the plane. \f$ O(n) \f$
   std::pair<FT, FT> nearest(const Vector& u) const { return divided(multiples(u)); }
 
 private:

@@ -22,9 +22,11 @@
 #include <vector>
 
 /// \file sign_pattern.h
-/// The signs that a polynomial takes on an interval, one by one and all together as a pattern, decided exactly: by its coefficients if
-/// they suffice, and otherwise by the roots of its square-free part. The real roots of a polynomial in [0, 1], each in an interval of its
-/// own, with their multiplicities: Descartes' rule in Bernstein form and bisection. Collins, Akritas; Lane, Riesenfeld.
+/// The signs that a polynomial takes on an interval, one by one and all together as a pattern,
+/// decided exactly: by its coefficients if they suffice, and otherwise by the roots of its
+/// square-free part. The real roots of a polynomial in [0, 1], each in an interval of its own, with
+/// their multiplicities: Descartes' rule in Bernstein form and bisection. Collins, Akritas; Lane,
+/// Riesenfeld.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -102,7 +104,8 @@ inline Sign_pattern joint_pattern(Sign_pattern a, Sign_pattern b) {
 
 namespace internal {
 
-// A positive multiple of a polynomial over a field, in whole numbers where the field has a common denominator.
+// A positive multiple of a polynomial over a field, in whole numbers where the field has a common
+// denominator.
 template <class Exact> using Whole_polynomial = Homogeneous_polynomial<typename Common_denominator<Exact>::Ring>;
 template <class Exact> Whole_polynomial<Exact> whole_multiple(const Bernstein_polynomial<Exact>& p) {
   Common_denominator<Exact> denominator;
@@ -136,8 +139,8 @@ template <class NT> struct Without_end_roots {
   }
 };
 
-// The signs of a polynomial on [0, 1] if those of its coefficients decide: the basis functions are positive inside, so that
-// without coefficients of both signs only the ends can be zero.
+// The signs of a polynomial on [0, 1] if those of its coefficients decide: the basis functions are
+// positive inside, so that without coefficients of both signs only the ends can be zero.
 inline std::optional<Sign_pattern> decided_by_coefficients(Sign_pattern coefficients, bool zero_at_an_end) {
   switch (coefficients) {
   case Sign_pattern::mixed: return std::nullopt;
@@ -147,7 +150,8 @@ inline std::optional<Sign_pattern> decided_by_coefficients(Sign_pattern coeffici
   }
 }
 
-// The work of halves(): about n^2 sums of numbers that are by n digits longer than the coefficients.
+// The work of halves(): about n^2 sums of numbers that are by n digits longer than the
+// coefficients.
 template <class NT> double bisection_steps(const Homogeneous_polynomial<NT>& p) {
   // equivalent [1 -> 2, 1]: an estimate of work
   const double n = p.degree() + 1;
@@ -177,8 +181,8 @@ template <class NT> Sign_pattern strict_sign(const Homogeneous_polynomial<NT>& p
   return strict_sign(halves.second, bisections - 1) == left ? left : Sign_pattern::mixed;
 }
 
-// Adds the signs of p on the open interval (0, 1), where p is not zero at 0 and 1 and s is its square-free part.
-// Bisection ends because the roots of s are simple.
+// Adds the signs of p on the open interval (0, 1), where p is not zero at 0 and 1 and s is its
+// square-free part. Bisection ends because the roots of s are simple.
 template <class NT, class Ring>
 void add_signs(const Homogeneous_polynomial<NT>& p, const Homogeneous_polynomial<Ring>& s, Sign_set& signs) {
   typedef Homogeneous_polynomial<NT> Polynomial;
@@ -220,8 +224,9 @@ template <class Exact, class NT> Sign_pattern exact_sign_pattern(const Homogeneo
   return signs.pattern();
 }
 
-// Decides the signs of p on the closed interval [0, 1], exactly: by up to four bisections, and if those do not decide, by the
-// square-free part and as many as are needed. \throws Error `work_limit`
+// Decides the signs of p on the closed interval [0, 1], exactly: by up to four bisections, and if
+// those do not decide, by the square-free part and as many as are needed. \throws Error
+// `work_limit`
 template <class Exact, class NT> Sign_pattern sign_pattern(const Homogeneous_polynomial<NT>& p) {
   const Work_on_part work("sign_pattern");
   constexpr int bisections = 4;
@@ -241,12 +246,13 @@ template <class FT> auto exact_polynomial(const Bernstein_polynomial<FT>& p) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Decides the signs of `p` on the closed interval [0, 1], exactly: floating-point coefficients are taken as the
-/// rational numbers they are.
+/// Decides the signs of `p` on the closed interval [0, 1], exactly: floating-point coefficients are
+/// taken as the rational numbers they are.
 ///
-/// Coefficients of one sign decide in \f$ O(n) \f$. Otherwise the square-free part is computed, and \f$ O(n^2) \f$
-/// additions are done for each bisection that separates its roots; there are about as many bisections as the distance
-/// of the closest roots, complex ones included, has binary digits.
+/// Coefficients of one sign decide in \f$ O(n) \f$. Otherwise the square-free part is computed, and
+/// \f$ O(n^2) \f$ additions are done for each bisection that separates its roots; there are about
+/// as many bisections as the distance of the closest roots, complex ones included, has binary
+/// digits.
 /// \throws Error `not_finite` when a coefficient is infinite or not a number, `work_limit`
 template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p) {
   const auto exact = internal::exact_polynomial(p);
@@ -260,10 +266,11 @@ template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p)
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Decides the signs of `p` on the closed interval [a, b], `a < b`, exactly, at the cost of `sign_pattern(p)` after
-/// \f$ O(n^2) \f$ operations that restrict `p`.
+/// Decides the signs of `p` on the closed interval [a, b], `a < b`, exactly, at the cost of
+/// `sign_pattern(p)` after \f$ O(n^2) \f$ operations that restrict `p`.
 /// \throws Error `empty_domain` unless `a < b`
-/// \throws Error `not_finite` when a coefficient or an end of the interval is infinite or not a number, `work_limit`
+/// \throws Error `not_finite` when a coefficient or an end of the interval is infinite or not a
+///   number, `work_limit`
 template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p, const FT& a, const FT& b) {
   typedef typename Exact_field<FT>::type Field;
   if (!(a < b)) throw Error(Error_code::empty_domain, "sign_pattern: interval");
@@ -274,8 +281,8 @@ template <class FT> Sign_pattern sign_pattern(const Bernstein_polynomial<FT>& p,
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// A root of a polynomial: the only one in the interval [`begin`, `end`], and inside unless `begin == end`; then it is
-/// this number.
+/// A root of a polynomial: the only one in the interval [`begin`, `end`], and inside unless
+/// `begin == end`; then it is this number.
 /// \tparam FT a field number type
 template <class FT> struct Isolated_root {
   FT begin;             ///< the lower end of the interval
@@ -284,7 +291,8 @@ template <class FT> struct Isolated_root {
 };
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// How many bisections `isolate_roots()` does unless another number is given: enough for about 100 roots that are 2^-30 apart.
+/// The number of bisections that `isolate_roots()` allows by default: enough for about 100 roots
+/// that are 2^-30 apart.
 constexpr int default_bisections = 4096;
 
 namespace internal {
@@ -296,7 +304,8 @@ template <class FT> class Root_isolation {
   typedef Whole_polynomial<FT> Whole;
   typedef typename Whole::NT Number;
 
-  // A multiple of the polynomial on [begin, end], reparametrised to [0, 1], without the roots at these ends.
+  // A multiple of the polynomial on [begin, end], reparametrised to [0, 1], without the roots at
+  // these ends.
   struct Part {
     Whole rest;
     FT begin, end;
@@ -314,8 +323,9 @@ template <class FT> class Root_isolation {
 public:
   Root_isolation(const FT& width, int bisections) : width_(width), most_bisections_(bisections) {}
 
-  // Most polynomials have simple roots only, which Descartes' rule shows without Euclid's algorithm: an interval with one
-  // variation has one root, and it is simple. The square-free part is for those where bisection does not end.
+  // Most polynomials have simple roots only, which Descartes' rule shows without Euclid's
+  // algorithm: an interval with one variation has one root, and it is simple. The square-free part
+  // is for those where bisection does not end.
   std::vector<Root> operator()(const Polynomial& p) {
     find(whole_multiple(p));
     if (given_up_) find_with_multiplicities(p);
@@ -323,7 +333,8 @@ public:
     return std::move(roots_);
   }
 
-  // Returns whether s, which is square-free and has no other roots than the polynomial of `root`, has this one.
+  // Returns whether s, which is square-free and has no other roots than the polynomial of `root`,
+  // has this one.
   static bool has_root(const Polynomial& s, const Root& root) {
     return sign_of(s(root.begin)) * sign_of(s(root.end)) <= 0;
   }
@@ -398,24 +409,28 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Finds the roots of `p` in the closed interval [0, 1] in increasing order, each in an interval of its own whose
-/// length is at most `width > 0`, with their multiplicities. A root is given exactly if it is the only one of `p`, on
-/// or outside the interval, or if bisection meets it. The result is empty for the zero polynomial, which has no
-/// isolated roots.
+/// Finds the roots of `p` in the closed interval [0, 1] in increasing order, each in an interval of
+/// its own whose length is at most `width > 0`, with their multiplicities. A root is given exactly
+/// if it is the only one of `p`, on or outside the interval, or if bisection meets it. The result
+/// is empty for the zero polynomial, which has no isolated roots.
 ///
-/// Exact: floating-point coefficients are taken as the rational numbers they are. Descartes' rule in Bernstein form
-/// separates the roots by bisection; where it does not, as with multiple roots, those of the square-free part.
+/// Exact: floating-point coefficients are taken as the rational numbers they are. Descartes' rule
+/// in Bernstein form separates the roots by bisection; where it does not, as with multiple roots,
+/// those of the square-free part.
 ///
 /// \param p the polynomial, of degree `n`
 /// \param width the greatest length of an interval
-/// \param most_bisections the work that is allowed. Each bisection takes \f$ O(n^2) \f$ additions of whole numbers that
-///        grow by `n` binary digits with each of those before it that led to the same interval. An interval of length
-///        \f$ 2^{-k} \f$ takes `k` bisections; roots that are close to each other take more, at most about \f$ n \f$
-///        times as many as the coefficients have digits. Where roots are multiple or less than about \f$ 2^{-48} \f$ apart,
-///        there are up to twice as many, and the square-free part and the multiplicities cost \f$ O(n^2) \f$ operations
-///        besides.
-/// \throws Error `empty_domain` unless `width > 0`, `not_finite` when a coefficient is infinite or not a number
-/// \throws Error `work_limit` when more bisections or more work are needed, `negative_count` when `most_bisections` is negative
+/// \param most_bisections the work that is allowed. Each bisection takes \f$ O(n^2) \f$ additions
+///   of whole numbers that
+///   grow by `n` binary digits with each of those before it that led to the same interval. An
+///   interval of length \f$ 2^{-k} \f$ takes `k` bisections; roots that are close to each other
+///   take more, at most about \f$ n \f$ times as many as the coefficients have digits. Where roots
+///   are multiple or less than about \f$ 2^{-48} \f$ apart, there are up to twice as many, and the
+///   square-free part and the multiplicities cost \f$ O(n^2) \f$ operations besides.
+/// \throws Error `empty_domain` unless `width > 0`, `not_finite` when a coefficient is infinite or
+///   not a number
+/// \throws Error `work_limit` when more bisections or more work are needed, `negative_count` when
+///   `most_bisections` is negative
 template <class FT>
 std::vector<Isolated_root<typename Exact_field<FT>::type>> isolate_roots(const Bernstein_polynomial<FT>& p,
                                                                          const typename Exact_field<FT>::type& width,
@@ -434,10 +449,10 @@ std::vector<Isolated_root<typename Exact_field<FT>::type>> isolate_roots(const B
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Finds the roots of `p` in the closed interval [0, 1] in intervals of at most 1/1024, with at most
-/// `default_bisections` bisections, see the function with these two as arguments.
-/// \throws Error `not_finite` when a coefficient is infinite or not a number, `work_limit` when more bisections are
-///   needed
+/// Finds the roots of `p` in the closed interval [0, 1] in intervals of at most 1/1024, with at
+/// most `default_bisections` bisections, see the function with these two as arguments.
+/// \throws Error `not_finite` when a coefficient is infinite or not a number, `work_limit` when
+///   more bisections are needed
 template <class FT>
 std::vector<Isolated_root<typename Exact_field<FT>::type>> isolate_roots(const Bernstein_polynomial<FT>& p) {
   typedef typename Exact_field<FT>::type Field;

@@ -23,25 +23,29 @@
 #include <vector>
 
 /// \file Fair.h
-/// Strategies for blends that look as if they were drawn: the least variation of curvature among all blends whose joins are of
-/// one kind. The functional is that of Moreton and Séquin,
+/// Strategies for blends that look as if they were drawn: the least variation of curvature among
+/// all blends whose joins are of one kind. The functional is that of Moreton and Séquin,
 /// \f[ E = L^3 \int_0^L \left| \left(\tfrac{dK}{ds}\right)^{\perp} \right|^2 ds,\qquad
 ///     \left(\tfrac{dK}{ds}\right)^{\perp} = \frac{1}{|d_1|^3}\Bigl(d_3^\perp - 3\,\tfrac{d_1\cdot d_2}{d_1\cdot d_1}\, d_2^\perp\Bigr), \f]
-/// with the curvature vector `K`, the length `L` and the derivatives \f$ d_1, d_2, d_3 \f$. It depends neither on the scale nor
-/// on the parameter. In the plane it is \f$ L^3\int \kappa'^2 \f$, in space \f$ L^3\int \kappa'^2+\kappa^2\tau^2 \f$.
+/// with the curvature vector `K`, the length `L` and the derivatives \f$ d_1, d_2, d_3 \f$. It
+/// depends neither on the scale nor on the parameter. In the plane it is \f$ L^3\int \kappa'^2 \f$,
+/// in space \f$ L^3\int \kappa'^2+\kappa^2\tau^2 \f$.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-// The family of blends of two jets, in floating-point numbers: moved to the origin, scaled so that the chord has a length near 1,
-// and in a dimension of at most 7. None of this changes what is fair.
+// The family of blends of two jets, in floating-point numbers: moved to the origin, scaled so that
+// the chord has a length near 1, and in a dimension of at most 7. None of this changes what is
+// fair.
 
-// The dimension: 2 and 3 are as they are. In other dimensions the vectors that are given, 2 order + 1, span the space that is needed.
+// The dimension: 2 and 3 are as they are. In other dimensions the vectors that are given, 2 order +
+// 1, span the space that is needed.
 template <int N, int order> constexpr int fair_dimension = N == 2 || N == 3 ? N : 2 * order + 1;
 
-// The coordinates of vectors with respect to an orthonormal basis of the space that they span, by the method of Gram and Schmidt.
+// The coordinates of vectors with respect to an orthonormal basis of the space that they span, by
+// the method of Gram and Schmidt.
 template <int M, int N, std::size_t n>
 std::array<Coordinate_vector<double, M>, n>
 orthonormal_coordinates(std::array<Coordinate_vector<double, N>, n> vectors) {
@@ -65,7 +69,8 @@ orthonormal_coordinates(std::array<Coordinate_vector<double, N>, n> vectors) {
   return result;
 }
 
-// From the jets at the end of the first and at the start of the second curve, and the shape parameters for which a = 0.
+// From the jets at the end of the first and at the start of the second curve, and the shape
+// parameters for which a = 0.
 template <Blend_kind kind, class FT, int N, class Jet>
 Fair_family<kind, fair_dimension<N, Fair_end<kind, 2>::order>> fair_family(const Jet& phi, const Jet& psi, double beta,
                                                                            double eta) {
@@ -121,16 +126,17 @@ Fair_family<kind, fair_dimension<N, Fair_end<kind, 2>::order>> fair_family(const
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// What the search for a fair blend has done.
+/// A report of the search for a fair blend.
 struct Fair_report {
   int iterations = 0; ///< how many steps were tried
-  /// `E` of the blend of least energy with the automatic shape, where the search starts; where that has almost a cusp, as
-  /// much of it as a quadrature sees
+  /// `E` of the blend of least energy with the automatic shape, where the search starts; where that
+  /// has almost a cusp, as much of it as a quadrature sees
   double automatic_fairness = 0;
   double fairness = 0;    ///< `E` of the blend that was found; never more than `automatic_fairness`
   bool converged = false; ///< whether the search ended in a local minimum
 
-  /// Writes the fairness and the steps, e.g. `E = 158.925, from 176.371 in 7 steps`, and `, not converged` where that is so.
+  /// Writes the fairness and the steps, e.g. `E = 158.925, from 176.371 in 7 steps`, and
+  /// `, not converged` if it has not converged.
   friend std::ostream& operator<<(std::ostream& os, const Fair_report& report) {
     return os << "E = " << report.fairness << ", from " << report.automatic_fairness << " in " << report.iterations
               << " steps" << (report.converged ? "" : ", not converged");
@@ -139,12 +145,14 @@ struct Fair_report {
 
 namespace internal {
 
-// A free number with at most 12 binary digits behind the point and 20 in all: products with shape parameters are exact.
+// A free number with at most 12 binary digits behind the point and 20 in all: products with shape
+// parameters are exact.
 inline double short_scalar(double x) {
   return std::abs(x) < 256 ? std::floor(x * 4096 + 0.5) / 4096 : short_double<20>(x);
 }
 
-// The numbers of a fair blend, in floating-point numbers that are short, so that they are the same in every field.
+// The numbers of a fair blend, in floating-point numbers that are short, so that they are the same
+// in every field.
 template <Blend_kind kind> struct Fair_numbers {
   typedef typename Fair_end<kind, 2>::Unknowns End;
   double beta, eta;
@@ -152,8 +160,8 @@ template <Blend_kind kind> struct Fair_numbers {
   Fair_report report;
 };
 
-// Minimises over the free numbers, and rounds them, in the same way whatever rounding mode the caller has set. `beta` and `eta` are
-// the given shape, or where the search starts.
+// Minimises over the free numbers, and rounds them, in the same way whatever rounding mode the
+// caller has set. `beta` and `eta` are the given shape, or where the search starts.
 template <Blend_kind kind, class FT, int N, class Jet>
 Fair_numbers<kind> fair_numbers(const Jet& phi, const Jet& psi, double beta, double eta, Shape_choice shape) {
   constexpr int M = fair_dimension<N, Fair_end<kind, 2>::order>, second = Fair_end<kind, M>::unknowns;
@@ -181,21 +189,23 @@ Fair_numbers<kind> fair_numbers(const Jet& phi, const Jet& psi, double beta, dou
           {minimum.iterations, minimum.before, minimum.after, minimum.converged}};
 }
 
-// What a strategy chooses that also chooses the shape.
+// A strategy that also chooses the shape returns this.
 template <class FT, class Strategy> struct Fair_choice {
   Shape_parameters<FT> shape;
   Strategy strategy; // for this shape
   Fair_report report;
 };
 
-// The numbers of a strategy that a fair blend chooses: short, and of the field where it cannot be made of them.
+// The numbers of a strategy that a fair blend chooses: short, and of the field where it cannot be
+// made of them.
 template <class FT> using Fair_scalar = std::conditional_t<has_interval_v<FT>, double, FT>;
 
 template <class FT> Given_parameters<FT> fair_scalars(const Fair_numbers<Blend_kind::g2>& x, const FT&, const FT&) {
   return {short_number_in<FT>(short_scalar(x.start[1] / 20)), short_number_in<FT>(short_scalar(x.end[1] / 20))};
 }
 
-// The scalars of one end with the shape parameter beta: beta tau, beta^2 nu, beta sigma, and mu = 3 beta beta_2 for G3.
+// The scalars of one end with the shape parameter beta: beta tau, beta^2 nu, beta sigma, and mu = 3
+// beta beta_2 for G3.
 template <Blend_kind kind, class FT>
 Septic_end_parameters<FT> fair_end_scalars(const typename Fair_end<kind, 2>::Unknowns& x, const FT& beta) {
   const FT beta2 = beta * short_number_in<FT>(x[1]), beta3 = beta * short_number_in<FT>(x[2]);
@@ -239,22 +249,25 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses the fairest blend of degree 5 with \f$ G^2 \f$ joins: the least `E` over \f$ \beta, \eta, s_1, s_2 \f$, near the
-/// blend of least energy with the automatic shape, and with \f$ \beta, \eta \f$ within a factor of 4 of it (or shorter tangents,
-/// where the diameter of the circle of curvature is less than the chord). Where `E` is more than 400 there, the search starts
-/// again from four blends with long tangents, and where it is more than 5000 even then, which nobody would draw, from the best
-/// four of a coarse grid of blends. Where the caller gives the shape parameters, over \f$ s_1, s_2 \f$ only.
+/// Chooses the fairest blend of degree 5 with \f$ G^2 \f$ joins: the least `E` over
+/// \f$ \beta, \eta, s_1, s_2 \f$, near the blend of least energy with the automatic shape, and with
+/// \f$ \beta, \eta \f$ within a factor of 4 of it (or shorter tangents, where the diameter of the
+/// circle of curvature is less than the chord). Where `E` is more than 400 there, the search starts
+/// again from four blends with long tangents, and where it is more than 5000 even then, which
+/// nobody would draw, from the best four of a coarse grid of blends. Where the caller gives the
+/// shape parameters, over \f$ s_1, s_2 \f$ only.
 ///
-/// The search is made in floating-point numbers. What it finds is rounded to short binary fractions, with which the blend is
-/// constructed in the field of the kernel: with an exact kernel its joins are exactly \f$ G^2 \f$, whatever was found, and it is the
-/// same in every rounding mode. Before this
-/// rounding `E` is at most that of the blend of least energy with the automatic shape. Where both ends lie on one line, one
-/// after the other, the blend is a part of that line. Ends whose blends all have a cusp get the automatic shape, or one with
-/// tangents no longer than the diameters of the circles of curvature, which is reported as not converged. Exact derivatives that leave
-/// no doubles next to the chord are refused: `not_finite`.
+/// The search is made in floating-point numbers. The result is rounded to short binary fractions,
+/// and the blend is constructed with them in the field of the kernel. With an exact kernel its
+/// joins are exactly \f$ G^2 \f$, whatever was found, and the blend is the same in every rounding
+/// mode. Before this rounding `E` is at most that of the blend of least energy with the automatic
+/// shape. Where both ends lie on one line, one after the other, the blend is a part of that line.
+/// Ends whose blends all have a cusp get the automatic shape, or one with tangents no longer than
+/// the diameters of the circles of curvature, which is reported as not converged. Exact derivatives
+/// that leave no doubles next to the chord are refused: `not_finite`.
 ///
-/// About ten steps, at most 100 from each start, with 24 to 96 nodes of Gauss's quadrature; nothing is allocated in dimensions 2
-/// and 3.
+/// About ten steps, at most 100 from each start, with 24 to 96 nodes of Gauss's quadrature; nothing
+/// is allocated in dimensions 2 and 3.
 /// \cgalModels{BlendStrategy}
 struct Fair : internal::Fair_strategy<internal::Blend_kind::g2> {
   /// Chooses \f$ s_1 \f$ and \f$ s_2 \f$ for given shape parameters.
@@ -268,13 +281,15 @@ struct Fair : internal::Fair_strategy<internal::Blend_kind::g2> {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses the fairest blend of degree 7 with \f$ G^3 \f$ joins: the least `E` over \f$ \beta, \beta_2, \beta_3 \f$ at both ends,
-/// near the blend of `Fair` or that of least energy \f$ \int |\gamma^{(4)}|^2 \f$. All else as for `Fair`. \cgalModels{BlendStrategy}
+/// Chooses the fairest blend of degree 7 with \f$ G^3 \f$ joins: the least `E` over
+/// \f$ \beta, \beta_2, \beta_3 \f$ at both ends, near the blend of `Fair` or that of least energy
+/// \f$ \int |\gamma^{(4)}|^2 \f$. All else as for `Fair`. \cgalModels{BlendStrategy}
 struct Fair_g3 : internal::Fair_septic_strategy<internal::Blend_kind::g3> {};
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses the fairest blend of degree 7 with \f$ F^3 \f$ joins: the least `E` over \f$ \beta, \beta_2, \mu, \beta_3 \f$ at both
-/// ends, near the blend of `Fair_g3`. In the plane the joins are \f$ G^2 \f$. All else as for `Fair_g3`. \cgalModels{BlendStrategy}
+/// Chooses the fairest blend of degree 7 with \f$ F^3 \f$ joins: the least `E` over
+/// \f$ \beta, \beta_2, \mu, \beta_3 \f$ at both ends, near the blend of `Fair_g3`. In the plane the
+/// joins are \f$ G^2 \f$. All else as for `Fair_g3`. \cgalModels{BlendStrategy}
 struct Fair_f3 : internal::Fair_septic_strategy<internal::Blend_kind::f3> {};
 
 } // namespace Geometric_continuity

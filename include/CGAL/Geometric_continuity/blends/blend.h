@@ -24,17 +24,20 @@
 #include <utility>
 
 /// \file blend.h
-/// The blend from one curve to the next: a Bézier curve on [0, 1] whose joins are \f$ G^2 \f$ (degree 5) or \f$ G^3 \f$,
-/// \f$ F^3 \f$ (degree 7), whatever a strategy chooses for the scalars that are free. Portnov (5), (10), (15), corrected, with
-/// \f$ \beta \f$ and \f$ \eta \f$; the formulas are in `blend_ends.h`.
+/// The blend from one curve to the next: a Bézier curve on [0, 1] whose joins are \f$ G^2 \f$
+/// (degree 5) or \f$ G^3 \f$, \f$ F^3 \f$ (degree 7), whatever a strategy chooses for the scalars
+/// that are free. Portnov (5), (10), (15), corrected, with \f$ \beta \f$ and \f$ \eta \f$; the
+/// formulas are in `blend_ends.h`.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// A blend: a Bézier curve on [0, 1] together with the scalars that its strategy chose. `Quintic_blend` and `Septic_blend` are blends.
+/// A blend: a Bézier curve on [0, 1] together with the scalars that its strategy chose.
+/// `Quintic_blend` and `Septic_blend` are blends.
 /// \tparam Traits a model of `GeometricContinuityTraits` \tparam Degree 5 or 7
-/// \tparam Parameters_ `Quintic_parameters` or `Septic_parameters` of the numbers of the traits class
+/// \tparam Parameters_ `Quintic_parameters` or `Septic_parameters` of the numbers of the traits
+///   class
 template <class Traits, int Degree, class Parameters_> struct Blend_curve : Bezier_curve<Traits, Degree> {
   typedef Parameters_ Parameters;                      ///< the type of what the strategy chose
   typedef Shape_parameters<typename Traits::FT> Shape; ///< the type of the shape parameters
@@ -50,17 +53,20 @@ template <class Traits, int Degree, class Parameters_> struct Blend_curve : Bezi
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// A quintic blend: a Bézier curve of degree 5 on [0, 1] together with the scalars that its strategy chose.
+/// A quintic blend: a Bézier curve of degree 5 on [0, 1] together with the scalars that its
+/// strategy chose.
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits> using Quintic_blend = Blend_curve<Traits, 5, Quintic_parameters<typename Traits::FT>>;
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// A septic blend: a Bézier curve of degree 7 on [0, 1] together with the scalars that its strategy chose.
+/// A septic blend: a Bézier curve of degree 7 on [0, 1] together with the scalars that its strategy
+/// chose.
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits> using Septic_blend = Blend_curve<Traits, 7, Septic_parameters<typename Traits::FT>>;
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// A blend by a strategy that chooses the shape parameters too, such as `Fair`, with what it reports.
+/// A blend by a strategy that also chooses the shape parameters, such as `Fair`, with the report of
+/// the strategy.
 /// \tparam Blend `Quintic_blend` or `Septic_blend` \tparam Report e.g. `Fair_report`
 template <class Blend, class Report> struct Shaped_blend : Blend {
   Report report; ///< what the strategy reports
@@ -81,7 +87,8 @@ namespace internal {
   throw Error(code, std::string("blend: ") + place);
 }
 
-// Returns whether the square of a tangent, by which the formulas divide, is zero. Exact numbers need not be multiplied for this.
+// Returns whether the square of a tangent, by which the formulas divide, is zero. Exact numbers
+// need not be multiplied for this.
 template <class FT, int N> CGAL_GC_FORCEINLINE bool is_zero_tangent(const Coordinate_vector<FT, N>& v) {
   if constexpr (Rational_parts<FT>::value)
     return is_zero(v);
@@ -94,7 +101,8 @@ template <class ET, int N> bool is_zero_tangent(const Coordinate_vector<Lazy_exa
   return is_zero(v);
 }
 
-// Called for each blend, and small when the shape parameters are constants: written out at the place of the call.
+// Called for each blend, and small when the shape parameters are constants: written out at the
+// place of the call.
 template <class FT, int N>
 CGAL_GC_FORCEINLINE void check_blend_input(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
                                            int order, const Shape_parameters<FT>& shape) {
@@ -111,7 +119,8 @@ CGAL_GC_FORCEINLINE void check_blend_input(const Coordinate_jet<FT, N>& phi, con
   if (is_zero_tangent(psi[1])) refuse_blend(Error_code::zero_tangent, "start of the second curve");
 }
 
-// The one road of all blends: Ends is Quintic_ends or Septic_ends, Blend the type of the result.
+// All blends go through this function: Ends is Quintic_ends or Septic_ends, Blend the type of the
+// result.
 template <class Blend, template <class, int> class Ends, class FT, int N, class Strategy>
 CGAL_GC_FORCEINLINE Blend blend_of_jets(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
                                         const Strategy& strategy, const Shape_parameters<FT>& shape) {
@@ -134,7 +143,8 @@ struct Chooses_shape<Strategy, Jet,
                      std::void_t<decltype(std::declval<const Strategy&>().choose(
                          std::declval<const Jet&>(), std::declval<const Jet&>()))>> : std::true_type {};
 
-// The shape parameters are those of the strategy, if it chooses them, or those of automatic_shape().
+// The shape parameters are those of the strategy, if it chooses them, or those of
+// automatic_shape().
 template <class Blend, template <class, int> class Ends, class FT, int N, class Strategy>
 CGAL_GC_FORCEINLINE auto blend_of_jets(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
                                        const Strategy& strategy) {
@@ -173,23 +183,27 @@ auto blend_of_curves(const Left& phi, const Right& psi, const Strategy& strategy
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the Bézier curve \f$ \gamma \f$ on [0, 1] that leads from the end of \f$ \varphi \f$ to the start of \f$ \psi \f$,
-/// given by their jets there, with geometric continuity at both joins:
+/// Returns the Bézier curve \f$ \gamma \f$ on [0, 1] that leads from the end of \f$ \varphi \f$ to
+/// the start of \f$ \psi \f$, given by their jets there, with geometric continuity at both joins:
 ///
-/// - with a quintic strategy (called with `Quintic_ends`) a `Quintic_blend` of degree 5 with \f$ G^2 \f$ joins, from jets of
-///   order 2. Portnov (5), (10), (15), corrected and with \f$ \beta, \eta \f$;
-/// - with a septic strategy (called with `Septic_ends`) a `Septic_blend` of degree 7 with \f$ G^3 \f$ or \f$ F^3 \f$ joins,
-///   from jets of order 3.
+/// - with a quintic strategy (called with `Quintic_ends`) a `Quintic_blend` of degree 5 with
+///   \f$ G^2 \f$ joins, from jets of order 2. Portnov (5), (10), (15), corrected and with
+///   \f$ \beta, \eta \f$;
+/// - with a septic strategy (called with `Septic_ends`) a `Septic_blend` of degree 7 with
+///   \f$ G^3 \f$ or \f$ F^3 \f$ joins, from jets of order 3.
 ///
-/// With an exact kernel the joins are exact. A constant number of field operations in a given dimension.
+/// With an exact kernel the joins are exact. A constant number of field operations in a given
+/// dimension.
 ///
 /// \param shape the shape parameters, e.g. `{1, 1}` for Portnov's blends
 /// \tparam Strategy a model of `BlendStrategy`
 /// \throws Error `nonpositive_beta` unless \f$ \beta > 0 \f$ and \f$ \eta > 0 \f$ (checked first)
 /// \throws Error `dimension_mismatch` for jets of different dimensions
-/// \throws Error `jet_order_too_low` when a jet has fewer derivatives than the strategy's kind reads
+/// \throws Error `jet_order_too_low` when a jet has fewer derivatives than the strategy's kind
+///   reads
 /// \throws Error `zero_tangent` when a first derivative is zero
-/// \throws Error `not_finite` when a shape parameter is infinite, or the result overflows the number type
+/// \throws Error `not_finite` when a shape parameter is infinite, or the result overflows the
+///   number type
 template <class Traits, class Strategy>
 CGAL_GC_FORCEINLINE auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy,
                                const Shape_parameters<typename Traits::FT>& shape) {
@@ -197,33 +211,40 @@ CGAL_GC_FORCEINLINE auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Tra
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the blend of two jets with the shape parameters that the strategy chooses, as `Fair` does, or else with those of
-/// `automatic_shape()`: a `Quintic_blend` or a `Septic_blend`, or a `Shaped_blend` of one of these when the strategy chooses the
-/// shape. A constant number of field operations in a given dimension, besides what the strategy needs.
+/// Returns the blend of two jets with the shape parameters that the strategy chooses, as `Fair`
+/// does, or else with those of `automatic_shape()`: a `Quintic_blend` or a `Septic_blend`, or a
+/// `Shaped_blend` of one of these when the strategy chooses the shape. A constant number of field
+/// operations in a given dimension, besides what the strategy needs.
 /// \tparam Strategy a model of `BlendStrategy`
-/// \throws Error `dimension_mismatch`, `jet_order_too_low`, `zero_tangent`, `not_finite` when the result overflows
+/// \throws Error `dimension_mismatch`, `jet_order_too_low`, `zero_tangent`, `not_finite` when the
+///   result overflows
 template <class Traits, class Strategy>
 CGAL_GC_FORCEINLINE auto blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi, const Strategy& strategy) {
   return internal::blend_of_jets<Traits>(phi, psi, strategy);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ of two jets of order at least 2, with \f$ G^2 \f$ joins
-/// and the shape parameters of `automatic_shape()`. A constant number of field operations in a given dimension.
-/// \throws Error `dimension_mismatch`, `jet_order_too_low`, `zero_tangent`, `not_finite` when the result overflows
+/// Returns the quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ of two jets of order at
+/// least 2, with \f$ G^2 \f$ joins and the shape parameters of `automatic_shape()`. A constant
+/// number of field operations in a given dimension.
+/// \throws Error `dimension_mismatch`, `jet_order_too_low`, `zero_tangent`, `not_finite` when the
+///   result overflows
 template <class Traits> Quintic_blend<Traits> blend(const Curve_jet<Traits>& phi, const Curve_jet<Traits>& psi) {
   return blend(phi, psi, Minimal_energy<3>());
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the blend from the end of the curve `phi` to the start of the curve `psi`: a `Quintic_blend` with \f$ G^2 \f$ joins
-/// or a `Septic_blend` with \f$ G^3 \f$ or \f$ F^3 \f$ joins, by the kind of the strategy. The ends are read by `end_jet()` and
-/// `start_jet()`, as `continuity()` reads them. A constant number of field operations in a given dimension, besides the jets.
+/// Returns the blend from the end of the curve `phi` to the start of the curve `psi`: a
+/// `Quintic_blend` with \f$ G^2 \f$ joins or a `Septic_blend` with \f$ G^3 \f$ or \f$ F^3 \f$
+/// joins, by the kind of the strategy. The ends are read by `end_jet()` and `start_jet()`, as
+/// `continuity()` reads them. A constant number of field operations in a given dimension, besides
+/// the jets.
 /// \param shape the shape parameters, e.g. `{1, 1}` for Portnov's blends
 /// \tparam Left, Right models of `ParametricCurve` with one traits class
 /// \tparam Strategy a model of `BlendStrategy`
 /// \throws Error `nonpositive_beta` unless \f$ \beta > 0 \f$ and \f$ \eta > 0 \f$ (checked first)
-/// \throws Error `dimension_mismatch`, `zero_tangent`, `not_finite` when a shape parameter is infinite or the result overflows
+/// \throws Error `dimension_mismatch`, `zero_tangent`, `not_finite` when a shape parameter is
+///   infinite or the result overflows
 template <class Left, class Right, class Strategy>
 auto blend(const Left& phi, const Right& psi, const Strategy& strategy,
            const Shape_parameters<typename Left::Traits::FT>& shape) {
@@ -231,9 +252,10 @@ auto blend(const Left& phi, const Right& psi, const Strategy& strategy,
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the blend of two curves with the shape parameters that the strategy chooses, as `Fair` does, or else with those of
-/// `automatic_shape()`: a `Quintic_blend` or a `Septic_blend`, or a `Shaped_blend` of one of these when the strategy chooses the
-/// shape. A constant number of field operations in a given dimension, besides the jets and what the strategy needs.
+/// Returns the blend of two curves with the shape parameters that the strategy chooses, as `Fair`
+/// does, or else with those of `automatic_shape()`: a `Quintic_blend` or a `Septic_blend`, or a
+/// `Shaped_blend` of one of these when the strategy chooses the shape. A constant number of field
+/// operations in a given dimension, besides the jets and what the strategy needs.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class
 /// \tparam Strategy a model of `BlendStrategy`
 /// \throws Error `dimension_mismatch`, `zero_tangent`, `not_finite` when the result overflows
@@ -243,8 +265,8 @@ auto blend(const Left& phi, const Right& psi, const Strategy& strategy) {
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ of two curves or jets with the given shape parameters, e.g.
-/// `blend(phi, psi, {1, 1})`, with \f$ G^2 \f$ joins.
+/// Returns the quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ of two curves or jets with
+/// the given shape parameters, e.g. `blend(phi, psi, {1, 1})`, with \f$ G^2 \f$ joins.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class, or `Curve_jet`
 /// \throws Error as with a strategy and shape parameters
 template <class Left, class Right, class FT = typename Left::Traits::FT>
@@ -253,8 +275,9 @@ Quintic_blend<typename Left::Traits> blend(const Left& phi, const Right& psi, co
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ from the end of the curve `phi` to the start of the
-/// curve `psi`, with \f$ G^2 \f$ joins and the shape parameters of `automatic_shape()`.
+/// Returns the quintic blend of least energy \f$ \int |\gamma'''|^2 \f$ from the end of the curve
+/// `phi` to the start of the curve `psi`, with \f$ G^2 \f$ joins and the shape parameters of
+/// `automatic_shape()`.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class
 /// \throws Error `dimension_mismatch`, `zero_tangent`, `not_finite` when the result overflows
 template <class Left, class Right> Quintic_blend<typename Left::Traits> blend(const Left& phi, const Right& psi) {
@@ -262,7 +285,8 @@ template <class Left, class Right> Quintic_blend<typename Left::Traits> blend(co
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Many quintic blends as a structure of arrays: for each control point and each coordinate one array.
+/// Many quintic blends as a structure of arrays: for each control point and each coordinate one
+/// array.
 /// \tparam FT a field number type, usually `double` \tparam N the dimension
 template <class FT, int N> class Blend_arrays {
   Jet_arrays<FT, N, 5> points_;
@@ -272,9 +296,11 @@ public:
   void resize(std::size_t n) { points_.resize(n); }
   /// Returns the number of blends.
   std::size_t size() const { return points_.size(); }
-  /// Returns the coordinates number `i` of the control points number `j`, 0 to 5, of all blends, an array of `size()` numbers.
+  /// Returns the coordinates number `i` of the control points number `j`, 0 to 5, of all blends, an
+  /// array of `size()` numbers.
   FT* array(int j, int i) { return points_.array(j, i); }
-  /// Returns the coordinates number `i` of the control points number `j`, 0 to 5, of all blends, an array of `size()` numbers.
+  /// Returns the coordinates number `i` of the control points number `j`, 0 to 5, of all blends, an
+  /// array of `size()` numbers.
   const FT* array(int j, int i) const { return points_.array(j, i); }
 };
 
@@ -347,17 +373,20 @@ void blend_arrays(const Jet_arrays<FT, N, k>& phi, const Jet_arrays<FT, N, k>& p
 CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Computes the quintic blends of many pairs of jets with the same shape parameters, as `blend()` does one by one. The formulas
-/// are those of the strategy, and the compiler computes several blends at a time. \f$ O(n) \f$. That the numbers are finite is the
-/// caller's duty: a blend of others is not finite either.
+/// Computes the quintic blends of many pairs of jets with the same shape parameters, as `blend()`
+/// does one by one. The formulas are those of the strategy, and the compiler computes several
+/// blends at a time. \f$ O(n) \f$. The caller must ensure that the numbers are finite: a blend of
+/// others is not finite either.
 ///
-/// \param phi,psi `n` jets of order at least 2 at the ends of the first and at the starts of the second curves
+/// \param phi,psi `n` jets of order at least 2 at the ends of the first and at the starts of the
+///   second curves
 /// \param shape the shape parameters of all blends, both positive
 /// \param gamma the blends, resized to `n`
 /// \tparam Strategy a quintic strategy without branches, which excludes `Near_line` and `Fair`
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
-/// \throws Error `nonpositive_beta` unless both shape parameters are positive; `wrong_number_of_points` when the numbers of jets
-///   differ; `zero_tangent`, before anything is computed, when a first derivative is zero
+/// \throws Error `nonpositive_beta` unless both shape parameters are positive;
+///   `wrong_number_of_points` when the numbers of jets differ; `zero_tangent`, before anything is
+///   computed, when a first derivative is zero
 template <class Concurrency_tag = Sequential_tag, class FT, int N, int k, class Strategy>
 void blend(const Jet_arrays<FT, N, k>& phi, const Jet_arrays<FT, N, k>& psi, const Strategy& strategy,
            const Shape_parameters<FT>& shape, Blend_arrays<FT, N>& gamma) {
@@ -367,15 +396,17 @@ void blend(const Jet_arrays<FT, N, k>& phi, const Jet_arrays<FT, N, k>& psi, con
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Computes the quintic blends of many pairs of jets with the shape parameters of `automatic_shape()`, as `blend()` does one by
-/// one. \f$ O(n) \f$. That the numbers are finite is the caller's duty.
+/// Computes the quintic blends of many pairs of jets with the shape parameters of
+/// `automatic_shape()`, as `blend()` does one by one. \f$ O(n) \f$. The caller must ensure that the
+/// numbers are finite.
 ///
-/// \param phi,psi `n` jets of order at least 2 at the ends of the first and at the starts of the second curves
+/// \param phi,psi `n` jets of order at least 2 at the ends of the first and at the starts of the
+///   second curves
 /// \param gamma the blends, resized to `n`
 /// \tparam Strategy a quintic strategy for given shape parameters
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
-/// \throws Error `wrong_number_of_points` when the numbers of jets differ; `zero_tangent`, before anything is computed, when
-///   a first derivative is zero
+/// \throws Error `wrong_number_of_points` when the numbers of jets differ; `zero_tangent`, before
+///   anything is computed, when a first derivative is zero
 template <class Concurrency_tag = Sequential_tag, class FT, int N, int k, class Strategy>
 void blend(const Jet_arrays<FT, N, k>& phi, const Jet_arrays<FT, N, k>& psi, const Strategy& strategy,
            Blend_arrays<FT, N>& gamma) {

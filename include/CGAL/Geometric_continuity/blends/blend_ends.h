@@ -21,9 +21,10 @@
 #include <utility>
 
 /// \file blend_ends.h
-/// What a strategy for blends reads, what it chooses, and how its kind is found: all that one's own model of `BlendStrategy`
-/// needs. The formulas of the control points are here, for blends of degree 5 (Portnov (5), (10), (15), corrected, with
-/// \f$ \beta \f$ and \f$ \eta \f$) and of degree 7, and the shape parameters for which the caller gives none: as long a tangent at both
+/// The input and the choices of a strategy for blends, and how its kind is found: everything that
+/// your own model of `BlendStrategy` needs. The formulas of the control points are here, for blends
+/// of degree 5 (Portnov (5), (10), (15), corrected, with \f$ \beta \f$ and \f$ \eta \f$) and of
+/// degree 7, and the shape parameters for which the caller gives none: as long a tangent at both
 /// ends as the chord.
 
 namespace CGAL {
@@ -31,7 +32,8 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// The constant p/q in the field FT. With floating-point numbers it is divided by the compiler, also under -frounding-math.
+// The constant p/q in the field FT. With floating-point numbers it is divided by the compiler, also
+// under -frounding-math.
 template <class FT, int p, int q> CGAL_GC_FORCEINLINE FT fraction() {
   if constexpr (std::is_floating_point_v<FT>) {
     constexpr FT value = FT(p) / FT(q);
@@ -43,8 +45,9 @@ template <class FT, int p, int q> CGAL_GC_FORCEINLINE FT fraction() {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The shape parameters of a blend: its first derivatives are \f$ \beta\varphi'(1) \f$ at the start and \f$ \eta\psi'(0) \f$
-/// at the end. Both must be positive. Portnov has \f$ \beta = \eta = 1 \f$.
+/// The shape parameters of a blend: its first derivatives are \f$ \beta\varphi'(1) \f$ at the start
+/// and \f$ \eta\psi'(0) \f$ at the end. Both must be positive. Portnov has
+/// \f$ \beta = \eta = 1 \f$.
 /// \tparam FT a field number type
 template <class FT> struct Shape_parameters {
   FT beta = FT(1); ///< \f$ \beta \f$, at the end of the first curve
@@ -53,28 +56,33 @@ template <class FT> struct Shape_parameters {
   /// Sets \f$ \beta = \eta = 1 \f$.
   Shape_parameters() = default;
   /// Takes numbers of any type from which `FT` can be made.
-  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
+  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a
+  ///   number
   Shape_parameters(internal::Convertible_number<FT> given_beta, internal::Convertible_number<FT> given_eta)
       : beta(std::move(given_beta.value)), eta(std::move(given_eta.value)) {}
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a strategy chooses for a quintic blend.
+/// The choices of a strategy for a quintic blend.
 /// \tparam FT a field number type
 template <class FT> struct Quintic_parameters {
-  FT s1 = FT(0);               ///< \f$ \gamma''(0) = 20 (d n_1 + s_1 u) \f$
-  FT s2 = FT(0);               ///< \f$ \gamma''(1) = 20 (d n_2 + s_2 v) \f$
-  bool fallback_start = false; ///< whether the strategy is undefined at the start and chose by another rule
-  bool fallback_end = false;   ///< whether the strategy is undefined at the end and chose by another rule
+  FT s1 = FT(0); ///< \f$ \gamma''(0) = 20 (d n_1 + s_1 u) \f$
+  FT s2 = FT(0); ///< \f$ \gamma''(1) = 20 (d n_2 + s_2 v) \f$
+  /// whether the strategy is undefined at the start and chose by another rule
+  bool fallback_start = false;
+  /// whether the strategy is undefined at the end and chose by another rule
+  bool fallback_end = false;
 
-  /// Returns these parameters with `f(s)` in the place of each scalar `s`, called in the order of the members.
+  /// Returns these parameters with `f(s)` in the place of each scalar `s`, called in the order of
+  /// the members.
   template <class To, class Function> Quintic_parameters<To> transform(const Function& f) const {
     return {f(s1), f(s2), fallback_start, fallback_end};
   }
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a quintic strategy reads of a blend \f$ \gamma \f$ of degree 5: all but the two scalars that it chooses.
+/// The input of a quintic strategy for a blend \f$ \gamma \f$ of degree 5: all but the two scalars
+/// that it chooses.
 /// \tparam FT a field number type \tparam N the dimension, or 0 when it is known at run time only
 template <class FT, int N> struct Quintic_ends {
   typedef Coordinate_vector<FT, N> Vector;
@@ -89,8 +97,10 @@ template <class FT, int N> struct Quintic_ends {
   Vector w1; ///< the scaled second derivative \f$ \beta^2\varphi''(1) \f$
   Vector w2; ///< the scaled second derivative \f$ \eta^2\psi''(0) \f$
 
-  FT tangential1; ///< the tangential part of `w1` in units of `u`, \f$ (w_1 \cdot u) / (u \cdot u) \f$
-  FT tangential2; ///< the tangential part of `w2` in units of `v`, \f$ (w_2 \cdot v) / (v \cdot v) \f$
+  /// the tangential part of `w1` in units of `u`, \f$ (w_1 \cdot u) / (u \cdot u) \f$
+  FT tangential1;
+  /// the tangential part of `w2` in units of `v`, \f$ (w_2 \cdot v) / (v \cdot v) \f$
+  FT tangential2;
 
   /// Takes the six vectors. `u` and `v` must not be zero.
   CGAL_GC_FORCEINLINE Quintic_ends(const Vector& given_a1, const Vector& given_a2, const Vector& given_u,
@@ -98,8 +108,9 @@ template <class FT, int N> struct Quintic_ends {
       : a1(given_a1), a2(given_a2), u(given_u), v(given_v), w1(given_w1), w2(given_w2),
         tangential1(dot(w1, u) / dot(u, u)), tangential2(dot(w2, v) / dot(v, v)) {}
 
-  /// Computes the vectors from the jets at the end of \f$ \varphi \f$ and at the start of \f$ \psi \f$: `phi[j]` and `psi[j]`
-  /// are the derivatives of order `j`, 0 to 2. The tangents must not be zero.
+  /// Computes the vectors from the jets at the end of \f$ \varphi \f$ and at the start of
+  /// \f$ \psi \f$: `phi[j]` and `psi[j]` are the derivatives of order `j`, 0 to 2. The tangents
+  /// must not be zero.
   template <class Jet>
   CGAL_GC_FORCEINLINE Quintic_ends(const Jet& phi, const Jet& psi, const Shape_parameters<FT>& shape)
       : Quintic_ends(phi[0], psi[0], shape.beta * phi[1], shape.eta * psi[1], FT(shape.beta * shape.beta) * phi[2],
@@ -126,7 +137,8 @@ template <class FT, int N> struct Quintic_ends {
     return a2 - FT(internal::fraction<FT, 2, 5>() - s2 + c * tangential2) * v + c * w2;
   }
 
-  /// Returns the control points between the first and the last, \f$ B_1, C_1, C_2, B_2 \f$, for what the strategy chose.
+  /// Returns the control points between the first and the last, \f$ B_1, C_1, C_2, B_2 \f$, for
+  /// what the strategy chose.
   std::array<Vector, 4> inner_points(const Parameters& p) const { return {b1(), c1(p.s1), c2(p.s2), b2()}; }
   /// Returns the control points \f$ A_1, B_1, C_1, C_2, B_2, A_2 \f$ for what the strategy chose.
   CGAL_GC_FORCEINLINE std::array<Vector, 6> control_points(const Parameters& p) const {
@@ -136,8 +148,8 @@ template <class FT, int N> struct Quintic_ends {
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// The free scalars at one end of a septic blend: \f$ \gamma'' = \beta^2 d_2 + \beta_2 d_1 \f$,
-/// \f$ \gamma''' = \beta^3 d_3 + \mu d_2 + \beta_3 d_1 \f$. The join is \f$ F^3 \f$ for all values and \f$ G^3 \f$ if and
-/// only if \f$ \mu = 3\beta\beta_2 \f$ (or the curvature is zero).
+/// \f$ \gamma''' = \beta^3 d_3 + \mu d_2 + \beta_3 d_1 \f$. The join is \f$ F^3 \f$ for all values
+/// and \f$ G^3 \f$ if and only if \f$ \mu = 3\beta\beta_2 \f$ (or the curvature is zero).
 /// \tparam FT a field number type
 template <class FT> struct Septic_end_parameters {
   FT beta2 = FT(0); ///< \f$ \beta_2 \f$
@@ -147,7 +159,8 @@ template <class FT> struct Septic_end_parameters {
   /// Sets all to 0.
   Septic_end_parameters() = default;
   /// Takes numbers of any type from which `FT` can be made.
-  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
+  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a
+  ///   number
   Septic_end_parameters(internal::Convertible_number<FT> given_beta2, internal::Convertible_number<FT> given_mu,
                         internal::Convertible_number<FT> given_beta3)
       : beta2(std::move(given_beta2.value)), mu(std::move(given_mu.value)), beta3(std::move(given_beta3.value)) {}
@@ -159,15 +172,18 @@ template <class FT> struct Septic_end_parameters {
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a strategy chooses for a septic blend.
+/// The choices of a strategy for a septic blend.
 /// \tparam FT a field number type
 template <class FT> struct Septic_parameters {
   Septic_end_parameters<FT> start; ///< the scalars at the start
   Septic_end_parameters<FT> end;   ///< the scalars at the end
-  bool fallback_start = false;     ///< whether the strategy is undefined at the start and chose by another rule
-  bool fallback_end = false;       ///< whether the strategy is undefined at the end and chose by another rule
+  /// whether the strategy is undefined at the start and chose by another rule
+  bool fallback_start = false;
+  /// whether the strategy is undefined at the end and chose by another rule
+  bool fallback_end = false;
 
-  /// Returns these parameters with `f(s)` in the place of each scalar `s`, called in the order of the members.
+  /// Returns these parameters with `f(s)` in the place of each scalar `s`, called in the order of
+  /// the members.
   template <class To, class Function> Septic_parameters<To> transform(const Function& f) const {
     return {Septic_end_parameters<To>{f(start.beta2), f(start.mu), f(start.beta3)},
             Septic_end_parameters<To>{f(end.beta2), f(end.mu), f(end.beta3)}, fallback_start, fallback_end};
@@ -175,7 +191,8 @@ template <class FT> struct Septic_parameters {
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// One end of a septic blend: the point, the derivatives of the given curve, and the shape parameter.
+/// One end of a septic blend: the point, the derivatives of the given curve, and the shape
+/// parameter.
 /// \tparam FT a field number type \tparam N the dimension, or 0 when it is known at run time only
 template <class FT, int N> struct Septic_end {
   typedef Coordinate_vector<FT, N> Vector;
@@ -196,9 +213,10 @@ template <class FT, int N> struct Septic_end {
     return FT(beta * beta * beta) * d3 + p.mu * d2 + p.beta3 * d1;
   }
 
-  /// Returns the three control points next to the end point \f$ b_0 \f$, from there inwards: \f$ b_1 = b_0 + \gamma'/7 \f$,
-  /// \f$ b_2 = b_0 + 2\gamma'/7 + \gamma''/42 \f$, \f$ b_3 = b_0 + 3\gamma'/7 + \gamma''/14 + \gamma'''/210 \f$;
-  /// at the end of the blend the odd derivatives change sign.
+  /// Returns the three control points next to the end point \f$ b_0 \f$, from there inwards:
+  /// \f$ b_1 = b_0 + \gamma'/7 \f$, \f$ b_2 = b_0 + 2\gamma'/7 + \gamma''/42 \f$,
+  /// \f$ b_3 = b_0 + 3\gamma'/7 + \gamma''/14 + \gamma'''/210 \f$; at the end of the blend the odd
+  /// derivatives change sign.
   std::array<Vector, 3> inner_points(const Septic_end_parameters<FT>& p) const {
     const Vector g1 = FT(direction) * first(), g2 = second(p), g3 = FT(direction) * third(p);
     return {x + g1 / FT(7), x + FT(2) * g1 / FT(7) + g2 / FT(42), x + FT(3) * g1 / FT(7) + g2 / FT(14) + g3 / FT(210)};
@@ -206,7 +224,8 @@ template <class FT, int N> struct Septic_end {
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a septic strategy reads of a blend \f$ \gamma \f$ of degree 7: all but the three scalars at each end.
+/// The input of a septic strategy for a blend \f$ \gamma \f$ of degree 7: all but the three scalars
+/// at each end.
 /// \tparam FT a field number type \tparam N the dimension, or 0 when it is known at run time only
 template <class FT, int N> struct Septic_ends {
   typedef Coordinate_vector<FT, N> Vector;
@@ -217,8 +236,8 @@ template <class FT, int N> struct Septic_ends {
   Septic_end<FT, N> start; ///< the start of the blend, at the end of \f$ \varphi \f$
   Septic_end<FT, N> end;   ///< the end of the blend, at the start of \f$ \psi \f$
 
-  /// Takes the jets at the end of \f$ \varphi \f$ and at the start of \f$ \psi \f$: `phi[j]` and `psi[j]` are the derivatives of
-  /// order `j`, 0 to 3. The tangents must not be zero.
+  /// Takes the jets at the end of \f$ \varphi \f$ and at the start of \f$ \psi \f$: `phi[j]` and
+  /// `psi[j]` are the derivatives of order `j`, 0 to 3. The tangents must not be zero.
   template <class Jet>
   Septic_ends(const Jet& phi, const Jet& psi, const Shape_parameters<FT>& shape)
       : start{phi[0], phi[1], phi[2], phi[3], shape.beta, 1}, end{psi[0], psi[1], psi[2], psi[3], shape.eta, -1} {}
@@ -245,40 +264,43 @@ struct Works_in_every_field<Strategy, std::void_t<typename Strategy::Works_in_ev
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// True for a strategy that may be called in other fields than that of the traits class, which makes exact blends
-/// faster: the value of `Strategy::Works_in_every_field`, see `BlendStrategy`; `false` when there is no such type. It may
-/// be specialised for a strategy that cannot be changed.
+/// True for a strategy that may be called in other fields than that of the traits class, which
+/// makes exact blends faster: the value of `Strategy::Works_in_every_field`, see `BlendStrategy`;
+/// `false` when there is no such type. It may be specialised for a strategy that cannot be changed.
 template <class Strategy> constexpr bool works_in_every_field_v = internal::Works_in_every_field<Strategy>::value;
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// True for a quintic strategy, which can be called with the `Quintic_ends` of a traits class. It then makes blends of
-/// degree 5 from jets of order 2, even if it could be called with `Septic_ends` too.
+/// True for a quintic strategy, which can be called with the `Quintic_ends` of a traits class. It
+/// then makes blends of degree 5 from jets of order 2, even if it could be called with
+/// `Septic_ends` too.
 template <class Strategy, class Traits>
 constexpr bool is_quintic_strategy_v =
     std::is_invocable_v<const Strategy&, const Quintic_ends<typename Traits::FT, dimension_v<Traits>>&>;
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// True for a strategy that can be called with the `Septic_ends` of a traits class. If it is not quintic, it makes blends of degree
-/// 7 from jets of order 3.
+/// True for a strategy that can be called with the `Septic_ends` of a traits class. If it is not
+/// quintic, it makes blends of degree 7 from jets of order 3.
 template <class Strategy, class Traits>
 constexpr bool is_septic_strategy_v =
     std::is_invocable_v<const Strategy&, const Septic_ends<typename Traits::FT, dimension_v<Traits>>&>;
 
 namespace internal {
 
-// A ratio of lengths with few digits, so that it is the same on every kernel and exact numbers stay short.
+// A ratio of lengths with few digits, so that it is the same on every kernel and exact numbers stay
+// short.
 constexpr int ratio_digits = 8;
 constexpr int largest_ratio_exponent = 100; // the ratio lies between 2^-100 and 2^100
 
-// The number i of the short numbers in increasing order: those from 2^e to 2^(e+1) have the numbers 128 e to 128 e + 127.
+// The number i of the short numbers in increasing order: those from 2^e to 2^(e+1) have the numbers
+// 128 e to 128 e + 127.
 inline double short_ratio(int i) {
   constexpr int steps = 1 << (ratio_digits - 1);
   const int e = i >= 0 ? i / steps : -((steps - 1 - i) / steps);
   return std::ldexp(static_cast<double>(steps + (i - e * steps)), e - (ratio_digits - 1));
 }
 
-// The short number nearest to a number, of which `is_below(m)` says whether it is less than m, or of two the larger one; 1 when there
-// is none below. By bisection.
+// The short number nearest to a number, of which `is_below(m)` says whether it is less than m, or
+// of two the larger one; 1 when there is none below. By bisection.
 template <class Function> double nearest_short_ratio(const Function& is_below) {
   constexpr int most = largest_ratio_exponent << (ratio_digits - 1);
   // whether the number is not below the middle of the short numbers i - 1 and i, which is exact
@@ -292,8 +314,9 @@ template <class Function> double nearest_short_ratio(const Function& is_below) {
   return short_ratio(low);
 }
 
-// The same for |a2 - a1| / |d| by exact numbers of any size: whether |a2 - a1|^2 < m^2 |d|^2, where coordinates of floating-point type
-// are whole numbers in one unit, and m a fraction of such numbers.
+// Finds the ratio |a2 - a1| / |d| by exact numbers of any size, from the sign of |a2 - a1|^2 -
+// m^2 |d|^2. Coordinates of floating-point type are integers in one unit, and m is a fraction of
+// such integers.
 template <class FT, int N>
 double exact_chord_ratio(const Coordinate_vector<FT, N>& a1, const Coordinate_vector<FT, N>& a2,
                          const Coordinate_vector<FT, N>& d) {
@@ -325,13 +348,15 @@ double exact_chord_ratio(const Coordinate_vector<FT, N>& a1, const Coordinate_ve
   }
 }
 
-// The ratio |a2 - a1| / |d| of a chord and a tangent as a short number, decided exactly: in floating-point numbers with a
-// bound of the error, and in exact numbers when that leaves two choices.
+// The ratio |a2 - a1| / |d| of a chord and a tangent as a short number, decided exactly: in
+// floating-point numbers with a bound of the error, and in exact numbers when that leaves two
+// choices.
 template <class FT, int N> class Chord_ratio {
   typedef Coordinate_vector<FT, N> Vector;
 
   const Vector &a1_, &a2_;
-  double square_ = 0, error_ = 0; // of the chord: the square of the length, and a bound for the error of the length
+  // of the chord: the square of the length, and a bound for the error of the length
+  double square_ = 0, error_ = 0;
 
   // A number as a double, and a bound for the error that this makes.
   static std::pair<double, double> rounded(const FT& x) {
@@ -362,7 +387,8 @@ public:
       square += y.first * y.first;
       error += y.second;
     }
-    constexpr double least = 0x1p-900, largest = 0x1p900, rounding = 0x1p-40; // the sums have far fewer than 2^10 terms
+    // the sums have far fewer than 2^10 terms
+    constexpr double least = 0x1p-900, largest = 0x1p900, rounding = 0x1p-40;
     if (least < square_ && square_ < largest && least < square && square < largest) {
       const double chord = std::sqrt(square_), tangent = std::sqrt(square), ratio = chord / tangent,
                    doubt = 2 * (error_ / chord + error / tangent) + rounding;
@@ -387,17 +413,20 @@ Shape_parameters<FT> automatic_shape(const Coordinate_jet<FT, N>& phi, const Coo
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the shape parameters of a blend from the end of a curve, with the jet `phi`, to the start of another one, with the jet
-/// `psi`, that make its tangents at both ends as long as its chord: \f$ \beta = |\psi(0)-\varphi(1)| / |\varphi'(1)| \f$ and
-/// \f$ \eta = |\psi(0)-\varphi(1)| / |\psi'(0)| \f$, each rounded to eight binary digits. `blend()` takes them when it is
-/// given none.
+/// Returns the shape parameters of a blend from the end of a curve, with the jet `phi`, to the
+/// start of another one, with the jet `psi`, that make its tangents at both ends as long as its
+/// chord: \f$ \beta = |\psi(0)-\varphi(1)| / |\varphi'(1)| \f$ and
+/// \f$ \eta = |\psi(0)-\varphi(1)| / |\psi'(0)| \f$, each rounded to eight binary digits. `blend()`
+/// takes them when it is given none.
 ///
-/// The rounding is decided exactly, so that equal jets have the same shape parameters on every kernel. Scaling both curves,
-/// moving and turning them, and exchanging and reversing them leaves the shape as it is. The ratio lies between \f$ 2^{-100} \f$ and
-/// \f$ 2^{100} \f$; where the chord is zero or shorter, the parameter is 1. It is a formula and no optimum: other shape parameters, `{1, 1}`
-/// as well, can have the lower `fairness()`; `Fair` looks for them.
+/// The rounding is decided exactly, so that equal jets have the same shape parameters on every
+/// kernel. Scaling both curves, moving and turning them, and exchanging and reversing them leaves
+/// the shape as it is. The ratio lies between \f$ 2^{-100} \f$ and \f$ 2^{100} \f$; where the chord
+/// is zero or shorter, the parameter is 1. It is a formula and no optimum: other shape parameters,
+/// `{1, 1}` as well, can have the lower `fairness()`; `Fair` looks for them.
 ///
-/// \throws Error `dimension_mismatch` when the dimensions differ, `jet_order_too_low` without a first derivative
+/// \throws Error `dimension_mismatch` when the dimensions differ, `jet_order_too_low` without a
+///   first derivative
 /// \throws Error `zero_tangent` when a first derivative is zero
 /// \throws Error `not_finite` for an infinite or undefined floating-point number
 template <class Traits>

@@ -17,17 +17,18 @@
 #include <utility>
 
 /// \file blend_strategies.h
-/// The strategies of the package: how the free scalars of a blend are chosen. Of degree 5 these are \f$ s_1, s_2 \f$, by which
-/// the points \f$ C_1, C_2 \f$ slide along the end tangents: Portnov (6), (16), (23), corrected, and the least energies in
-/// closed form; of degree 7 \f$ \beta_2, \mu, \beta_3 \f$ at each end. Each takes a constant number of field operations in a
+/// The strategies of the package: how the free scalars of a blend are chosen. For degree 5 these
+/// are \f$ s_1, s_2 \f$, by which the points \f$ C_1, C_2 \f$ slide along the end tangents: Portnov
+/// (6), (16), (23), corrected, and the least energies in closed form; of degree 7
+/// \f$ \beta_2, \mu, \beta_3 \f$ at each end. Each takes a constant number of field operations in a
 /// given dimension.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses \f$ \gamma'' \f$ equal to that of the given curves (scaled by \f$ \beta^2, \eta^2 \f$): a \f$ C^2 \f$ join when
-/// \f$ \beta = \eta = 1 \f$. Portnov (6). \cgalModels{BlendStrategy}
+/// Chooses \f$ \gamma'' \f$ equal to that of the given curves (scaled by \f$ \beta^2, \eta^2 \f$):
+/// a \f$ C^2 \f$ join when \f$ \beta = \eta = 1 \f$. Portnov (6). \cgalModels{BlendStrategy}
 struct Matching_second_derivative {
   typedef Tag_true Works_in_every_field;
 
@@ -39,7 +40,8 @@ struct Matching_second_derivative {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses the points \f$ C = B + d n \f$, straight above the second points. Portnov 4.1. \cgalModels{BlendStrategy}
+/// Chooses the points \f$ C = B + d n \f$, straight above the second points. Portnov 4.1.
+/// \cgalModels{BlendStrategy}
 struct Normal_offset {
   typedef Tag_true Works_in_every_field;
 
@@ -50,7 +52,8 @@ struct Normal_offset {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses the least \f$ |\gamma''| \f$ at both ends. Portnov (16), with `d n` for the vector that is not a unit vector in print.
+/// Chooses the least \f$ |\gamma''| \f$ at both ends. Portnov (16), with `d n` for the vector that
+/// is not a unit vector in print.
 /// \cgalModels{BlendStrategy}
 struct Minimal_second_derivative {
   typedef Tag_true Works_in_every_field;
@@ -62,9 +65,10 @@ struct Minimal_second_derivative {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses the points `C` nearest to the line \f$ B_1 B_2 \f$. Portnov (23). Where that line is parallel to a tangent, or
-/// \f$ B_1 = B_2 \f$, the point is not determined: there the strategy falls back to `Normal_offset` and says so. Near that
-/// position the point is far away. \cgalModels{BlendStrategy}
+/// Chooses the points `C` nearest to the line \f$ B_1 B_2 \f$. Portnov (23). Where that line is
+/// parallel to a tangent, or \f$ B_1 = B_2 \f$, the point is not determined: there the strategy
+/// falls back to `Normal_offset` and says so. Near that position the point is far away.
+/// \cgalModels{BlendStrategy}
 struct Near_line {
   typedef Tag_true Works_in_every_field;
 
@@ -90,8 +94,9 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses the least energy \f$ \int_0^1 |\gamma^{(k)}|^2 dt \f$, `k` = 2 or 3. With `k` = 3 the result is optimal among all smooth
-/// curves with the same ends. The linear system is never singular. \cgalModels{BlendStrategy}
+/// Chooses the least energy \f$ \int_0^1 |\gamma^{(k)}|^2 dt \f$, `k` = 2 or 3. With `k` = 3 the
+/// result is optimal among all smooth curves with the same ends. The linear system is never
+/// singular. \cgalModels{BlendStrategy}
 template <int k> struct Minimal_energy {
   static_assert(k == 2 || k == 3, "a quintic blend minimises the energy of order 2 or 3");
 
@@ -120,7 +125,8 @@ private:
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses the caller's own scalars \f$ s_1, s_2 \f$. \cgalModels{BlendStrategy}
-/// \tparam FT_ a number type from which that of the blend can be made, e.g. `double` for an exact blend
+/// \tparam FT_ a number type from which that of the blend can be made, e.g. `double` for an exact
+///   blend
 template <class FT_> struct Given_parameters {
   typedef Tag_true Works_in_every_field;
 
@@ -130,12 +136,14 @@ template <class FT_> struct Given_parameters {
   /// Sets both to 0.
   Given_parameters() = default;
   /// Takes numbers of any type from which `FT_` can be made.
-  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
+  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a
+  ///   number
   Given_parameters(internal::Convertible_number<FT_> given_s1, internal::Convertible_number<FT_> given_s2)
       : s1(std::move(given_s1.value)), s2(std::move(given_s2.value)) {}
 
   /// Returns the given scalars.
-  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
+  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a
+  ///   number
   template <class FT, int N, class = std::enable_if_t<std::is_constructible_v<FT, const FT_&>>>
   Quintic_parameters<FT> operator()(const Quintic_ends<FT, N>&) const {
     return {internal::to_field<FT>(s1), internal::to_field<FT>(s2)};
@@ -144,7 +152,8 @@ template <class FT_> struct Given_parameters {
 
 namespace internal {
 
-// A strategy that treats both ends alike: End::choose(end, parameters) returns whether it fell back.
+// A strategy that treats both ends alike: End::choose(end, parameters) returns whether it fell
+// back.
 template <class End> struct End_by_end {
   typedef Tag_true Works_in_every_field;
 
@@ -175,7 +184,8 @@ protected:
   }
 };
 
-// The integral of p^(k) . q^(k) over [0,1] for two control polygons, up to the factor (m!/(m-k)!)^2.
+// The integral of p^(k) . q^(k) over [0,1] for two control polygons, up to the factor
+// (m!/(m-k)!)^2.
 template <class FT, int N, std::size_t points>
 FT energy_product(std::array<Coordinate_vector<FT, N>, points> p, std::array<Coordinate_vector<FT, N>, points> q,
                   int k) {
@@ -199,8 +209,8 @@ FT energy_product(std::array<Coordinate_vector<FT, N>, points> p, std::array<Coo
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses all derivatives up to the third equal to those of the given curves (scaled): a \f$ C^3 \f$ join when
-/// \f$ \beta = \eta = 1 \f$. \cgalModels{BlendStrategy}
+/// Chooses all derivatives up to the third equal to those of the given curves (scaled): a
+/// \f$ C^3 \f$ join when \f$ \beta = \eta = 1 \f$. \cgalModels{BlendStrategy}
 struct Matching_third_derivative {
   typedef Tag_true Works_in_every_field;
 
@@ -209,7 +219,8 @@ struct Matching_third_derivative {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses \f$ G^3 \f$ joins with the least \f$ |\gamma''| \f$, and then with the least \f$ |\gamma'''| \f$ that is left.
+/// Chooses \f$ G^3 \f$ joins with the least \f$ |\gamma''| \f$, and then with the least
+/// \f$ |\gamma'''| \f$ that is left.
 /// \cgalModels{BlendStrategy}
 struct Sequential_g3 : internal::End_by_end<Sequential_g3> {
   /// Sets the scalars of one end; returns whether the rule is undefined there.
@@ -222,8 +233,9 @@ struct Sequential_g3 : internal::End_by_end<Sequential_g3> {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses \f$ F^3 \f$ joins with the least \f$ |\gamma''| \f$ and the least \f$ |\gamma'''| \f$. Where the curvature is
-/// zero, \f$ \mu = 0 \f$ (reported as a fallback). \cgalModels{BlendStrategy}
+/// Chooses \f$ F^3 \f$ joins with the least \f$ |\gamma''| \f$ and the least \f$ |\gamma'''| \f$.
+/// Where the curvature is zero, \f$ \mu = 0 \f$ (reported as a fallback).
+/// \cgalModels{BlendStrategy}
 struct Sequential_f3 : internal::End_by_end<Sequential_f3> {
   /// Sets the scalars of one end; returns whether the rule is undefined there.
   template <class FT, int N> static bool choose(const Septic_end<FT, N>& e, Septic_end_parameters<FT>& p) {
@@ -235,8 +247,9 @@ struct Sequential_f3 : internal::End_by_end<Sequential_f3> {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses \f$ G^3 \f$ joins with the least \f$ |\gamma'''| \f$: the \f$ \mu \f$ of `Sequential_f3`, and
-/// \f$ \beta_2 = \mu/(3\beta) \f$. Falls back to `Sequential_g3` where the curvature is zero. \cgalModels{BlendStrategy}
+/// Chooses \f$ G^3 \f$ joins with the least \f$ |\gamma'''| \f$: the \f$ \mu \f$ of
+/// `Sequential_f3`, and \f$ \beta_2 = \mu/(3\beta) \f$. Falls back to `Sequential_g3` where the
+/// curvature is zero. \cgalModels{BlendStrategy}
 struct Joint_g3 : internal::End_by_end<Joint_g3> {
   /// Sets the scalars of one end; returns whether the rule is undefined there.
   template <class FT, int N> static bool choose(const Septic_end<FT, N>& e, Septic_end_parameters<FT>& p) {
@@ -251,8 +264,9 @@ struct Joint_g3 : internal::End_by_end<Joint_g3> {
 };
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// Chooses \f$ G^3 \f$ joins with the least energy \f$ \int_0^1 |\gamma^{(k)}|^2 dt \f$, `k` = 3 or 4, over \f$ (\beta_2, \beta_3) \f$ at
-/// both ends: a 4 x 4 linear system that is never singular. \cgalModels{BlendStrategy}
+/// Chooses \f$ G^3 \f$ joins with the least energy \f$ \int_0^1 |\gamma^{(k)}|^2 dt \f$, `k` = 3 or
+/// 4, over \f$ (\beta_2, \beta_3) \f$ at both ends: a 4 x 4 linear system that is never singular.
+/// \cgalModels{BlendStrategy}
 template <int k> struct Minimal_energy_g3 {
   static_assert(k == 3 || k == 4, "a septic blend minimises the energy of order 3 or 4");
 
@@ -291,7 +305,8 @@ private:
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// Chooses the caller's own parameters at both ends. \cgalModels{BlendStrategy}
-/// \tparam FT_ a number type from which that of the blend can be made, e.g. `double` for an exact blend
+/// \tparam FT_ a number type from which that of the blend can be made, e.g. `double` for an exact
+///   blend
 template <class FT_> struct Given_end_parameters {
   typedef Tag_true Works_in_every_field;
 
@@ -299,7 +314,8 @@ template <class FT_> struct Given_end_parameters {
   Septic_end_parameters<FT_> end;   ///< the scalars at the end of the blend
 
   /// Returns the given scalars.
-  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
+  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a
+  ///   number
   template <class FT, int N, class = std::enable_if_t<std::is_constructible_v<FT, const FT_&>>>
   Septic_parameters<FT> operator()(const Septic_ends<FT, N>&) const {
     return {Septic_end_parameters<FT>{start.beta2, start.mu, start.beta3},

@@ -29,18 +29,22 @@
 #include <vector>
 
 /// \file interpolate_fair.h
-/// Splines of fair quintic blends through points. At each point both blends have one jet (point, tangent, curvature), so that the joins
-/// are exactly \f$ G^2 \f$, whatever tangents and curvatures are chosen.
+/// Splines of fair quintic blends through points. At each point both blends have one jet (point,
+/// tangent, curvature), so that the joins are exactly \f$ G^2 \f$, whatever tangents and curvatures
+/// are chosen.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// A \f$ G^2 \f$ spline of fair quintics through points: a segmented curve over the knots 0, 1, 2, ... that meets the points there.
+/// A \f$ G^2 \f$ spline of fair quintics through points: a segmented curve over the knots 0, 1, 2,
+/// ... that meets the points there.
 template <class Traits> struct Fair_spline : Composite_bezier_curve<Traits, 5> {
-  /// The largest change of a coordinate of a point, which leaves room for exact joins: 0 with an exact kernel.
+  /// The largest change of a coordinate of a point, which leaves room for exact joins: 0 with an
+  /// exact kernel.
   typename Traits::FT moved;
-  /// The numbers of the points at which rounding may have broken the join: none with an exact kernel.
+  /// The numbers of the points at which rounding may have broken the join: none with an exact
+  /// kernel.
   std::vector<int> rounded;
 
   /// From the curve and what rounding has done.
@@ -51,7 +55,8 @@ template <class Traits> struct Fair_spline : Composite_bezier_curve<Traits, 5> {
 
 namespace internal {
 
-// Chooses tangents and curvatures, in the plane and in space the fair ones; in the order of the points.
+// Chooses tangents and curvatures, in the plane and in space the fair ones; in the order of the
+// points.
 template <int N> void choose_fair_joints(std::vector<Fair_joint<N>>& joints, bool closed) {
   const Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
   const auto in_dimension = [&](auto dimension) {
@@ -119,15 +124,16 @@ Fair_points<Traits> points_of_fair_spline(InputIterator first, InputIterator las
 // The multiple of 2^n nearest to x.
 inline double multiple_of_power(double x, int n) { return std::ldexp(std::nearbyint(std::ldexp(x, -n)), n); }
 
-// The exponent of a unit of all coordinates so that `digits` of those of the largest one are left for the points of the blends; below all
-// exponents where no number is rounded.
+// The exponent of a unit of all coordinates so that `digits` of those of the largest one are left
+// for the points of the blends; below all exponents where no number is rounded.
 template <class FT> int unit_with_room(double size, int digits) {
   if constexpr (std::is_floating_point_v<FT>)
     if (size > 0) return std::ilogb(size) + digits - std::numeric_limits<FT>::digits;
   return -1000;
 }
 
-// Leaves 7 digits for that, with floating-point numbers. Returns the largest change of a coordinate.
+// Leaves 7 digits for that, with floating-point numbers. Returns the largest change of a
+// coordinate.
 template <class Traits> typename Traits::FT round_points(Fair_points<Traits>& p) {
   typedef typename Traits::FT FT;
   FT moved(0);
@@ -142,7 +148,8 @@ template <class Traits> typename Traits::FT round_points(Fair_points<Traits>& p)
   return moved;
 }
 
-// The points, in units of the power of two below the largest coordinate, with the tangents that are given.
+// The points, in units of the power of two below the largest coordinate, with the tangents that are
+// given.
 template <class Traits>
 std::vector<Fair_joint<dimension_v<Traits>>>
 joints_of(const Fair_points<Traits>& p, const std::vector<std::optional<typename Traits::Vector>>& tangents) {
@@ -179,8 +186,9 @@ std::vector<double> chord_lengths(const Fair_points<Traits>& p,
   return lengths;
 }
 
-// The jets at the points: the tangent as long as the shorter chord h, and h^2 times the curvature, both of short numbers, from which all is
-// constructed in the field. Given tangents that are not rounded stay as they are.
+// The jets at the points: the tangent as long as the shorter chord h, and h^2 times the curvature,
+// both of short numbers, from which all is constructed in the field. Given tangents that are not
+// rounded stay as they are.
 template <class Traits>
 std::vector<Coordinate_jet<typename Traits::FT, dimension_v<Traits>>>
 short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_v<Traits>>>& joints,
@@ -231,7 +239,8 @@ Bezier_curve<Traits> parabola(const Coordinate_jet<typename Traits::FT, dimensio
   return Bezier_curve<Traits>(p, p + 3);
 }
 
-// The blend of two jets by `Fair`, with joins that rounding does not move; nothing if there is none.
+// The blend of two jets by `Fair`, with joins that rounding does not move; nothing if there is
+// none.
 template <class Traits, class Jet>
 std::optional<Bezier_curve<Traits, 5>> unmoved_blend(const Jet& start, const Jet& end) {
   try {
@@ -273,24 +282,31 @@ Fair_spline<Traits> blends_between(const Fair_points<Traits>& p, const std::vect
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns a spline of fair quintic blends through points, with joins that are exactly \f$ G^2 \f$. Each piece is the blend by `Fair` of the
-/// tangents and curvatures at two points. These are found in floating-point numbers, in the plane and in space: from the circles through three
-/// points on, such that the variation of curvature \f$ \int |(dK/ds)^\perp|^2 ds \f$ of blends of least energy is least, one point after the
-/// other; in other dimensions they are those of the circles. Points of a circle, at equal distances, give nearly that circle.
+/// Returns a spline of fair quintic blends through points, with joins that are exactly \f$ G^2 \f$.
+/// Each piece is the blend by `Fair` of the tangents and curvatures at two points. These are found
+/// in floating-point numbers, in the plane and in space: from the circles through three points on,
+/// such that the variation of curvature \f$ \int |(dK/ds)^\perp|^2 ds \f$ of blends of least energy
+/// is least, one point after the other; in other dimensions they are those of the circles. Points
+/// of a circle, at equal distances, give nearly that circle.
 ///
-/// With an exact kernel the points are met exactly, and the joins are \f$ G^2 \f$ whatever was found. With floating-point numbers,
-/// `representable_blend()` makes the pieces: then the joins are exactly \f$ G^2 \f$, too, but at the points in `Fair_spline::rounded`, of
-/// which there are few or none; and points with more binary digits than leave room for that are rounded, see `Fair_spline::moved`.
+/// With an exact kernel the points are met exactly, and the joins are \f$ G^2 \f$ whatever was
+/// found. With floating-point numbers, `representable_blend()` makes the pieces: then the joins are
+/// exactly \f$ G^2 \f$, too, but at the points in `Fair_spline::rounded`, of which there are few or
+/// none; and points with more binary digits than leave room for that are rounded, see
+/// `Fair_spline::moved`.
 ///
 /// \f$ O(n) \f$, at most 20 steps for each point.
 /// \param first, last the points
 /// \param closure whether the curve returns to the first point, \f$ G^2 \f$ there, too
-/// \param tangents the tangents at the points, of any length, where they are given; empty: all are free. With floating-point numbers
-///   directions are rounded to about 17 binary digits, 8 with `float`
-/// \tparam Traits a model of `GeometricContinuityTraits` \tparam InputIterator its value type is `Traits::Point`
-/// \throws Error `wrong_number_of_points` for fewer than 2 points, or 3 if closed, and for another number of tangents; `empty_domain`
-///   when two consecutive points coincide; `zero_tangent` for a tangent that is zero; `dimension_mismatch`; `not_finite` also when
-///   floating-point numbers overflow
+/// \param tangents the tangents at the points, of any length, where they are given; empty: all are
+///   free. With floating-point numbers directions are rounded to about 17 binary digits, 8 with
+///   `float`
+/// \tparam Traits a model of `GeometricContinuityTraits` \tparam InputIterator its value type is
+///   `Traits::Point`
+/// \throws Error `wrong_number_of_points` for fewer than 2 points, or 3 if closed, and for another
+///   number of tangents; `empty_domain` when two consecutive points coincide; `zero_tangent` for a
+///   tangent that is zero; `dimension_mismatch`; `not_finite` also when floating-point numbers
+///   overflow
 template <class Traits, class InputIterator>
 Fair_spline<Traits> interpolate_fair(InputIterator first, InputIterator last, Closure closure = Closure::open,
                                      const std::vector<std::optional<typename Traits::Vector>>& tangents = {}) {
@@ -306,7 +322,8 @@ Fair_spline<Traits> interpolate_fair(InputIterator first, InputIterator last, Cl
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns a spline of fair quintic blends through points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// Returns a spline of fair quintic blends through points of a \cgal kernel, over whose traits
+/// class (`Traits_of`) it is.
 /// \throws Error as for the points between two iterators
 template <class Point>
 Fair_spline<Traits_of<Point>>

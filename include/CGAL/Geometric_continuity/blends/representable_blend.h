@@ -19,19 +19,22 @@
 #include <vector>
 
 /// \file representable_blend.h
-/// Blends whose control points are floating-point numbers and whose joins are exactly \f$ G^2 \f$ nevertheless.
+/// Blends whose control points are floating-point numbers and whose joins are exactly \f$ G^2 \f$
+/// nevertheless.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a representable blend needed at one of its joins.
+/// The changes that a representable blend needed at one of its joins.
 template <class FT, int N> struct Representable_join {
   /// The shape parameter \f$ \beta_1 > 0 \f$ of the join, seen from the given curve.
   FT beta;
-  /// For each coordinate the power of two of which those of the three control points next to the join are multiples.
+  /// For each coordinate the power of two of which those of the three control points next to the
+  /// join are multiples.
   Coordinate_vector<FT, N> grid;
-  /// The largest change of a coordinate of these points, at most half of its grid unit; 0 when none was moved.
+  /// The largest change of a coordinate of these points, at most half of its grid unit; 0 when none
+  /// was moved.
   FT moved;
 
   /// Returns whether a control point of the given curve was moved.
@@ -39,15 +42,20 @@ template <class FT, int N> struct Representable_join {
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// A quintic blend whose control points are floating-point numbers and whose joins are exactly \f$ G^2 \f$, together with
-/// the curves that it joins. These are the given ones unless `start_join.is_moved()` or `end_join.is_moved()`.
+/// A quintic blend whose control points are floating-point numbers and whose joins are exactly
+/// \f$ G^2 \f$, together with the curves that it joins. These are the given ones unless
+/// `start_join.is_moved()` or `end_join.is_moved()`.
 template <class Traits> struct Representable_blend : Bezier_curve<Traits, 5> {
   typedef typename Traits::FT FT;
 
-  Bezier_curve<Traits> phi; ///< the first curve; `start_join` tells whether its last three control points were moved
-  Bezier_curve<Traits> psi; ///< the second curve; `end_join` tells whether its first three control points were moved
-  Representable_join<FT, dimension_v<Traits>> start_join; ///< what was needed at the end of \f$ \varphi \f$
-  Representable_join<FT, dimension_v<Traits>> end_join;   ///< what was needed at the start of \f$ \psi \f$
+  /// the first curve; `start_join` tells whether its last three control points were moved
+  Bezier_curve<Traits> phi;
+  /// the second curve; `end_join` tells whether its first three control points were moved
+  Bezier_curve<Traits> psi;
+  /// what was needed at the end of \f$ \varphi \f$
+  Representable_join<FT, dimension_v<Traits>> start_join;
+  /// what was needed at the start of \f$ \psi \f$
+  Representable_join<FT, dimension_v<Traits>> end_join;
 
   /// From the blend, the two curves and what the joins needed.
   Representable_blend(const Bezier_curve<Traits, 5>& gamma, const Bezier_curve<Traits>& given_phi,
@@ -61,7 +69,8 @@ namespace internal {
 
 enum class Curve_side { start, end };
 
-// The control points next to a join of a curve, read inward; a straight line has no third one, and none is needed.
+// The control points next to a join of a curve, read inward; a straight line has no third one, and
+// none is needed.
 template <class Traits, int Degree>
 std::array<Coordinates<Traits>, 3> inward_points(const Bezier_curve<Traits, Degree>& curve, Curve_side side) {
   const int m = curve.degree();
@@ -95,7 +104,8 @@ Representable_join<FT, N> representable_join(const Representable_end<FT, N>& end
   return join;
 }
 
-// Chooses the points of a blend at both ends: as long as there are none, one end after the other is made simpler.
+// Chooses the points of a blend at both ends: as long as there are none, one end after the other is
+// made simpler.
 template <class FT, int N, class Strategy>
 void choose_points(Representable_end<FT, N>& start, Representable_end<FT, N>& end, const Strategy& strategy) {
   for (bool found = false; !found;) {
@@ -124,12 +134,14 @@ std::array<Coordinate_vector<FT, N>, 6> chosen_points(const Representable_end<FT
 
 template <class FT> FT length_of(const std::pair<FT, FT>& domain) { return domain.second - domain.first; }
 
-// Calls f(strategy, shape) with the shape parameters that the strategy chooses, or else with automatic ones, and the strategy for them.
+// Calls f(strategy, shape) with the shape parameters that the strategy chooses, or else with
+// automatic ones, and the strategy for them.
 template <class FT, int N, class Strategy, class Function>
 auto with_wished_shape(const Coordinate_jet<Exact_rational, N>& left, const Coordinate_jet<Exact_rational, N>& right,
                        const Strategy& strategy, const Function& f) {
   const auto call = [&](const auto& s, const Shape_parameters<Exact_rational>& shape) {
-    return f(s, Shape_parameters<FT>(FT(CGAL::to_double(shape.beta)), FT(CGAL::to_double(shape.eta)))); // short: exact
+    // short: exact
+    return f(s, Shape_parameters<FT>(FT(CGAL::to_double(shape.beta)), FT(CGAL::to_double(shape.eta))));
   };
   if constexpr (Chooses_shape<Strategy, Coordinate_jet<Exact_rational, N>>::value) {
     const auto chosen = strategy.choose(left, right);
@@ -141,22 +153,26 @@ auto with_wished_shape(const Coordinate_jet<Exact_rational, N>& left, const Coor
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns a quintic blend with control points that are floating-point numbers and with joins that are *exactly* \f$ G^2 \f$, as the
-/// exact predicates on the control points confirm: joins with the curves in its members `phi` and `psi`, which are the given ones, or
-/// these moved to a grid; with a given curve that was moved it has a gap. Rounding breaks every exact join of `blend()`; here the freedom of
-/// geometric continuity is spent on numbers with few digits.
+/// Returns a quintic blend with control points that are floating-point numbers and with joins that
+/// are *exactly* \f$ G^2 \f$, as the exact predicates on the control points confirm: joins with the
+/// curves in its members `phi` and `psi`, which are the given ones, or these moved to a grid; with
+/// a given curve that was moved it has a gap. Rounding breaks every exact join of `blend()`; here
+/// the freedom of geometric continuity is spent on numbers with few digits.
 ///
-/// With \f$ p = b_0 - b_{-1} \f$ and \f$ q = b_0 - 2b_{-1} + b_{-2} \f$ at the end of a curve of degree \f$ m \f$,
+/// With \f$ p = b_0 - b_{-1} \f$ and \f$ q = b_0 - 2b_{-1} + b_{-2} \f$ at the end of a curve of
+/// degree \f$ m \f$,
 /// \f[ B = A + c\,p, \qquad C = 2B - A + c^2\,\frac{5(m-1)}{4m}\,q + e\,p \f]
-/// with \f$ \beta = 5ch/m \f$ for a domain of the length `h`, and mirrored at the start of \f$ \psi \f$. Here `c` is close to
-/// \f$ \beta m/(5h) \f$ for the \f$ \beta \f$ of `shape` (within 1/8 of it, by 3 to 8 binary digits) and a multiple of the odd part of
-/// \f$ m/\gcd(m,5) \f$, so that no division by it remains; and `e` is close to what the strategy chooses, as near as the
+/// with \f$ \beta = 5ch/m \f$ for a domain of the length `h`, and mirrored at the start of
+/// \f$ \psi \f$. Here `c` is close to \f$ \beta m/(5h) \f$ for the \f$ \beta \f$ of `shape` (within
+/// 1/8 of it, by 3 to 8 binary digits) and a multiple of the odd part of \f$ m/\gcd(m,5) \f$, so
+/// that no division by it remains; and `e` is close to what the strategy chooses, as near as the
 /// remaining digits allow (at least to 1/32, as a part of the side `p`).
 ///
-/// The three control points next to a join should be multiples of one power of two, with about a dozen binary digits to
-/// spare. Points that are not, e.g. those with 53 random digits, are rounded to the finest such grid that leaves room, each
-/// coordinate by at most half a grid unit; the result has the curves as they then are, and says by how much they moved. The
-/// shape of the whole blend follows the moved curves.
+/// The three control points next to a join should be multiples of one power of two, with about a
+/// dozen binary digits to spare. Points that are not, e.g. those with 53 random digits, are rounded
+/// to the finest such grid that leaves room, each coordinate by at most half a grid unit; the
+/// result has the curves as they then are, and says by how much they moved. The shape of the whole
+/// blend follows the moved curves.
 ///
 /// \param phi,psi Bézier curves of any degree \f$ \ge 1 \f$
 /// \param strategy a quintic strategy, see `BlendStrategy`; it is called with exact numbers
@@ -165,13 +181,14 @@ auto with_wished_shape(const Coordinate_jet<Exact_rational, N>& left, const Coor
 /// \throws Error `nonpositive_beta`, `dimension_mismatch`, `zero_tangent` as `blend()`
 /// \throws Error `wrong_number_of_points` for a curve of degree 0
 /// \throws Error `not_finite` for an infinite shape parameter, or when the strategy gives one
-/// \throws Error `not_representable` when no grid serves: when the tangent at a join is lost on each grid that leaves room (as
-///   for a shape parameter that is far too small or too large), or when a coordinate, a grid unit or a shape parameter would
-///   overflow
+/// \throws Error `not_representable` when no grid serves: when the tangent at a join is lost on
+///   each grid that leaves room (as for a shape parameter that is far too small or too large), or
+///   when a coordinate, a grid unit or a shape parameter would overflow
 ///
 /// All of this holds in every rounding mode of floating-point arithmetic.
 ///
-/// A constant number of operations on rational numbers for each grid that is tried, at most about 50.
+/// A constant number of operations on rational numbers for each grid that is tried, at most
+/// about 50.
 template <class Traits, int M, int N, class Strategy>
 Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& phi, const Bezier_curve<Traits, N>& psi,
                                                 const Strategy& strategy,
@@ -199,10 +216,12 @@ Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& p
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the representable blend whose shape parameters are near those that the strategy chooses, as `Fair` does, or else near
-/// those of `automatic_shape()`. Errors and
-/// cost are those of `representable_blend()` with a shape, besides what the choice of the shape needs.
-/// \throws Error `dimension_mismatch`, `zero_tangent`, `wrong_number_of_points`, `not_representable`
+/// Returns the representable blend whose shape parameters are near those that the strategy chooses,
+/// as `Fair` does, or else near those of `automatic_shape()`. Errors and
+/// cost are those of `representable_blend()` with a shape, besides what the choice of the shape
+/// needs.
+/// \throws Error `dimension_mismatch`, `zero_tangent`, `wrong_number_of_points`,
+///   `not_representable`
 template <class Traits, int M, int N, class Strategy>
 Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& phi, const Bezier_curve<Traits, N>& psi,
                                                 const Strategy& strategy) {
@@ -217,9 +236,11 @@ Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& p
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the representable blend next to the blend of least energy \f$ \int |\gamma'''|^2 \f$ with the shape parameters of
-/// `automatic_shape()`. Errors and cost are those of `representable_blend()` with a strategy.
-/// \throws Error `dimension_mismatch`, `zero_tangent`, `wrong_number_of_points`, `not_representable`
+/// Returns the representable blend next to the blend of least energy \f$ \int |\gamma'''|^2 \f$
+/// with the shape parameters of `automatic_shape()`. Errors and cost are those of
+/// `representable_blend()` with a strategy.
+/// \throws Error `dimension_mismatch`, `zero_tangent`, `wrong_number_of_points`,
+///   `not_representable`
 template <class Traits, int M, int N>
 Representable_blend<Traits> representable_blend(const Bezier_curve<Traits, M>& phi,
                                                 const Bezier_curve<Traits, N>& psi) {

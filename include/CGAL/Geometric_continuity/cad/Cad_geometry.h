@@ -13,7 +13,8 @@
 #include <vector>
 
 /// \file Cad_geometry.h
-/// The curves and surfaces of models that other systems have made, by the floating-point numbers that these hold.
+/// The curves and surfaces of models that other systems have made, by the floating-point numbers
+/// that these hold.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -27,9 +28,10 @@ template <int D> using Cad_point = std::array<double, D>;
 template <int D> struct Cad_line { Cad_point<D> origin, direction; };
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// A conic with the axes \f$ x, y \f$ as given, which are orthogonal unit vectors up to rounding only: the ellipse
-/// \f$ o + a \cos t\,x + b \sin t\,y \f$, the hyperbola \f$ o + a \cosh t\,x + b \sinh t\,y \f$, or the parabola
-/// \f$ o + t^2/(4a)\,x + t\,y \f$ of the focal length \f$ a \f$.
+/// A conic with the axes \f$ x, y \f$ as given, which are orthogonal unit vectors up to rounding
+/// only: the ellipse \f$ o + a \cos t\,x + b \sin t\,y \f$, the hyperbola
+/// \f$ o + a \cosh t\,x + b \sinh t\,y \f$, or the parabola \f$ o + t^2/(4a)\,x + t\,y \f$ of the
+/// focal length \f$ a \f$.
 template <int D> struct Cad_conic {
   enum class Kind { ellipse, hyperbola, parabola };
   Kind kind;
@@ -38,8 +40,9 @@ template <int D> struct Cad_conic {
 };
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// A B-spline curve, rational if it has weights. It has as many knots as control points plus the degree plus one, clamped or not; its
-/// domain is that between the knots of the numbers `degree` and `points.size()`. Bézier curves are such curves.
+/// A B-spline curve, rational if it has weights. It has as many knots as control points plus the
+/// degree plus one, clamped or not; its domain is that between the knots of the numbers `degree`
+/// and `points.size()`. Bézier curves are such curves.
 template <int D> struct Cad_spline_curve {
   int degree;
   std::vector<double> knots;
@@ -54,7 +57,8 @@ template <int D> struct Cad_offset_curve;
 template <int D> using Cad_curve = std::variant<Cad_line<D>, Cad_conic<D>, Cad_spline_curve<D>, Cad_offset_curve<D>>;
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// In the plane \f$ c + d\,(c'_y, -c'_x) / |c'| \f$; in space \f$ c + d\,(c' \times r) / |c' \times r| \f$ for a reference direction.
+/// In the plane \f$ c + d\,(c'_y, -c'_x) / |c'| \f$; in space
+/// \f$ c + d\,(c' \times r) / |c' \times r| \f$ for a reference direction.
 template <int D> struct Cad_offset_curve {
   std::shared_ptr<const Cad_curve<D>> basis;
   double distance;
@@ -68,20 +72,22 @@ struct Cad_frame {
 };
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// A surface that rotates a curve about an axis of its frame, by numbers. With \f$ R = \cos u\,x + \sin u\,y \f$:
-/// plane \f$ o + u\,x + v\,y \f$, cylinder \f$ o + r\,R + v\,z \f$, cone \f$ o + (r + v \sin\alpha) R + v \cos\alpha\,z \f$,
-/// sphere \f$ o + r \cos v\,R + r \sin v\,z \f$, torus \f$ o + (r + q \cos v) R + q \sin v\,z \f$.
+/// A surface that rotates a curve about an axis of its frame, by numbers. With
+/// \f$ R = \cos u\,x + \sin u\,y \f$: plane \f$ o + u\,x + v\,y \f$, cylinder
+/// \f$ o + r\,R + v\,z \f$, cone \f$ o + (r + v \sin\alpha) R + v \cos\alpha\,z \f$, sphere
+/// \f$ o + r \cos v\,R + r \sin v\,z \f$, torus \f$ o + (r + q \cos v) R + q \sin v\,z \f$.
 struct Cad_elementary_surface {
   enum class Kind { plane, cylinder, cone, sphere, torus };
   Kind kind;
   Cad_frame frame;
   double radius = 0; ///< \f$ r \f$
-  double other = 0;  ///< the angle \f$ \alpha \f$ of a cone in radians, the small radius \f$ q \f$ of a torus
+  /// the angle \f$ \alpha \f$ of a cone in radians, the small radius \f$ q \f$ of a torus
+  double other = 0;
 };
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// A B-spline surface, rational if it has weights; knots as in `Cad_spline_curve`. The point of the indices `i` in \f$ u \f$ and `j` in
-/// \f$ v \f$ is `points[i * v_points + j]`.
+/// A B-spline surface, rational if it has weights; knots as in `Cad_spline_curve`. The point of the
+/// indices `i` in \f$ u \f$ and `j` in \f$ v \f$ is `points[i * v_points + j]`.
 struct Cad_spline_surface {
   int u_degree, v_degree;
   std::vector<double> u_knots, v_knots;
@@ -99,8 +105,9 @@ struct Cad_extrusion {
 };
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// The curve \f$ c(v) \f$, rotated by the angle \f$ u \f$ about the axis through `origin` in the direction \f$ d \f$, a unit vector up to
-/// rounding: with \f$ w = c - o \f$ the point \f$ o + (w \cdot d)\,d + \cos u\,(w - (w \cdot d)\,d) + \sin u\,(d \times w) \f$.
+/// The curve \f$ c(v) \f$, rotated by the angle \f$ u \f$ about the axis through `origin` in the
+/// direction \f$ d \f$, a unit vector up to rounding: with \f$ w = c - o \f$ the point
+/// \f$ o + (w \cdot d)\,d + \cos u\,(w - (w \cdot d)\,d) + \sin u\,(d \times w) \f$.
 struct Cad_revolution {
   Cad_curve<3> profile;
   Cad_point<3> origin, direction;
@@ -125,15 +132,18 @@ struct Cad_offset_surface {
 typedef std::array<std::array<double, 4>, 3> Cad_placement;
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// One side of an edge: the surface of a face, where it is placed, and the edge as a curve in its parameter plane. The edge is the image
-/// \f$ P(S(c(t))) \f$ of the interval of both sides.
+/// One side of an edge: the surface of a face, where it is placed, and the edge as a curve in its
+/// parameter plane. The edge is the image \f$ P(S(c(t))) \f$ of the interval of both sides.
 struct Edge_side {
   std::shared_ptr<const Cad_surface> surface;
   std::shared_ptr<const Cad_curve<2>> curve;
   Cad_placement placement;
-  bool reversed; ///< the normal of the face is that of the surface times -1 (a mirror in the placement is not counted)
-  /// On which side of the curve the face lies in the parameter plane: 1 left of it (where the normal (-c'_y, c'_x) points), -1 right of
-  /// it, 0 not known. It matters where the curve runs along a knot line on which the surface is not smooth.
+  /// the normal of the face is that of the surface times -1 (a mirror in the placement is not
+  /// counted)
+  bool reversed;
+  /// On which side of the curve the face lies in the parameter plane: 1 left of it (where the
+  /// normal (-c'_y, c'_x) points), -1 right of it, 0 not known. It matters where the curve runs
+  /// along a knot line on which the surface is not smooth.
   int face_side = 0;
 };
 
@@ -153,7 +163,8 @@ struct Surface_knot_line {
 
 namespace internal {
 
-// The knots over which a parameter runs, if it is that of a spline: of a curve, of a profile, or of what an offset has been taken.
+// The knots over which a parameter runs, if it is that of a spline: of a curve, of a profile, or of
+// what an offset has been taken.
 struct Spline_parameter {
   const std::vector<double>* knots = nullptr; // null for other parameters
   int degree = 0;
@@ -202,9 +213,11 @@ inline std::array<Spline_parameter, 2> spline_parameters(const Cad_surface& surf
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// Returns the lines inside of the domain of a surface where it need not be `order` times continuously differentiable: at inner knots of a
-/// multiplicity greater than the degree minus `order`, of offsets one less; first those of `u` and then those of `v`. The two sides of such a
-/// line are two `Edge_side`s of one surface and one curve, with `Edge_side::face_side` 1 and -1. \pre the numbers of the splines fit
+/// Returns the lines inside of the domain of a surface where it need not be `order` times
+/// continuously differentiable: at inner knots of a multiplicity greater than the degree minus
+/// `order`, of offsets one less; first those of `u` and then those of `v`. The two sides of such a
+/// line are two `Edge_side`s of one surface and one curve, with `Edge_side::face_side` 1 and -1.
+/// \pre the numbers of the splines fit
 inline std::vector<Surface_knot_line> surface_knot_lines(const Cad_surface& surface, int order) {
   std::vector<Surface_knot_line> lines;
   const std::array<internal::Spline_parameter, 2> parameters = internal::spline_parameters(surface);

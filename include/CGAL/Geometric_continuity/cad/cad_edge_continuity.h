@@ -31,39 +31,46 @@
 #include <vector>
 
 /// \file cad_edge_continuity.h
-/// The edges of CAD models: two faces along curves in their parameter planes. What holds exactly is decided, and how far the faces are
-/// from it is enclosed, on whole edges.
+/// The edges of CAD models: two faces along curves in their parameter planes. The exact order is
+/// decided, and the distance of the faces from it is enclosed, on whole edges.
 ///
-/// Where a file gives an edge in space only, its curve in the parameter plane of a face is that of its foot points: the points of the surface that
-/// are next to it. One that a system has computed is close to it at best.
+/// Where a file gives an edge in space only, its curve in the parameter plane of a face is that of
+/// its foot points: the points of the surface that are next to it. One that a system has computed
+/// is close to it at best.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// Decides the continuity of two faces along an edge that both have over the range `[first, last]` of their common parameter, exactly, on
-/// the whole closed edge, where that is possible: points of both sides at equal parameters are compared, and the oriented normals there. The
-/// numbers that describe curves and surfaces are taken as the rational numbers they are, the formulas of `Cad_geometry.h` as they
-/// stand: a seam that a system has at `0` and at the floating-point number next to \f$ 2 \pi \f$ has a gap. Gaps and kinks of the size of
-/// rounding errors are reported as such; how large they are `edge_enclosure()` says.
+/// Decides the continuity of two faces along an edge that both have over the range `[first, last]`
+/// of their common parameter, exactly, on the whole closed edge, where that is possible: points of
+/// both sides at equal parameters are compared, and the oriented normals there. The numbers that
+/// describe curves and surfaces are taken as the rational numbers they are, the formulas of
+/// `Cad_geometry.h` as they stand: a seam that a system has at `0` and at the floating-point number
+/// next to \f$ 2 \pi \f$ has a gap. Gaps and kinks of the size of rounding errors are reported as
+/// such; how large they are `edge_enclosure()` says.
 ///
 /// Decided are
-/// - two spline surfaces, rational or not, on each of which the edge is a parameter line, boundary or not, or a part of it, run through
-///   linearly: as for whole edges;
-/// - two elementary surfaces, extrusions or surfaces of revolution with lines or ellipses as profiles, where the curves in the parameter
-///   planes are lines, or splines that are, on planes also ellipses. Then points and derivatives are sums of terms \f$ c\,t^n e^{i (w + f t)} \f$ with rational
-///   numbers, and continuity means identities between such sums, which hold if and only if each coefficient agrees (Lindemann and
-///   Weierstrass).
+/// - two spline surfaces, rational or not, on each of which the edge is a parameter line, boundary
+///   or not, or a part of it, run through linearly: as for whole edges;
+/// - two elementary surfaces, extrusions or surfaces of revolution with lines or ellipses as
+///   profiles, where the curves in the parameter planes are lines, or splines that are, on planes
+///   also ellipses. Then points and derivatives are sums of terms \f$ c\,t^n e^{i (w + f t)} \f$
+///   with rational numbers, and continuity means identities between such sums, which hold if and
+///   only if each coefficient agrees (Lindemann and Weierstrass).
 ///
-/// The defect is `fold` where the oriented normals are opposite on the whole edge, `gap` (with the order -1) when any two points differ.
-/// `deviation` may be empty where the normals differ. All parameters in the result are those of the edge.
+/// The defect is `fold` where the oriented normals are opposite on the whole edge, `gap` (with the
+/// order -1) when any two points differ. `deviation` may be empty where the normals differ. All
+/// parameters in the result are those of the edge.
 ///
-/// Returns nothing for an edge of another kind or without a length in the parameter; inside a spline surface, on a knot line, when
-/// `Edge_side::face_side` is not known; for analytic surfaces also where a normal vanishes on the edge, and for rational ones when a common
-/// factor that is not constant may hide that the edges are the same; and when the work on splines would exceed the limit. Sums of the
-/// analytic surfaces have some hundred terms at most.
-/// \throws Error `not_finite`; `empty_domain` when `first` is larger than `last`; `wrong_number_of_points`, `knot_multiplicity` and
-///   `empty_domain` for splines whose numbers do not fit; `zero_weight`; `singular_frame` when a placement is not invertible
+/// Returns nothing for an edge of another kind or without a length in the parameter; inside a
+/// spline surface, on a knot line, when `Edge_side::face_side` is not known; for analytic surfaces
+/// also where a normal vanishes on the edge, and for rational ones when a common factor that is not
+/// constant may hide that the edges are the same; and when the work on splines would exceed the
+/// limit. Sums of the analytic surfaces have some hundred terms at most.
+/// \throws Error `not_finite`; `empty_domain` when `first` is larger than `last`;
+///   `wrong_number_of_points`, `knot_multiplicity` and `empty_domain` for splines whose numbers do
+///   not fit; `zero_weight`; `singular_frame` when a placement is not invertible
 inline std::optional<Edge_continuity<Exact_field<double>::type>> edge_continuity(const Edge_side& a, const Edge_side& b,
                                                                                  double first, double last) {
   internal::check_range(first, last, "edge_continuity: the range");
@@ -93,25 +100,31 @@ struct Edge_maximum {
 };
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// How far two faces are from being continuous along an edge: guaranteed enclosures of what is largest on the *whole* edge, where the
-/// points of both sides at equal parameters are compared.
+/// The distance of two faces from being continuous along an edge, as guaranteed enclosures of the
+/// maxima on the *whole* edge, where the points of both sides at equal parameters are compared.
 struct Edge_enclosure {
-  Edge_maximum gap; ///< the largest distance of the points of both sides, in units of the coordinates
-  /// The largest angle between the oriented normals, in radians, in \f$ [0, \pi] \f$. Empty when a normal vanishes on the whole edge.
+  /// the largest distance of the points of both sides, in units of the coordinates
+  Edge_maximum gap;
+  /// The largest angle between the oriented normals, in radians, in \f$ [0, \pi] \f$. Empty when a
+  /// normal vanishes on the whole edge.
   std::optional<Edge_maximum> angle;
-  /// The largest relative jump \f$ |\kappa_1 - \kappa_2| / \max(|\kappa_1|, |\kappa_2|, \varepsilon) \f$, in [0, 2], of the normal curvatures
-  /// across the edge; \f$ \varepsilon \f$ is `Edge_precision::flat_curvature`. Empty when not asked for, or undefined on the whole edge.
+  /// The largest relative jump
+  /// \f$ |\kappa_1 - \kappa_2| / \max(|\kappa_1|, |\kappa_2|, \varepsilon) \f$, in [0, 2], of the
+  /// normal curvatures across the edge; \f$ \varepsilon \f$ is `Edge_precision::flat_curvature`.
+  /// Empty when not asked for, or undefined on the whole edge.
   std::optional<Edge_maximum> curvature_jump;
-  /// Ranges of parameters in which a normal is proved to vanish: apices, poles, collapsed edges; and, less than the
-  /// \f$ 2^{-35} \f$-th part of the edge each, those in which the edge crosses a knot line where a surface itself has a fold. The angle
-  /// leaves them out. They are not longer than the \f$ 2^{-18} \f$-th part of the edge.
+  /// Ranges of parameters in which a normal is proved to vanish: apices, poles, collapsed edges;
+  /// and, less than the \f$ 2^{-35} \f$-th part of the edge each, those in which the edge crosses a
+  /// knot line where a surface itself has a fold. The angle leaves them out. They are not longer
+  /// than the \f$ 2^{-18} \f$-th part of the edge.
   std::vector<std::pair<double, double>> singular;
-  /// Ranges of parameters of which the angle says nothing: those where a normal is proved neither to be zero nor not to be, and those for
-  /// which the work did not suffice.
+  /// Ranges of parameters of which the angle says nothing: those where a normal is proved neither
+  /// to be zero nor not to be, and those for which the work did not suffice.
   std::vector<std::pair<double, double>> unresolved;
-  /// Ranges of parameters that the curvature jump leaves out: such as before, those where the direction of the edge vanishes, and, less
-  /// than the \f$ 2^{-35} \f$-th part of the edge each, those in which the edge crosses a knot line where the curvature of a surface itself
-  /// jumps. (What it jumps to is compared on both sides of it.)
+  /// Ranges of parameters that the curvature jump leaves out: such as before, those where the
+  /// direction of the edge vanishes, and, less than the \f$ 2^{-35} \f$-th part of the edge each,
+  /// those in which the edge crosses a knot line where the curvature of a surface itself jumps.
+  /// (What it jumps to is compared on both sides of it.)
   std::vector<std::pair<double, double>> curvature_undefined;
   /// Ranges of parameters of which the curvature jump says nothing.
   std::vector<std::pair<double, double>> curvature_unresolved;
@@ -120,22 +133,25 @@ struct Edge_enclosure {
 };
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// When an enclosure of a largest value is narrow enough: when its width is at most `relative` times its upper end, or when its upper end
-/// is at most the floor of its kind. Where the work does not suffice it is wider, and still guaranteed.
+/// When an enclosure of a largest value is narrow enough: when its width is at most `relative`
+/// times its upper end, or when its upper end is at most the minimum of its kind. Where the work
+/// does not suffice it is wider, and still guaranteed.
 struct Edge_precision {
   double relative = 0.01;
-  double gap = 1e-9;            ///< floor of gaps, in units of the coordinates
-  double angle = 1e-8;          ///< floor of angles, in radians
-  double curvature_jump = 1e-4; ///< floor of relative jumps
+  double gap = 1e-9;            ///< minimum of gaps, in units of the coordinates
+  double angle = 1e-8;          ///< minimum of angles, in radians
+  double curvature_jump = 1e-4; ///< minimum of relative jumps
   double flat_curvature = 1e-6; ///< normal curvatures below it count as flat, in units of 1/length
-  int boxes = 4000;             ///< so many ranges are evaluated at most for each of the three, and 8 for each piece
-  int most_boxes = 1'000'000;   ///< but not more than these, whatever the number of pieces
-  bool with_curvature = true;   ///< whether the curvature jump is wanted
+  /// so many ranges are evaluated at most for each of the three, and 8 for each piece
+  int boxes = 4000;
+  int most_boxes = 1'000'000; ///< but not more than these, whatever the number of pieces
+  bool with_curvature = true; ///< whether the curvature jump is wanted
 };
 
 namespace internal {
 
-// The angle of two unit vectors whose difference has the square e in [0, 4]: the square of the tangent of its half is e / (4 - e).
+// The angle of two unit vectors whose difference has the square e in [0, 4]: the square of the
+// tangent of its half is e / (4 - e).
 inline Enclosure angle_of_chord_square(double e) {
   const Interval exact = (std::min)((std::max)(e, 0.), 4.), rest = 4 - exact;
   const bool steep = exact.inf() > 2;
@@ -173,19 +189,24 @@ template <class Bounds> Edge_maximum largest_distance(const Bounds& bounds, cons
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// Encloses how far two faces are from being continuous along the edge that both have over the range `[first, last]` of their common
-/// parameter. The numbers that describe curves and surfaces are taken exactly.
+/// Encloses how far two faces are from being continuous along the edge that both have over the
+/// range `[first, last]` of their common parameter. The numbers that describe curves and surfaces
+/// are taken exactly.
 ///
-/// On parts of the range both sides become Taylor models: polynomials of degree 7 with a bound of what they leave out, roundings included
-/// (K. Makino, M. Berz: Taylor models and other validated functional inclusion methods, 2003). In their difference what agrees cancels, so
-/// that its bounds are as narrow as the difference is small. The part with the largest upper bound is halved until that and the
-/// largest value found at a parameter are close. Points where a normal is proved to vanish are left out, except for the poles of
-/// spheres and the apices of cones on the edge: there the normal is the limit along the edge. Splines are continued beyond their domain by
-/// their first and last pieces, which rounded curves need.
+/// On parts of the range both sides become Taylor models: polynomials of degree 7 with a bound of
+/// what they leave out, roundings included (K. Makino, M. Berz: Taylor models and other validated
+/// functional inclusion methods, 2003). In their difference what agrees cancels, so that its bounds
+/// are as narrow as the difference is small. The part with the largest upper bound is halved until
+/// that and the largest value found at a parameter are close. Points where a normal is proved to
+/// vanish are left out, except for the poles of spheres and the apices of cones on the edge: there
+/// the normal is the limit along the edge. Splines are continued beyond their domain by their first
+/// and last pieces, which rounded curves need.
 ///
-/// The cost is linear in the number of parts, each of which takes some ten microseconds. Smooth edges take a few, others some hundred.
-/// \throws Error `empty_domain` when `first > last`; `not_finite`; `wrong_number_of_points` and `knot_multiplicity` for splines whose
-///   numbers do not fit; `zero_weight`; `parameter_outside_domain` when a curve leaves the domain of a spline by more than rounding;
+/// The cost is linear in the number of parts, each of which takes some ten microseconds. Smooth
+/// edges take a few, others some hundred.
+/// \throws Error `empty_domain` when `first > last`; `not_finite`; `wrong_number_of_points` and
+///   `knot_multiplicity` for splines whose numbers do not fit; `zero_weight`;
+///   `parameter_outside_domain` when a curve leaves the domain of a spline by more than rounding;
 ///   `singular_frame` when a placement is not invertible
 inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, double first, double last,
                                      const Edge_precision& precision = Edge_precision()) {
@@ -224,10 +245,11 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
 }
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// Decides whether the angle between the oriented normals of two faces is larger than `bound`, in radians, on the *whole* edge, as it is
-/// along an edge that is meant to be sharp: proved, refuted when it is not on some part, or undecided. Points where a normal is proved to
-/// vanish are left out, as by `edge_enclosure()`; so many parts of the range are evaluated at most as for one of its
-/// three numbers.
+/// Decides whether the angle between the oriented normals of two faces is larger than `bound`, in
+/// radians, on the *whole* edge, as it is along an edge that is meant to be sharp: proved, refuted
+/// when it is not on some part, or undecided. Points where a normal is proved to vanish are left
+/// out, as by `edge_enclosure()`; so many parts of the range are evaluated at most as for one of
+/// its three numbers.
 /// \throws Error as `edge_enclosure()`
 inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double first, double last, const Bound& bound,
                              const Edge_precision& precision = Edge_precision()) {
@@ -269,8 +291,9 @@ inline Verdict is_sharp_edge(const Edge_side& a, const Edge_side& b, double firs
 }
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// Encloses the largest distance \f$ |S(c(t)) - C(t)| \f$ of a side of an edge and the edge as a curve in space, at equal parameters over the
-/// range `[first, last]`, as `edge_enclosure()` encloses gaps. The upper end is infinite where the work does not suffice.
+/// Encloses the largest distance \f$ |S(c(t)) - C(t)| \f$ of a side of an edge and the edge as a
+/// curve in space, at equal parameters over the range `[first, last]`, as `edge_enclosure()`
+/// encloses gaps. The upper end is infinite where the work does not suffice.
 /// \throws Error as `edge_enclosure()`
 inline Edge_maximum curve_deviation(const Edge_side& side, const Edge_curve& curve, double first, double last,
                                     const Edge_precision& precision = Edge_precision()) {
@@ -283,14 +306,17 @@ inline Edge_maximum curve_deviation(const Edge_side& side, const Edge_curve& cur
 }
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// Returns the range of parameters around `t` that belongs to a pole of one of the faces: on all of it both sides are proved to lie within
-/// the distance `bound` of one point, and a whole parameter line of a surface does, too. Such points are what an arc that reaches the axis
-/// is rotated to, the poles of spheres, the apices of cones, and sides of spline surfaces that are points: there is no normal, or what is
-/// computed of it depends on rounding.
+/// Returns the range of parameters around `t` that belongs to a pole of one of the faces: on all of
+/// it both sides are proved to lie within the distance `bound` of one point, and a whole parameter
+/// line of a surface does, too. Such points are the points of an arc on the axis about which it is
+/// rotated, the poles of spheres, the apices of cones, and sides of spline surfaces that are
+/// points. There is no normal there, or the computed normal depends on rounding.
 ///
-/// The parameter line of a surface that is rotated is within a sixteenth of the distance; that of a spline surface is a point up to rounding, because its
-/// normal may turn along a side that only nearly is one. The range reaches as far as that is proved, up to a per cent or so, but not
-/// farther than a quarter of `[first, last]` on each side of `t`. Returns nothing where there is no pole.
+/// The parameter line of a surface that is rotated is within a sixteenth of the distance; that of a
+/// spline surface is a point up to rounding, because its normal may turn along a side that only
+/// nearly is one. The range reaches as far as that is proved, up to a per cent or so, but not
+/// farther than a quarter of `[first, last]` on each side of `t`. Returns nothing where there is no
+/// pole.
 /// \throws Error as `edge_enclosure()`
 inline std::optional<std::pair<double, double>> range_at_pole(const Edge_side& a, const Edge_side& b, double first,
                                                               double last, double t, const Bound& bound) {
@@ -340,9 +366,11 @@ inline std::optional<std::pair<double, double>> range_at_pole(const Edge_side& a
 }
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// Returns the side with another curve in its parameter plane: a cubic spline, continuously differentiable, through the foot points of
-/// the curve in space at the ends of `pieces` equal parts of `[first, last]` and at the knots of that curve. They are computed in rounded numbers by
-/// Newton's method, which starts at the curve of the side; `curve_deviation()` tells how good the result is.
+/// Returns the side with another curve in its parameter plane: a cubic spline, continuously
+/// differentiable, through the foot points of the curve in space at the ends of `pieces` equal
+/// parts of `[first, last]` and at the knots of that curve. They are computed in rounded numbers by
+/// Newton's method, which starts at the curve of the side; `curve_deviation()` tells how good the
+/// result is.
 /// \throws Error as `edge_enclosure()`
 inline Edge_side projected_side(const Edge_side& side, const Edge_curve& curve, double first, double last, int pieces) {
   using namespace internal;
@@ -385,19 +413,22 @@ inline Edge_side projected_side(const Edge_side& side, const Edge_curve& curve, 
 }
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// What holds at one parameter of an edge that is a curve in space, whatever curves in parameter planes have been computed: lower bounds.
+/// Facts about one parameter of an edge that is a curve in space, whatever curves in parameter
+/// planes have been computed: lower bounds.
 struct Foot_comparison {
-  std::array<double, 2>
-      distances;         ///< of the point of the curve and its foot points on both sides, in units of the coordinates
+  /// of the point of the curve and its foot points on both sides, in units of the coordinates
+  std::array<double, 2> distances;
   double gap;            ///< of the foot points
   double angle;          ///< of the oriented normals there, in radians
   double curvature_jump; ///< relative, see `Edge_enclosure::curvature_jump`
 };
 
 /// \ingroup PkgGeometricContinuityCadEdges
-/// Compares two faces at the foot points of a curve in space at the parameter `t`: those for which it is proved, by interval arithmetic
-/// and Krawczyk's test, that they exist and are the only ones near the curves of the sides. A side for which `is_projected` is false is compared at the
-/// point of its own curve. Returns nothing when it cannot be proved, e.g. where a surface is singular, or on a knot line.
+/// Compares two faces at the foot points of a curve in space at the parameter `t`: those for which
+/// it is proved, by interval arithmetic and Krawczyk's test, that they exist and are the only ones
+/// near the curves of the sides. A side for which `is_projected` is false is compared at the point
+/// of its own curve. Returns nothing when it cannot be proved, e.g. where a surface is singular, or
+/// on a knot line.
 /// \throws Error as `edge_enclosure()`
 inline std::optional<Foot_comparison> compare_at_feet(const Edge_side& a, const Edge_side& b,
                                                       const std::array<bool, 2>& is_projected, const Edge_curve& curve,

@@ -34,9 +34,10 @@ template <class Shape> struct Curve_shape; // what differs between the shapes of
 //
 //   1/(2n+1) sum_ij w_ij c_i . c_j,   w_ij = C(n,i) C(n,j) / C(2n,i+j),
 //
-// by the product of Bernstein polynomials and the mean of its coefficients. The binomials overflow in high degrees, but
-// their quotients are probabilities, not more than 1. They are reckoned from each other, along the diagonal, where they are
-// large, and from the diagonal outwards, where they become smaller.
+// by the product of Bernstein polynomials and the mean of its coefficients. The binomials overflow
+// in high degrees, but their quotients are probabilities, not more than 1. They are reckoned from
+// each other, along the diagonal, where they are large, and from the diagonal outwards, where they
+// become smaller.
 template <class FT, int N> FT squared_norm(const std::vector<Coordinate_vector<FT, N>>& c) {
   const int n = static_cast<int>(c.size()) - 1;
   Work_meter* const work = scope_of<FT>();
@@ -62,7 +63,8 @@ template <class FT, int N> FT squared_norm(const std::vector<Coordinate_vector<F
   return FT(sum / FT(2 * n + 1));
 }
 
-// The integral over an interval of length h of the squared derivative of order k of the polynomial curve with these rows.
+// The integral over an interval of length h of the squared derivative of order k of the polynomial
+// curve with these rows.
 template <class FT, int N> FT energy_of_rows(std::vector<Coordinate_vector<FT, N>> rows, int k, const FT& h) {
   const int m = static_cast<int>(rows.size()) - 1;
   if (k > m) return FT(0);
@@ -81,18 +83,20 @@ template <class FT, int N> FT energy_of_rows(std::vector<Coordinate_vector<FT, N
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// A Bézier curve \f$ \sum_{i=0}^m b_i B_i^m((u-a)/(b-a)) \f$ with control points \f$ b_0, \dots, b_m \f$ on the domain
-/// [a, b], by default [0, 1]. All derivatives are taken with respect to the parameter `u` of the domain.
+/// A Bézier curve \f$ \sum_{i=0}^m b_i B_i^m((u-a)/(b-a)) \f$ with control points
+/// \f$ b_0, \dots, b_m \f$ on the domain [a, b], by default [0, 1]. All derivatives are taken with
+/// respect to the parameter `u` of the domain.
 ///
 /// The curve is a value: operations return new curves. With an exact kernel they are exact.
 ///
-/// With a degree fixed at compile time, construction, evaluation, jets up to order 5, derivative, split, elevation by a
-/// fixed number, reversal, transformation and bounding box allocate no memory (provided that the numbers and points of the
-/// kernel do not). With a degree known at run time only and floating-point numbers, points and jets up to order 3 are the same
-/// ones and cost about the same; up to degree 9, where the code is unrolled, they allocate no memory either.
+/// With a degree fixed at compile time, construction, evaluation, jets up to order 5, derivative,
+/// split, elevation by a fixed number, reversal, transformation and bounding box allocate no memory
+/// (provided that the numbers and points of the kernel do not). With a degree known at run time
+/// only and floating-point numbers, points and jets up to order 3 are the same ones and cost about
+/// the same; up to degree 9, where the code is unrolled, they allocate no memory either.
 ///
-/// With floating-point numbers, evaluation does not check its results: parameters must be finite, and the derivatives, which
-/// grow with \f$ (b-a)^{-k} \f$, must not overflow.
+/// With floating-point numbers, evaluation does not check its results: parameters must be finite,
+/// and the derivatives, which grow with \f$ (b-a)^{-k} \f$, must not overflow.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Degree the degree `m >= 0`, or `dynamic_degree`
@@ -107,7 +111,8 @@ template <class Traits_, int Degree = dynamic_degree> class Bezier_curve : publi
   template <class T> using Coefficients = typename Polygon::template Coefficients<T>;
 
 public:
-  /// A container with one entry for each control point: an array when the degree is fixed, a vector when it is not.
+  /// A container with one entry for each control point: an array when the degree is fixed, a vector
+  /// when it is not.
   template <class T> using Per_point = typename Polygon::template Per_point<T>;
   using typename Polygon::Traits;         ///< the traits class
   typedef typename Traits::FT FT;         ///< the field
@@ -121,31 +126,37 @@ public:
   using Polygon::dimension;
   using Polygon::end;
 
-  /// Makes a curve without control points, for containers that need one: nothing may be done with it but to assign another one to it.
+  /// Makes a curve without control points, for containers that need one: nothing may be done with
+  /// it but to assign another one to it.
   Bezier_curve() = default;
 
   /// Takes control points and the domain.
-  /// \throws Error `wrong_number_of_points` unless the range has `Degree + 1` points (at least one, if dynamic)
+  /// \throws Error `wrong_number_of_points` unless the range has `Degree + 1` points (at least one,
+  ///   if dynamic)
   /// \throws Error `dimension_mismatch` when the points differ in dimension
   /// \throws Error `empty_domain` unless `a < b`
-  /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when `b - a` overflows
+  /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when
+  ///   `b - a` overflows
   template <class InputIterator>
   Bezier_curve(InputIterator first, InputIterator last, const FT& a = FT(0), const FT& b = FT(1))
       : Polygon(first, last, a, b) {}
 
-  /// Takes a range of control points, such as a `std::vector`, and the domain. \throws Error as the constructor from iterators
+  /// Takes a range of control points, such as a `std::vector`, and the domain. \throws Error as the
+  /// constructor from iterators
   template <class Points, class = internal::Range_of_points<Points, Point>>
   explicit Bezier_curve(const Points& points, const FT& a = FT(0), const FT& b = FT(1))
       : Bezier_curve(std::begin(points), std::end(points), a, b) {}
 
   /// Takes the coordinates of the control points, and the domain.
-  /// \throws Error `wrong_number_of_points` without points, `dimension_mismatch`, `empty_domain`, `not_finite` as for points
+  /// \throws Error `wrong_number_of_points` without points, `dimension_mismatch`, `empty_domain`,
+  ///   `not_finite` as for points
   CGAL_GC_FORCEINLINE explicit Bezier_curve(const Per_point<Coordinates>& rows, const FT& a = FT(0),
                                             const FT& b = FT(1))
       : Polygon(rows, a, b) {}
 
   /// Takes a list of control points, on [0, 1].
-  /// \throws Error `wrong_number_of_points`, `dimension_mismatch`, `not_finite` as for a range of points
+  /// \throws Error `wrong_number_of_points`, `dimension_mismatch`, `not_finite` as for a range of
+  ///   points
   Bezier_curve(std::initializer_list<Point> points) : Bezier_curve(points.begin(), points.end()) {}
 
   /// Converts a curve by forgetting its degree, or by remembering it.
@@ -159,7 +170,8 @@ public:
   /// \name Evaluation
   /// @{
 
-  /// Returns the point at `u`, which may lie outside the domain: the polynomial is extended. \f$ O(m^2) \f$
+  /// Returns the point at `u`, which may lie outside the domain: the polynomial is extended.
+  /// \f$ O(m^2) \f$
   Point operator()(const FT& u) const {
     Coordinates x(dimension());
     if constexpr (internal::unrolls_jets<FT, Degree>)
@@ -174,16 +186,16 @@ public:
     return Geometric_continuity::to_point<Traits>(x);
   }
 
-  /// Returns the jet of order `k` at `u`, which may lie outside the domain; derivatives beyond the degree are zero.
-  /// \f$ O(m^2 + k^3) \f$ \throws Error `negative_count` unless `k >= 0`
+  /// Returns the jet of order `k` at `u`, which may lie outside the domain; derivatives beyond the
+  /// degree are zero. \f$ O(m^2 + k^3) \f$ \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> jet(const FT& u, int k) const {
     return internal::with_largest_order<FT, Degree>(
         k, [&](auto order) { return jet_of_order<decltype(order)::value>(u, k); },
         [&] { return jet_of_any_order(u, k); });
   }
 
-  /// Returns the jet of an order `k >= 0` that is known at compile time, at `u`, which may lie outside the domain;
-  /// derivatives beyond the degree are zero. \f$ O(m^2 + k^3) \f$
+  /// Returns the jet of an order `k >= 0` that is known at compile time, at `u`, which may lie
+  /// outside the domain; derivatives beyond the degree are zero. \f$ O(m^2 + k^3) \f$
   template <int k> Curve_jet<Traits> jet(const FT& u) const {
     static_assert(k >= 0);
     if constexpr (Degree == dynamic_degree)
@@ -192,30 +204,36 @@ public:
       return jet_of_order<k>(u, k);
   }
 
-  /// Returns the jet of order `k` at the start of the domain, from the first `k + 1` control points. \f$ O(k^2) \f$
+  /// Returns the jet of order `k` at the start of the domain, from the first `k + 1` control
+  /// points. \f$ O(k^2) \f$
   /// \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> start_jet(int k) const { return Curve_jet<Traits>(start_jet_over<FT>(k)); }
 
-  /// Returns the jet of order `k` at the end of the domain, from the last `k + 1` control points. \f$ O(k^2) \f$
+  /// Returns the jet of order `k` at the end of the domain, from the last `k + 1` control points.
+  /// \f$ O(k^2) \f$
   /// \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> end_jet(int k) const { return Curve_jet<Traits>(end_jet_over<FT>(k)); }
 
-  /// Returns the jet of order `k` at the start of the domain in another field, to which the control points and the domain
-  /// are converted first: this is how an exact predicate reads a curve with `double` coordinates. \f$ O(k^2) \f$
+  /// Returns the jet of order `k` at the start of the domain in another field, to which the control
+  /// points and the domain are converted first: this is how an exact predicate reads a curve with
+  /// `double` coordinates. \f$ O(k^2) \f$
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> start_jet_over(int k) const {
     return jet_of_differences<Field>(k, length_over<Field>(), [](int j) { return j; });
   }
 
-  /// Returns the jet of order `k` at the end of the domain in another field, to which the control points and the domain
-  /// are converted first: this is how an exact predicate reads a curve with `double` coordinates. \f$ O(k^2) \f$
+  /// Returns the jet of order `k` at the end of the domain in another field, to which the control
+  /// points and the domain are converted first: this is how an exact predicate reads a curve with
+  /// `double` coordinates. \f$ O(k^2) \f$
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> end_jet_over(int k) const {
     return jet_of_differences<Field>(k, Field(-length_over<Field>()), [m = degree()](int j) { return m - j; });
   }
 
-  /// Returns \f$ \int_a^b |x^{(k)}(u)|^2 du \f$, exactly with an exact kernel. \f$ O(n m^2) \f$ in dimension `n`
-  /// \throws Error `negative_count` unless `k >= 0`, `not_finite` when a floating-point number overflows
+  /// Returns \f$ \int_a^b |x^{(k)}(u)|^2 du \f$, exactly with an exact kernel. \f$ O(n m^2) \f$ in
+  /// dimension `n`
+  /// \throws Error `negative_count` unless `k >= 0`, `not_finite` when a floating-point number
+  ///   overflows
   FT energy(int k) const {
     internal::check_count(k, "Bezier_curve::energy");
     const Coefficients<Coordinates> rows = this->coordinate_rows();
@@ -229,8 +247,9 @@ public:
   /// \name Other Curves
   /// @{
 
-  /// Returns the derivative (hodograph): the curve of degree `m - 1` (0 for a constant) whose point at `u` has the
-  /// coordinates of the first derivative. \throws Error `not_finite` when a floating-point coordinate overflows
+  /// Returns the derivative (hodograph): the curve of degree `m - 1` (0 for a constant) whose point
+  /// at `u` has the coordinates of the first derivative. \throws Error `not_finite` when a
+  /// floating-point coordinate overflows
   Bezier_curve<Traits, (Degree > 0 ? Degree - 1 : Degree)> derivative() const {
     const int m = degree();
     if (m == 0) {
@@ -270,7 +289,8 @@ public:
     return elevated<Bezier_curve<Traits, Degree + times>>(rows);
   }
 
-  /// Returns the curve in the opposite direction, on the same domain: its point at `u` is that of this curve at `a + b - u`.
+  /// Returns the curve in the opposite direction, on the same domain: its point at `u` is that of
+  /// this curve at `a + b - u`.
   Bezier_curve reverse() const {
     Bezier_curve r = *this;
     std::reverse(r.points_.begin(), r.points_.end());
@@ -278,10 +298,12 @@ public:
   }
 
   /// Returns the curve with these control points on another domain.
-  /// \throws Error `empty_domain` unless `a < b`, `not_finite` when one of them is not finite or `b - a` overflows
+  /// \throws Error `empty_domain` unless `a < b`, `not_finite` when one of them is not finite or
+  ///   `b - a` overflows
   Bezier_curve with_domain(const FT& a, const FT& b) const { return Bezier_curve(begin(), end(), a, b); }
 
-  /// Returns the image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`. The images are not checked.
+  /// Returns the image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`. The
+  /// images are not checked.
   template <class Transformation> Bezier_curve transform(const Transformation& map) const {
     Bezier_curve r = *this;
     for (Point& p : r.points_) p = map(p);
@@ -328,7 +350,8 @@ private:
     return jet;
   }
 
-  // The jet at an end of the domain, from which the control points index(0), index(1), ... are numbered.
+  // The jet at an end of the domain, from which the control points index(0), index(1), ... are
+  // numbered.
   template <class Field, class Index>
   Coordinate_jet<Field, N> jet_of_differences(int k, const Field& step, const Index& index) const {
     const Traits traits;
@@ -346,8 +369,9 @@ private:
 
 namespace internal {
 
-// The first k+1 Bezier points b_0, ..., b_k of the curve of degree m >= k with this jet at its start:
-// the j-th difference of the points is h^j (m-j)!/m! x^(j). With h < 0, the last points from the end inwards.
+// The first k+1 Bezier points b_0, ..., b_k of the curve of degree m >= k with this jet at its
+// start: the j-th difference of the points is h^j (m-j)!/m! x^(j). With h < 0, the last points from
+// the end inwards.
 template <class FT, int N>
 std::vector<Coordinate_vector<FT, N>> points_from_jet(const Coordinate_jet<FT, N>& jet, int m, const FT& h) {
   const int k = jet.order();
@@ -384,11 +408,11 @@ template <class Traits> std::vector<typename Traits::Point> to_points(const std:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the first `k + 1` control points of every Bézier curve of degree `m` on a domain of length `h` that has the given jet
-/// of order `k` at its start: \f$ b_1 = b_0 + \frac{h}{m} y' \f$,
+/// Returns the first `k + 1` control points of every Bézier curve of degree `m` on a domain of
+/// length `h` that has the given jet of order `k` at its start: \f$ b_1 = b_0 + \frac{h}{m} y' \f$,
 /// \f$ b_2 = 2 b_1 - b_0 + \frac{h^2}{m(m-1)} y'' \f$, and so on.
-/// \throws Error `wrong_number_of_points` when `m < k`, `empty_domain` unless `h > 0`, `not_finite` when `h` or a result is
-///   not finite
+/// \throws Error `wrong_number_of_points` when `m < k`, `empty_domain` unless `h > 0`, `not_finite`
+///   when `h` or a result is not finite
 template <class Traits>
 std::vector<typename Traits::Point> start_control_points(const Curve_jet<Traits>& jet, int m,
                                                          const typename Traits::FT& h = typename Traits::FT(1)) {
@@ -397,10 +421,10 @@ std::vector<typename Traits::Point> start_control_points(const Curve_jet<Traits>
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the last `k + 1` control points, in the order of the curve, of every Bézier curve of degree `m` on a domain of length
-/// `h` that has the given jet of order `k` at its end.
-/// \throws Error `wrong_number_of_points` when `m < k`, `empty_domain` unless `h > 0`, `not_finite` when `h` or a result is
-///   not finite
+/// Returns the last `k + 1` control points, in the order of the curve, of every Bézier curve of
+/// degree `m` on a domain of length `h` that has the given jet of order `k` at its end.
+/// \throws Error `wrong_number_of_points` when `m < k`, `empty_domain` unless `h > 0`, `not_finite`
+///   when `h` or a result is not finite
 template <class Traits>
 std::vector<typename Traits::Point> end_control_points(const Curve_jet<Traits>& jet, int m,
                                                        const typename Traits::FT& h = typename Traits::FT(1)) {
@@ -413,8 +437,9 @@ std::vector<typename Traits::Point> end_control_points(const Curve_jet<Traits>& 
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the Taylor polynomial of degree `m` of a curve at its end: the Bézier curve on the same domain that has the derivatives of
-/// order 0 to `m` of the curve there. What reads the end of a polynomial polygon, as the families of alternatives do, can read that of any curve
+/// Returns the Taylor polynomial of degree `m` of a curve at its end: the Bézier curve on the same
+/// domain that has the derivatives of order 0 to `m` of the curve there. Functions that read the
+/// end of a polynomial polygon, such as the families of alternatives, can read the end of any curve
 /// by it. \f$ O(m^2) \f$, besides the jet
 /// \tparam Curve a model of `ParametricCurve`
 /// \throws Error `negative_count` unless `m >= 0`, `not_finite` when a result is not finite

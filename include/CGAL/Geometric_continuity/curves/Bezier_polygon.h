@@ -37,7 +37,8 @@ template <int N> class Grid_join;
 template <class T, class = void> struct Has_traits : std::false_type {};
 template <class T> struct Has_traits<T, std::void_t<typename T::Traits>> : std::true_type {};
 
-// Void if the points of a range are those of a curve. A curve is no range: its control points alone are not all of it.
+// Void if the points of a range are those of a curve. A curve is no range: its control points alone
+// are not all of it.
 template <class Range, class Point>
 using Range_of_points = std::enable_if_t<
     std::is_convertible_v<typename std::iterator_traits<decltype(std::begin(std::declval<const Range&>()))>::reference,
@@ -47,8 +48,8 @@ using Range_of_points = std::enable_if_t<
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// What a Bézier curve is given by: its control points \f$ b_0, \dots, b_m \f$ and its domain [a, b]. This base of
-/// `Bezier_curve` stores and checks them, and answers what needs no evaluation.
+/// The data of a Bézier curve: its control points \f$ b_0, \dots, b_m \f$ and its domain [a, b].
+/// This base of `Bezier_curve` stores and checks them, and answers what needs no evaluation.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Degree the degree `m >= 0`, or `dynamic_degree`
@@ -62,12 +63,15 @@ public:
   typedef typename Traits::Point Point;                          ///< the points of the kernel
   typedef typename Traits::Vector Vector;                        ///< the vectors of the kernel
   typedef Geometric_continuity::Coordinates<Traits> Coordinates; ///< the coordinates of a point
-  static constexpr int N = dimension_v<Traits>; ///< the dimension, or 0 when it is known at run time only
+  /// the dimension, or 0 when it is known at run time only
+  static constexpr int N = dimension_v<Traits>;
 
-  /// A container with one entry for each control point: an array when the degree is fixed, a vector when it is not.
+  /// A container with one entry for each control point: an array when the degree is fixed, a vector
+  /// when it is not.
   template <class T>
   using Per_point = std::conditional_t<Degree == dynamic_degree, std::vector<T>, std::array<T, Degree + 1>>;
-  typedef typename Per_point<Point>::const_iterator const_iterator; ///< iterates over the control points
+  /// iterates over the control points
+  typedef typename Per_point<Point>::const_iterator const_iterator;
 
   /// Returns the degree `m`, one less than the number of control points.
   int degree() const { return static_cast<int>(points_.size()) - 1; }
@@ -91,17 +95,20 @@ public:
   /// Returns the domain [a, b].
   std::pair<FT, FT> domain() const { return {a_, b_}; }
 
-  /// Returns the `i`-th coordinate as a polynomial of degree `m` of the local parameter \f$ t = (u-a)/(b-a) \f$.
+  /// Returns the `i`-th coordinate as a polynomial of degree `m` of the local parameter
+  /// \f$ t = (u-a)/(b-a) \f$.
   /// \pre `0 <= i < dimension()`
   Bernstein_polynomial<FT> coordinate_polynomial(int i) const {
     const Coefficients<FT> c = coefficients(i);
     return Bernstein_polynomial<FT>(c.begin(), c.end());
   }
 
-  /// Returns two opposite corners of the bounding box of the control points, which contains the curve. \f$ O(m) \f$
+  /// Returns two opposite corners of the bounding box of the control points, which contains the
+  /// curve. \f$ O(m) \f$
   std::pair<Point, Point> bounding_box() const { return internal::corners_of_box<Traits>(begin(), end()); }
 
-  /// Returns the bounding box of the control points as `Bbox_2` or `Bbox_3`, rounded outwards. Dimension 2 or 3 only.
+  /// Returns the bounding box of the control points as `Bbox_2` or `Bbox_3`, rounded outwards.
+  /// Dimension 2 or 3 only.
   auto bbox() const { return internal::bbox_of<Traits>(bounding_box()); }
 
   /// Returns whether control points and domains are equal.

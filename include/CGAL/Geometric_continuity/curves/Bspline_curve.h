@@ -29,8 +29,9 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// The control points of a B-spline curve as rows of numbers, and back: what the functions of bspline_spans.h read and write. A
-// row may be longer than the dimension, to fill the registers of the processor.
+// The control points of a B-spline curve as rows of numbers, and back: what the functions of
+// bspline_spans.h read and write. A row may be longer than the dimension, to fill the registers of
+// the processor.
 
 template <class Traits> struct Rows_of_points {
   typedef typename Traits::FT FT;
@@ -58,8 +59,8 @@ template <class Traits> struct Write_points {
   }
 };
 
-// The jets of order k at the two ends of each span of a spline with rational coefficients. At a knot of multiplicity m, the
-// derivatives up to p - m are those on the left of it.
+// The jets of order k at the two ends of each span of a spline with rational coefficients. At a
+// knot of multiplicity m, the derivatives up to p - m are those on the left of it.
 template <class FT, int N>
 std::vector<std::pair<Coordinate_jet<FT, N>, Coordinate_jet<FT, N>>>
 span_end_jets(const Knot_vector<FT>& knots, const std::vector<Coordinate_vector<FT, N>>& c, int k) {
@@ -87,8 +88,8 @@ span_end_jets(const Knot_vector<FT>& knots, const std::vector<Coordinate_vector<
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// What a B-spline curve is given by: its control points \f$ b_0, \dots, b_{n-1} \f$ and its knots. This base of
-/// `Bspline_curve` stores and checks them, and answers what needs no evaluation.
+/// The data of a B-spline curve: its control points \f$ b_0, \dots, b_{n-1} \f$ and its knots. This
+/// base of `Bspline_curve` stores and checks them, and answers what needs no evaluation.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> class Bspline_polygon {
@@ -100,10 +101,14 @@ public:
   typedef typename Traits::Point Point;                          ///< the points of the kernel
   typedef typename Traits::Vector Vector;                        ///< the vectors of the kernel
   typedef Geometric_continuity::Coordinates<Traits> Coordinates; ///< the coordinates of a point
-  static constexpr int N = dimension_v<Traits>; ///< the dimension, or 0 when it is known at run time only
-  typedef typename std::vector<Point>::const_iterator const_iterator; ///< iterates over the control points
-  template <class T> using Per_point = std::vector<T>; ///< a container with one entry for each control point
-  typedef Bspline_function<FT, Coordinates> Function;  ///< the coordinates as a function of the parameter
+  /// the dimension, or 0 when it is known at run time only
+  static constexpr int N = dimension_v<Traits>;
+  /// iterates over the control points
+  typedef typename std::vector<Point>::const_iterator const_iterator;
+  /// a container with one entry for each control point
+  template <class T> using Per_point = std::vector<T>;
+  /// the coordinates as a function of the parameter
+  typedef Bspline_function<FT, Coordinates> Function;
 
   /// Returns the degree `p`.
   int degree() const { return knots_.degree(); }
@@ -175,11 +180,12 @@ protected:
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// A B-spline curve \f$ \sum_{i=0}^{n-1} b_i N_i^p(u) \f$ with control points \f$ b_0, \dots, b_{n-1} \f$ over a
-/// `Knot_vector` on the domain \f$ [u_p, u_n] \f$. The knots may have any multiplicity up to `p + 1`, and need not be clamped.
+/// A B-spline curve \f$ \sum_{i=0}^{n-1} b_i N_i^p(u) \f$ with control points
+/// \f$ b_0, \dots, b_{n-1} \f$ over a `Knot_vector` on the domain \f$ [u_p, u_n] \f$. The knots may
+/// have any multiplicity up to `p + 1`, and need not be clamped.
 ///
-/// The curve is a value: operations return new curves. With an exact kernel they are exact. With rounded numbers,
-/// insertion, refinement and Bézier pieces take convex combinations only.
+/// The curve is a value: operations return new curves. With an exact kernel they are exact. With
+/// rounded numbers, insertion, refinement and Bézier pieces take convex combinations only.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \cgalModels{ParametricCurve}
@@ -210,12 +216,14 @@ public:
   Bspline_curve(InputIterator first, InputIterator last, Knot_vector<FT> knots)
       : Bspline_curve(std::vector<Point>(first, last), std::move(knots)) {}
 
-  /// Takes a range of control points, such as a `std::vector`, and the knots. \throws Error as the constructor from iterators
+  /// Takes a range of control points, such as a `std::vector`, and the knots. \throws Error as the
+  /// constructor from iterators
   template <class Points, class = internal::Range_of_points<Points, Point>>
   Bspline_curve(const Points& points, Knot_vector<FT> knots)
       : Bspline_curve(std::begin(points), std::end(points), std::move(knots)) {}
 
-  /// Takes a vector of control points that is not needed any more, and the knots. \throws Error as the constructor from iterators
+  /// Takes a vector of control points that is not needed any more, and the knots. \throws Error as
+  /// the constructor from iterators
   Bspline_curve(std::vector<Point>&& points, Knot_vector<FT> knots) : Polygon(std::move(knots), std::move(points)) {
     internal::check_number_of_coefficients(knots_, points_, "Bspline_curve");
     this->check_points();
@@ -235,10 +243,11 @@ public:
       : Polygon(Knot_vector<FT>(c.degree(), c.domain().first, c.domain().second),
                 std::vector<Point>(c.begin(), c.end())) {}
 
-  /// Takes a range of Bézier curves, each of which starts exactly where the one before it ends. The degree `p` is the highest
-  /// of theirs; the others are elevated. The inner knots have multiplicity `p`; `remove_superfluous_knots()` leaves those
-  /// that are needed. The pieces keep the lengths of their domains: \f$ u_p \f$ is the start of the first domain, and domains
-  /// that continue each other are taken over as they are.
+  /// Takes a range of Bézier curves, each of which starts exactly where the one before it ends. The
+  /// degree `p` is the highest of theirs; the others are elevated. The inner knots have
+  /// multiplicity `p`; `remove_superfluous_knots()` leaves those that are needed. The pieces keep
+  /// the lengths of their domains: \f$ u_p \f$ is the start of the first domain, and domains that
+  /// continue each other are taken over as they are.
   /// \throws Error `wrong_number_of_points` for an empty range
   /// \throws Error `curves_do_not_meet`, `dimension_mismatch` when two neighbours do not fit
   /// \throws Error `empty_domain`, `not_finite` when knots become equal or overflow by rounding
@@ -247,8 +256,8 @@ public:
       : Bspline_curve(internal::Joined_bezier_curves<Traits>(first, last, 0, "Bspline_curve")) {}
 
   /// \name Evaluation
-  /// At an end of the domain, the jets of both sides are the jet of the only side that there is. With floating-point numbers,
-  /// derivatives that overflow are not refused.
+  /// At an end of the domain, the jets of both sides are the jet of the only side that there is.
+  /// With floating-point numbers, derivatives that overflow are not refused.
   /// @{
 
   /// Returns the point at `u`, from the right where the curve jumps. \f$ O(\log n + p^2) \f$
@@ -257,8 +266,8 @@ public:
     return Geometric_continuity::to_point<Traits>(jet_over<FT>(u, knots_.span(u), 0)[0]);
   }
 
-  /// Returns the jet of order `k` at `u`, from the right at a knot; derivatives beyond the degree are zero.
-  /// \f$ O(\log n + p^2 + p k^2) \f$
+  /// Returns the jet of order `k` at `u`, from the right at a knot; derivatives beyond the degree
+  /// are zero. \f$ O(\log n + p^2 + p k^2) \f$
   /// \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
   Curve_jet<Traits> jet(const FT& u, int k) const { return right_jet(u, k); }
 
@@ -269,29 +278,33 @@ public:
   /// \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
   Curve_jet<Traits> right_jet(const FT& u, int k) const { return Curve_jet<Traits>(right_jet_over<FT>(u, k)); }
 
-  /// Returns the jet of order `k` at the start of the domain. \throws Error `negative_count` unless `k >= 0`
+  /// Returns the jet of order `k` at the start of the domain. \throws Error `negative_count` unless
+  /// `k >= 0`
   Curve_jet<Traits> start_jet(int k) const { return right_jet(domain().first, k); }
-  /// Returns the jet of order `k` at the end of the domain. \throws Error `negative_count` unless `k >= 0`
+  /// Returns the jet of order `k` at the end of the domain. \throws Error `negative_count` unless
+  /// `k >= 0`
   Curve_jet<Traits> end_jet(int k) const { return left_jet(domain().second, k); }
 
-  /// Returns the jet of order `k` at `u`, from the left at a knot, in another field, to which control points, knots and
-  /// parameter are converted first: this is how an exact predicate reads a curve with `double` coordinates.
+  /// Returns the jet of order `k` at `u`, from the left at a knot, in another field, to which
+  /// control points, knots and parameter are converted first: this is how an exact predicate reads
+  /// a curve with `double` coordinates.
   /// \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> left_jet_over(const FT& u, int k) const {
     return jet_over<Field>(u, knots_.left_span(u), k);
   }
-  /// Returns the jet of order `k` at `u`, from the right at a knot, in another field, to which control points, knots and
-  /// parameter are converted first. \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
+  /// Returns the jet of order `k` at `u`, from the right at a knot, in another field, to which
+  /// control points, knots and parameter are converted first. \throws Error
+  /// `parameter_outside_domain`, `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> right_jet_over(const FT& u, int k) const {
     return jet_over<Field>(u, knots_.span(u), k);
   }
-  /// Returns the jet of order `k` at the start of the domain in another field, to which control points and knots are converted
-  /// first. \throws Error `negative_count` unless `k >= 0`
+  /// Returns the jet of order `k` at the start of the domain in another field, to which control
+  /// points and knots are converted first. \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> start_jet_over(int k) const {
     return right_jet_over<Field>(domain().first, k);
   }
-  /// Returns the jet of order `k` at the end of the domain in another field, to which control points and knots are converted
-  /// first. \throws Error `negative_count` unless `k >= 0`
+  /// Returns the jet of order `k` at the end of the domain in another field, to which control
+  /// points and knots are converted first. \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> end_jet_over(int k) const {
     return left_jet_over<Field>(domain().second, k);
   }
@@ -300,13 +313,14 @@ public:
   /// \name Other Curves
   /// @{
 
-  /// Returns the derivative (hodograph): the curve of degree `p - 1` (0 for degree 0) whose point at `u` has the coordinates of
-  /// the first derivative. Jumps are not differentiated. \f$ O(n) \f$
+  /// Returns the derivative (hodograph): the curve of degree `p - 1` (0 for degree 0) whose point
+  /// at `u` has the coordinates of the first derivative. Jumps are not differentiated. \f$ O(n) \f$
   /// \throws Error `not_finite` when a floating-point coordinate overflows
   Bspline_curve derivative() const { return Bspline_curve(function().derivative()); }
 
   /// Returns this curve over the knots with `times` more copies of `u`. \f$ O(n + p\,times) \f$
-  /// \throws Error `parameter_outside_domain`, and `knot_multiplicity` when it would be repeated more than `p + 1` times
+  /// \throws Error `parameter_outside_domain`, and `knot_multiplicity` when it would be repeated
+  ///   more than `p + 1` times
   /// \throws Error `negative_count` unless `times >= 0`
   Bspline_curve insert(const FT& u, int times = 1) const {
     Knot_vector<FT> finer = knots_.insert(u, times);
@@ -318,17 +332,19 @@ public:
   }
 
   /// Returns this curve over finer knots, see `bspline_refine()`. \f$ O(n p^2) \f$
-  /// \throws Error `wrong_number_of_points` when the degrees differ, `parameter_outside_domain` when the domains differ,
-  ///   `knot_multiplicity` when a knot is missing
+  /// \throws Error `wrong_number_of_points` when the degrees differ, `parameter_outside_domain`
+  ///   when the domains differ, `knot_multiplicity` when a knot is missing
   Bspline_curve refine(const Knot_vector<FT>& finer) const { return Bspline_curve(function().refine(finer)); }
 
-  /// Returns this curve without the knots outside the domain, and with control points at its ends. \f$ O(n p^2) \f$
+  /// Returns this curve without the knots outside the domain, and with control points at its ends.
+  /// \f$ O(n p^2) \f$
   Bspline_curve clamp() const { return Bspline_curve(function().clamp()); }
 
-  /// Returns this curve over the knots with `times` copies of the inner knot `u` less, or nothing when the curve needs them.
-  /// Decided exactly, see `bspline_smoothness()`. \f$ O(n + p^3) \f$
+  /// Returns this curve over the knots with `times` copies of the inner knot `u` less, or nothing
+  /// when the curve needs them. Decided exactly, see `bspline_smoothness()`. \f$ O(n + p^3) \f$
   /// \throws Error `parameter_outside_domain` also at the ends of the domain
-  /// \throws Error `knot_multiplicity` when there are not as many, `negative_count` unless `times >= 0`
+  /// \throws Error `knot_multiplicity` when there are not as many, `negative_count` unless
+  ///   `times >= 0`
   std::optional<Bspline_curve> remove(const FT& u, int times = 1) const {
     internal::check_count(times, "Bspline_curve::remove");
     const std::optional<Function> f = function().remove(u, times);
@@ -336,11 +352,12 @@ public:
     return Bspline_curve(*f);
   }
 
-  /// Returns this curve without the inner knots that it does not need, decided exactly. \f$ O(n p^3) \f$
+  /// Returns this curve without the inner knots that it does not need, decided exactly.
+  /// \f$ O(n p^3) \f$
   Bspline_curve remove_superfluous_knots() const { return Bspline_curve(function().remove_superfluous_knots()); }
 
-  /// Returns this curve with the degree raised by `times`, clamped. The multiplicities of the inner knots rise as much.
-  /// \f$ O(d^3) \f$ for each span, in the new degree `d`
+  /// Returns this curve with the degree raised by `times`, clamped. The multiplicities of the inner
+  /// knots rise as much. \f$ O(d^3) \f$ for each span, in the new degree `d`
   /// \throws Error `negative_count` unless `times >= 0`
   Bspline_curve elevate(int times = 1) const {
     internal::check_count(times, "Bspline_curve::elevate");
@@ -350,9 +367,11 @@ public:
     });
   }
 
-  /// Returns the curve with the coordinates of this one multiplied by the spline function `f`, see `bspline_product()`.
-  /// \f$ O((p+q)^2) \f$ field operations for each span and coordinate, without a linear system.
-  /// \throws Error `parameter_outside_domain` when the domains differ, `not_finite` when a floating-point number overflows
+  /// Returns the curve with the coordinates of this one multiplied by the spline function `f`, see
+  /// `bspline_product()`. \f$ O((p+q)^2) \f$ field operations for each span and coordinate, without
+  /// a linear system.
+  /// \throws Error `parameter_outside_domain` when the domains differ, `not_finite` when a
+  ///   floating-point number overflows
   Bspline_curve multiply(const Bspline_function<FT>& f) const {
     const internal::Distinct_knots<FT> knots = internal::distinct_product_knots(f.knots(), knots_);
     return written(knots, [&](Write_points& output) {
@@ -364,14 +383,16 @@ public:
   /// Returns the curve in the opposite direction, on the same domain, see `Knot_vector::reverse()`.
   Bspline_curve reverse() const { return Bspline_curve(points_.rbegin(), points_.rend(), knots_.reverse()); }
 
-  /// Returns the image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`. The images are not checked.
+  /// Returns the image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`. The
+  /// images are not checked.
   template <class Transformation> Bspline_curve transform(const Transformation& map) const {
     Bspline_curve r = *this;
     for (Point& p : r.points_) p = map(p);
     return r;
   }
 
-  /// Returns the Bézier curves on the spans, each with its span as domain, see `bspline_bezier()`. \f$ O(p^2) \f$ for each
+  /// Returns the Bézier curves on the spans, each with its span as domain, see `bspline_bezier()`.
+  /// \f$ O(p^2) \f$ for each
   /// \throws Error `work_limit` when the points have common denominators that are too long
   std::vector<Bezier_curve<Traits>> bezier_pieces() const {
     const std::vector<Coordinates> rows = bspline_bezier<FT>(knots_, function().coefficients());
@@ -386,8 +407,9 @@ public:
     return pieces;
   }
 
-  /// Returns the jets of order `k` at both ends of each span: those of `bezier_pieces()`, of which with rational numbers and several
-  /// spans only these are computed. \f$ O(p^2) \f$ for each, additions of integers
+  /// Returns the jets of order `k` at both ends of each span: those of `bezier_pieces()`, of which
+  /// with rational numbers and several spans only these are computed. \f$ O(p^2) \f$ for each,
+  /// additions of integers
   /// \throws Error `negative_count` unless `k >= 0`, `work_limit` as `bezier_pieces()` does
   std::vector<Curve_end_jets<Traits>> span_end_jets(int k) const {
     internal::check_count(k, "Bspline_curve::span_end_jets");
@@ -439,8 +461,10 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the curve with the coordinates of `c` multiplied by the spline function `f`, `c.multiply(f)`.
-/// \throws Error `parameter_outside_domain` when the domains differ, `not_finite` when a floating-point number overflows
+/// Returns the curve with the coordinates of `c` multiplied by the spline function `f`,
+/// `c.multiply(f)`.
+/// \throws Error `parameter_outside_domain` when the domains differ, `not_finite` when a
+///   floating-point number overflows
 template <class Traits>
 Bspline_curve<Traits> product(const Bspline_function<typename Traits::FT>& f, const Bspline_curve<Traits>& c) {
   return c.multiply(f);

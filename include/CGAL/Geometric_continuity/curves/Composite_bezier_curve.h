@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityCurves
-/// How a chain of curves, or a curve through or near many points, ends.
+/// The closure of a chain of curves, or of a curve through or near many points.
 enum class Closure {
   open,  ///< it ends at its last curve, or at the last point or near it
   closed ///< it returns to its first curve or point
@@ -37,21 +37,23 @@ enum class Closure {
 inline std::string to_string(Closure closure) { return closure == Closure::open ? "open" : "closed"; }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// What a segmented Bézier curve is given by: its control points \f$ b_0, \dots, b_{m(k+1)} \f$ and its knots
-/// \f$ u_0, \dots, u_{k+1} \f$. This base of `Composite_bezier_curve` stores and checks them, and answers what needs no
-/// evaluation.
+/// The data of a segmented Bézier curve: its control points \f$ b_0, \dots, b_{m(k+1)} \f$ and its
+/// knots \f$ u_0, \dots, u_{k+1} \f$. This base of `Composite_bezier_curve` stores and checks them,
+/// and answers what needs no evaluation.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> class Composite_bezier_polygon {
   static_assert(internal::Checked_traits<Traits_>::value);
 
 public:
-  typedef internal::Traits_or_none<Traits_> Traits;                   ///< the traits class
-  typedef typename Traits::FT FT;                                     ///< the field
-  typedef typename Traits::Point Point;                               ///< the points of the kernel
-  typedef typename Traits::Vector Vector;                             ///< the vectors of the kernel
-  typedef Geometric_continuity::Coordinates<Traits> Coordinates;      ///< the coordinates of a point
-  typedef typename std::vector<Point>::const_iterator const_iterator; ///< iterates over the control points
+  typedef internal::Traits_or_none<Traits_> Traits; ///< the traits class
+  typedef typename Traits::FT FT;                   ///< the field
+  typedef typename Traits::Point Point;             ///< the points of the kernel
+  typedef typename Traits::Vector Vector;           ///< the vectors of the kernel
+  /// the coordinates of a point
+  typedef Geometric_continuity::Coordinates<Traits> Coordinates;
+  /// iterates over the control points
+  typedef typename std::vector<Point>::const_iterator const_iterator;
 
   /// Returns the degree `m` of the segments.
   int degree() const { return degree_; }
@@ -124,13 +126,13 @@ protected:
 /// \ingroup PkgGeometricContinuityCurves
 /// A segmented Bézier curve of degree `m` over the knots \f$ u_0 < \dots < u_{k+1} \f$. With
 /// \f$ \lambda_\ell = u_{\ell+1} - u_\ell \f$, its segments are
-/// \f$ x_\ell(u) = \sum_{i=0}^m b_{m\ell+i} B_i^m\left(\frac{u - u_\ell}{\lambda_\ell}\right) \f$ on
-/// \f$ [u_\ell, u_{\ell+1}] \f$, \f$ \ell = 0, \dots, k \f$; neighbours share the point \f$ b_{m(\ell+1)} \f$.
-/// Hagen 3.1, with the indices corrected.
+/// \f$ x_\ell(u) = \sum_{i=0}^m b_{m\ell+i} B_i^m\left(\frac{u - u_\ell}{\lambda_\ell}\right) \f$
+/// on \f$ [u_\ell, u_{\ell+1}] \f$, \f$ \ell = 0, \dots, k \f$; neighbours share the point
+/// \f$ b_{m(\ell+1)} \f$. Hagen 3.1, with the indices corrected.
 ///
-/// All derivatives are taken with respect to the global parameter `u`, so that the continuity of a join depends on the
-/// ratio of the neighbouring \f$ \lambda_\ell \f$. The curve is a value: operations return new curves. With an exact
-/// kernel they are exact.
+/// All derivatives are taken with respect to the global parameter `u`, so that the continuity of a
+/// join depends on the ratio of the neighbouring \f$ \lambda_\ell \f$. The curve is a value:
+/// operations return new curves. With an exact kernel they are exact.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Degree the degree `m >= 0`, or `dynamic_degree`
@@ -143,12 +145,14 @@ class Composite_bezier_curve : public Composite_bezier_polygon<Traits_> {
   using Polygon::points_;
 
 public:
-  using typename Polygon::Traits;                          ///< the traits class
-  typedef typename Traits::FT FT;                          ///< the field
-  typedef typename Traits::Point Point;                    ///< the points of the kernel
-  typedef typename Traits::Vector Vector;                  ///< the vectors of the kernel
-  typedef Bezier_curve<Traits, Degree> Segment;            ///< a segment, with its part of the domain
-  static constexpr int N = Segment::N;                     ///< the dimension, or 0 when it is known at run time only
+  using typename Polygon::Traits;         ///< the traits class
+  typedef typename Traits::FT FT;         ///< the field
+  typedef typename Traits::Point Point;   ///< the points of the kernel
+  typedef typename Traits::Vector Vector; ///< the vectors of the kernel
+  /// a segment, with its part of the domain
+  typedef Bezier_curve<Traits, Degree> Segment;
+  /// the dimension, or 0 when it is known at run time only
+  static constexpr int N = Segment::N;
   typedef typename Polygon::const_iterator const_iterator; ///< iterates over the control points
 
   using Polygon::is_closed;
@@ -172,11 +176,14 @@ private:
   };
 
 public:
-  /// Takes the `m (k + 1) + 1` control points and the `k + 2` knots; the degree follows from their numbers.
+  /// Takes the `m (k + 1) + 1` control points and the `k + 2` knots; the degree follows from their
+  /// numbers.
   /// \throws Error `empty_domain` with fewer than 2 knots, and unless they increase strictly
-  /// \throws Error `wrong_number_of_points` when the number of points is not of this form, or not for `m == Degree`
+  /// \throws Error `wrong_number_of_points` when the number of points is not of this form, or not
+  ///   for `m == Degree`
   /// \throws Error `dimension_mismatch` when the points differ in dimension
-  /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when the length of the domain overflows
+  /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when the
+  ///   length of the domain overflows
   template <class InputIterator>
   Composite_bezier_curve(InputIterator first, InputIterator last, std::vector<FT> knots)
       : Polygon(0, std::move(knots), std::vector<Point>(first, last)) {
@@ -190,14 +197,16 @@ public:
     this->check_points();
   }
 
-  /// Takes a range of control points, such as a `std::vector`, and the knots. \throws Error as the constructor from iterators
+  /// Takes a range of control points, such as a `std::vector`, and the knots. \throws Error as the
+  /// constructor from iterators
   template <class Points, class = internal::Range_of_points<Points, Point>>
   Composite_bezier_curve(const Points& points, std::vector<FT> knots)
       : Composite_bezier_curve(std::begin(points), std::end(points), std::move(knots)) {}
 
-  /// Takes a range of Bézier curves, each of which starts exactly where the one before it ends. Its degree is the highest
-  /// of theirs, or `Degree`; the others are elevated. The segments keep the lengths of their domains: \f$ u_0 \f$ is the
-  /// start of the first domain, and domains that continue each other are taken over as they are.
+  /// Takes a range of Bézier curves, each of which starts exactly where the one before it ends. Its
+  /// degree is the highest of theirs, or `Degree`; the others are elevated. The segments keep the
+  /// lengths of their domains: \f$ u_0 \f$ is the start of the first domain, and domains that
+  /// continue each other are taken over as they are.
   /// \throws Error `curves_do_not_meet`, `dimension_mismatch` when two neighbours do not fit
   /// \throws Error `wrong_number_of_points` for an empty range, and for a degree above `Degree`
   /// \throws Error `empty_domain`, `not_finite` when knots become equal or overflow by rounding
@@ -217,18 +226,20 @@ public:
   /// \name Segments and Joins
   /// @{
 
-  /// Returns \f$ \lambda_{right} / \lambda_{left} \f$: the \f$ \beta_1 \f$ with which, seen from unit intervals, a join is
-  /// \f$ C^1 \f$. \pre the numbers of the segments are between 0 and `number_of_segments() - 1`
+  /// Returns \f$ \lambda_{right} / \lambda_{left} \f$: the \f$ \beta_1 \f$ with which, seen from
+  /// unit intervals, a join is \f$ C^1 \f$. \pre the numbers of the segments are between 0 and
+  /// `number_of_segments() - 1`
   FT ratio(const Join& join) const { return FT(lambda(join.right) / lambda(join.left)); }
 
-  /// Returns the `l`-th segment with its domain \f$ [u_\ell, u_{\ell+1}] \f$. \pre `0 <= l < number_of_segments()`
+  /// Returns the `l`-th segment with its domain \f$ [u_\ell, u_{\ell+1}] \f$. \pre
+  /// `0 <= l < number_of_segments()`
   Segment segment(int l) const {
     const const_iterator first = points_.begin() + degree_ * l;
     return Segment(first, first + degree_ + 1, knots_[l], knots_[l + 1]);
   }
 
-  /// Returns the range of all segments, which are made one at a time. It refers to this curve, which must live on; so that it is not
-  /// for temporary curves.
+  /// Returns the range of all segments, which are made one at a time. It refers to this curve,
+  /// which must live on; so that it is not for temporary curves.
   auto segments() const& {
     return CGAL::make_range(
         boost::make_transform_iterator(boost::make_counting_iterator(0), Segment_at{this}),
@@ -239,7 +250,8 @@ public:
   /// Returns the number of joins: that of the inner knots, and one more when the curve is closed.
   int number_of_joins() const { return number_of_segments() - (is_closed() ? 0 : 1); }
 
-  /// Returns the range of all joins from left to right; that of a closed curve ends with the one between its end and its start.
+  /// Returns the range of all joins from left to right; that of a closed curve ends with the one
+  /// between its end and its start.
   auto joins() const {
     return CGAL::make_range(
         boost::make_transform_iterator(boost::make_counting_iterator(0), Join_at{number_of_segments()}),
@@ -247,7 +259,8 @@ public:
                                        Join_at{number_of_segments()}));
   }
 
-  /// Returns the number of the segment that is evaluated at `u`: at an inner knot the one to the right. \f$ O(\log k) \f$
+  /// Returns the number of the segment that is evaluated at `u`: at an inner knot the one to the
+  /// right. \f$ O(\log k) \f$
   /// \throws Error `parameter_outside_domain`
   int segment_at(const FT& u) const {
     check_parameter(u);
@@ -255,7 +268,8 @@ public:
     return static_cast<int>(std::upper_bound(inner, end, u) - inner);
   }
 
-  /// Returns the number of the segment that leads to `u`: at an inner knot the one to the left. \f$ O(\log k) \f$
+  /// Returns the number of the segment that leads to `u`: at an inner knot the one to the left.
+  /// \f$ O(\log k) \f$
   /// \throws Error `parameter_outside_domain`
   int segment_before(const FT& u) const {
     check_parameter(u);
@@ -265,8 +279,8 @@ public:
 
   /// @}
   /// \name Evaluation
-  /// At an end of the domain, the jets of both sides are the jet of the only side that there is. With floating-point numbers,
-  /// derivatives that overflow are not refused.
+  /// At an end of the domain, the jets of both sides are the jet of the only side that there is.
+  /// With floating-point numbers, derivatives that overflow are not refused.
   /// @{
 
   /// Returns the point at `u`. \f$ O(\log k + m^2) \f$
@@ -284,12 +298,14 @@ public:
   /// \throws Error `parameter_outside_domain`, `negative_count` unless `k >= 0`
   Curve_jet<Traits> right_jet(const FT& u, int k) const { return segment(segment_at(u)).jet(u, k); }
 
-  /// Returns the jet of order `k` at the start of the domain in another field, see `Bezier_curve::start_jet_over()`.
+  /// Returns the jet of order `k` at the start of the domain in another field, see
+  /// `Bezier_curve::start_jet_over()`.
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> start_jet_over(int k) const {
     return segment(0).template start_jet_over<Field>(k);
   }
-  /// Returns the jet of order `k` at the end of the domain in another field, see `Bezier_curve::end_jet_over()`.
+  /// Returns the jet of order `k` at the end of the domain in another field, see
+  /// `Bezier_curve::end_jet_over()`.
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> end_jet_over(int k) const {
     return segment(number_of_segments() - 1).template end_jet_over<Field>(k);
@@ -299,7 +315,8 @@ public:
   /// \name Other Curves
   /// @{
 
-  /// Returns this curve with `u` as a further knot. Nothing changes when it is a knot already. \f$ O(m k + m^2) \f$
+  /// Returns this curve with `u` as a further knot. Nothing changes when it is a knot already.
+  /// \f$ O(m k + m^2) \f$
   /// \throws Error `parameter_outside_domain`
   Composite_bezier_curve insert_knot(const FT& u) const {
     const int l = segment_at(u), m = degree_;
@@ -331,15 +348,17 @@ public:
                                   std::vector<FT>(knots_.begin() + first, knots_.begin() + last + 1));
   }
 
-  /// Returns the parts on both sides of `u`. \throws Error `parameter_outside_domain` unless \f$ u_0 < u < u_{k+1} \f$
+  /// Returns the parts on both sides of `u`. \throws Error `parameter_outside_domain` unless
+  /// \f$ u_0 < u < u_{k+1} \f$
   std::pair<Composite_bezier_curve, Composite_bezier_curve> split(const FT& u) const {
     if (!(knots_.front() < u && u < knots_.back()))
       throw Error(Error_code::parameter_outside_domain, "Composite_bezier_curve::split");
     return {subrange(knots_.front(), u), subrange(u, knots_.back())};
   }
 
-  /// Returns the curve in the opposite direction, on the same domain: `u` becomes \f$ u_0 + u_{k+1} - u \f$. With rounded numbers
-  /// this rounds the inner knots, but no point. \throws Error `empty_domain` when that makes two knots equal
+  /// Returns the curve in the opposite direction, on the same domain: `u` becomes
+  /// \f$ u_0 + u_{k+1} - u \f$. With rounded numbers this rounds the inner knots, but no
+  /// point. \throws Error `empty_domain` when that makes two knots equal
   Composite_bezier_curve reverse() const {
     Composite_bezier_curve r = *this;
     std::reverse(r.points_.begin(), r.points_.end());
@@ -350,7 +369,8 @@ public:
     return r;
   }
 
-  /// Returns the image under an affine map of points, e.g. an `Isometry`. The images are not checked.
+  /// Returns the image under an affine map of points, e.g. an `Isometry`. The images are not
+  /// checked.
   template <class Transformation> Composite_bezier_curve transform(const Transformation& map) const {
     Composite_bezier_curve r = *this;
     for (Point& p : r.points_) p = map(p);

@@ -20,15 +20,16 @@
 #include <vector>
 
 /// \file Cubic_blended_curve.h
-/// Cubic curves in any basis: models of `CubicBasis`, which say what the four columns of the geometry are and give the basis
-/// matrix in any field, so that a predicate over rational numbers sees 1/6, and not the `double` next to it; one curve; and
-/// curves through or near many points.
+/// Cubic curves in any basis: models of `CubicBasis`, which say what the four columns of the
+/// geometry are and give the basis matrix in any field, so that a predicate over rational numbers
+/// sees 1/6, and not the `double` next to it; one curve; and curves through or near many points.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityCurves
-/// The geometry of a Hermite curve: where it starts and ends, and the derivatives there with respect to `t` in [0, 1].
+/// The geometry of a Hermite curve: where it starts and ends, and the derivatives there with
+/// respect to `t` in [0, 1].
 template <class Traits> struct Hermite_geometry {
   typename Traits::Point p1;  ///< the start
   typename Traits::Point p4;  ///< the end
@@ -87,13 +88,15 @@ struct Uniform_bspline_basis {
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Four points and a matrix of your own. The curve moves with its points if and only if the blending functions sum to 1, see
-/// `is_partition_of_unity()`; nothing else depends on it. \cgalModels{CubicBasis}
+/// Four points and a matrix of your own. The curve moves with its points if and only if the
+/// blending functions sum to 1, see `is_partition_of_unity()`; nothing else depends on it.
+/// \cgalModels{CubicBasis}
 template <class Number> struct Matrix_basis {
   Basis_matrix<Number> m; ///< the matrix
   /// Four points.
   template <class Traits> using Geometry = std::array<typename Traits::Point, 4>;
-  /// Returns the matrix, over another field. \throws Error `not_finite` for an infinite or undefined entry
+  /// Returns the matrix, over another field. \throws Error `not_finite` for an infinite or
+  /// undefined entry
   template <class FT> Basis_matrix<FT> matrix() const {
     typename Basis_matrix<FT>::Rows r;
     for (int i = 0; i < 4; ++i)
@@ -106,7 +109,8 @@ template <class Number> struct Matrix_basis {
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the matrix that changes geometry in one basis into that in another one, see `change_of_basis()`.
+/// Returns the matrix that changes geometry in one basis into that in another one, see
+/// `change_of_basis()`.
 /// \tparam FT the field number type of the result
 /// \tparam From, To models of `CubicBasis`
 /// \throws Error `singular_frame` when the matrix of `to` has no inverse
@@ -116,8 +120,8 @@ template <class FT, class From, class To> Basis_matrix<FT> basis_conversion(From
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the four blending functions of a basis, see `blending_functions()` of a matrix. Coefficients of floating-point type are
-/// rounded once each.
+/// Returns the four blending functions of a basis, see `blending_functions()` of a matrix.
+/// Coefficients of floating-point type are rounded once each.
 /// \tparam FT the field number type of the result
 /// \tparam Basis a model of `CubicBasis`
 template <class FT, class Basis> std::vector<Bernstein_polynomial<FT>> blending_functions(const Basis& basis) {
@@ -162,8 +166,9 @@ Cubic_columns<FT, N> blended_columns(const Cubic_columns<FT, N>& g, const Basis_
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// A cubic curve \f$ Q(t) = G\,M\,[t^3\ t^2\ t\ 1]^T \f$ on [0, 1] with the geometry `G`, four columns that are points or vectors,
-/// and the matrix `M` of a basis. Lecture slides, "Blended curves".
+/// A cubic curve \f$ Q(t) = G\,M\,[t^3\ t^2\ t\ 1]^T \f$ on [0, 1] with the geometry `G`, four
+/// columns that are points or vectors, and the matrix `M` of a basis. Lecture slides, "Blended
+/// curves".
 ///
 /// \code{.cpp}
 /// Cubic_blended_curve<Traits, Hermite_basis> q({p1, p4, r1, r4});   // points and vectors
@@ -171,21 +176,23 @@ Cubic_columns<FT, N> blended_columns(const Cubic_columns<FT, N>& g, const Basis_
 /// \endcode
 ///
 /// `continuity()` reads the geometry and the matrix in the field of the predicate: with
-/// `Exact_predicates_inexact_constructions_kernel` the joins of blended curves with `double` points are decided exactly, before
-/// any constructed point is rounded.
+/// `Exact_predicates_inexact_constructions_kernel` the joins of blended curves with `double` points
+/// are decided exactly, before any constructed point is rounded.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Basis a model of `CubicBasis`
 /// \cgalModels{ParametricCurve}
 template <class Traits_, class Basis_> class Cubic_blended_curve {
 public:
-  typedef Traits_ Traits;                                     ///< the traits class
-  typedef Basis_ Basis;                                       ///< the basis
-  typedef typename Traits::FT FT;                             ///< the field
-  typedef typename Traits::Point Point;                       ///< the points of the kernel
-  typedef typename Traits::Vector Vector;                     ///< the vectors of the kernel
-  typedef typename Basis::template Geometry<Traits> Geometry; ///< four points, or points and vectors
-  static constexpr int N = dimension_v<Traits>;               ///< the dimension, or 0 when it is known at run time only
+  typedef Traits_ Traits;                 ///< the traits class
+  typedef Basis_ Basis;                   ///< the basis
+  typedef typename Traits::FT FT;         ///< the field
+  typedef typename Traits::Point Point;   ///< the points of the kernel
+  typedef typename Traits::Vector Vector; ///< the vectors of the kernel
+  /// four points, or points and vectors
+  typedef typename Basis::template Geometry<Traits> Geometry;
+  /// the dimension, or 0 when it is known at run time only
+  static constexpr int N = dimension_v<Traits>;
 
   /// Takes the geometry.
   /// \throws Error `dimension_mismatch` when its columns differ in dimension
@@ -220,14 +227,16 @@ public:
   /// Returns the point at the finite parameter `t`, which may lie outside of the domain.
   Point operator()(const FT& t) const { return Geometric_continuity::to_point<Traits>(jet_over<FT>(t, 0)[0]); }
 
-  /// Returns the jet of order `k` at the finite parameter `t`, which may lie outside of the domain; derivatives of order 4 and
-  /// more are zero. \throws Error `negative_count` unless `k >= 0`
+  /// Returns the jet of order `k` at the finite parameter `t`, which may lie outside of the domain;
+  /// derivatives of order 4 and more are zero. \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> jet(const FT& t, int k) const { return Curve_jet<Traits>(jet_over<FT>(t, k)); }
 
-  /// Returns the jet of order `k` at the start in another field, to which the geometry is converted first.
+  /// Returns the jet of order `k` at the start in another field, to which the geometry is converted
+  /// first.
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> start_jet_over(int k) const { return jet_over<Field>(Field(0), k); }
-  /// Returns the jet of order `k` at the end in another field, to which the geometry is converted first.
+  /// Returns the jet of order `k` at the end in another field, to which the geometry is converted
+  /// first.
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> end_jet_over(int k) const { return jet_over<Field>(Field(1), k); }
 
@@ -241,14 +250,16 @@ public:
   }
 
   /// Returns this curve as a Bézier curve on [a, b].
-  /// \throws Error `empty_domain` unless `a < b`, `not_finite` when a floating-point number overflows
+  /// \throws Error `empty_domain` unless `a < b`, `not_finite` when a floating-point number
+  ///   overflows
   Bezier_curve<Traits, 3> bezier(const FT& a = FT(0), const FT& b = FT(1)) const {
     return bezier(basis_conversion<FT>(basis_, Bezier_basis()), a, b);
   }
 
-  /// Returns this curve as a Bézier curve on [a, b], by the matrix `basis_conversion<FT>(basis(), Bezier_basis())`, which many
-  /// curves of one basis can share.
-  /// \throws Error `empty_domain` unless `a < b`, `not_finite` when a floating-point number overflows
+  /// Returns this curve as a Bézier curve on [a, b], by the matrix
+  /// `basis_conversion<FT>(basis(), Bezier_basis())`, which many curves of one basis can share.
+  /// \throws Error `empty_domain` unless `a < b`, `not_finite` when a floating-point number
+  ///   overflows
   Bezier_curve<Traits, 3> bezier(const Basis_matrix<FT>& to_bezier, const FT& a, const FT& b) const {
     const internal::Cubic_columns<FT, N> g = internal::blended_columns<FT, N>(columns<FT>(), to_bezier);
     const auto p = internal::geometry_from_columns<Traits, std::array<Point, 4>>(g);
@@ -268,7 +279,8 @@ private:
         internal::blended_columns<Field, N>(columns<Field>(), basis_.template matrix<Field>());
     Coordinate_jet<Field, N> jet(c[0].dimension(), k);
     for (int j = 0; j <= k && j <= 3; ++j)
-      for (int p = 3; p >= j; --p) { // Horner: the j-th derivative of t^p is p (p-1) ... (p-j+1) t^(p-j)
+      // Horner: the j-th derivative of t^p is p (p-1) ... (p-j+1) t^(p-j)
+      for (int p = 3; p >= j; --p) {
         Field factor(1);
         for (int i = 0; i < j; ++i) factor *= Field(p - i);
         jet[j] = t * jet[j] + factor * c[3 - p];
@@ -286,22 +298,27 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the curve through or near many points: each four neighbours are the geometry of one cubic segment. `n` points make `n - 3`
-/// segments, or `n` if the curve is closed, with the knots 0, 1, 2, ...
+/// Returns the curve through or near many points: each four neighbours are the geometry of one
+/// cubic segment. `n` points make `n - 3` segments, or `n` if the curve is closed, with the knots
+/// 0, 1, 2, ...
 ///
-/// - `Catmull_rom_basis`, `Cardinal_basis`: through all points (an open one from the second to the last but one), \f$ C^1 \f$;
+/// - `Catmull_rom_basis`, `Cardinal_basis`: through all points (an open one from the second to the
+///   last but one), \f$ C^1 \f$;
 /// - `Uniform_bspline_basis`: near the points, \f$ C^2 \f$.
 ///
-/// `chain_continuity()` proves these orders, with an exact kernel. It also finds where the order G is less because points
-/// coincide: that is no error here. With rounded numbers the joins are smooth up to rounding only.
+/// `chain_continuity()` proves these orders, with an exact kernel. It also finds where the order G
+/// is less because points coincide: that is no error here. With rounded numbers the joins are
+/// smooth up to rounding only.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam InputIterator its value type is `Traits::Point`
 /// \tparam Basis a model of `CubicBasis` with four points
 /// \throws Error `wrong_number_of_points` for fewer than 4 points, or 3 if closed
-/// \throws Error `curves_do_not_meet` for a basis of your own whose neighbouring segments do not meet
+/// \throws Error `curves_do_not_meet` for a basis of your own whose neighbouring segments do not
+///   meet
 /// \throws Error `dimension_mismatch` when the points differ in dimension
-/// \throws Error `not_finite` for an infinite or undefined floating-point number, and when a result overflows
+/// \throws Error `not_finite` for an infinite or undefined floating-point number, and when a result
+///   overflows
 ///
 /// \f$ O(n) \f$
 template <class Traits, class Basis, class InputIterator>
@@ -332,14 +349,17 @@ Composite_bezier_curve<Traits, 3> piecewise_cubic(const Range& points, const Bas
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the curve through the given points with the given first derivatives, at the knots 0, 1, 2, ...; a closed one returns to the
-/// first point. It is \f$ C^1 \f$, and \f$ G^1 \f$ where the derivative is not zero. A zero derivative is no error:
-/// `chain_continuity()` tells what it makes of the join.
+/// Returns the curve through the given points with the given first derivatives, at the knots 0, 1,
+/// 2, ...; a closed one returns to the first point. It is \f$ C^1 \f$, and \f$ G^1 \f$ where the
+/// derivative is not zero. A zero derivative is no error: `chain_continuity()` tells its effect on
+/// the join.
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam PointIterator, VectorIterator their value types are `Traits::Point` and `Traits::Vector`
-/// \throws Error `wrong_number_of_points` for fewer than 2 points, and unless there are as many derivatives as points
+/// \throws Error `wrong_number_of_points` for fewer than 2 points, and unless there are as many
+///   derivatives as points
 /// \throws Error `dimension_mismatch` when points and derivatives differ in dimension
-/// \throws Error `not_finite` for an infinite or undefined floating-point number, and when a result overflows
+/// \throws Error `not_finite` for an infinite or undefined floating-point number, and when a result
+///   overflows
 ///
 /// \f$ O(n) \f$
 template <class Traits, class PointIterator, class VectorIterator>
@@ -364,7 +384,8 @@ Composite_bezier_curve<Traits, 3> piecewise_hermite(PointIterator first_point, P
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the curve through the points of a range with the first derivatives of another one, such as two `std::vector`s.
+/// Returns the curve through the points of a range with the first derivatives of another one, such
+/// as two `std::vector`s.
 template <class Traits, class Points, class Vectors>
 Composite_bezier_curve<Traits, 3> piecewise_hermite(const Points& points, const Vectors& derivatives,
                                                     Closure closure = Closure::open) {

@@ -28,7 +28,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityCurves
-/// What describes an arc of an ellipse beyond its start and end, as the command A of SVG's path data does.
+/// The description of an arc of an ellipse besides its start and end, as the command A of SVG's
+/// path data does.
 template <class FT> struct Elliptical_arc_parameters {
   FT rx;               ///< the first radius, not zero; its sign does not matter
   FT ry;               ///< the second radius, not zero; its sign does not matter
@@ -42,17 +43,20 @@ template <class Traits> class Enclosed_arc;
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// An arc of an ellipse as SVG describes it, by its ends, with exact derivatives at the ends with respect to the
-/// eccentric angle. All orders of continuity but C are those of the arc in any parametrisation.
+/// An arc of an ellipse as SVG describes it, by its ends, with exact derivatives at the ends with
+/// respect to the eccentric angle. All orders of continuity but C are those of the arc in any
+/// parametrisation.
 ///
-/// Let `h` be half the chord, from the middle to the start, and `k` its image under the quarter turn of the ellipse,
-/// \f$ k = (-\frac{r_x}{r_y} h_y, \frac{r_y}{r_x} h_x) \f$ without rotation. With
-/// \f$ \lambda = (h_x/r_x)^2 + (h_y/r_y)^2 \f$ and \f$ D = \frac{1-\lambda}{\lambda} \f$ the centre is
-/// \f$ m - s k \f$, where \f$ s = \sqrt D \f$ when the two flags differ and \f$ s = -\sqrt D \f$ otherwise.
-/// Radii that are too small, \f$ \lambda > 1 \f$, are enlarged to \f$ \lambda = 1 \f$: then \f$ D = 0 \f$, and the
-/// ratio of the radii remains. So everything is rational when `D` is a square, and otherwise it lies in the field
-/// extended by \f$ \sqrt D \f$. A rotation matters when the radii differ, and then `k` and \f$ \lambda \f$ are rational for multiples
-/// of 45 degrees only. With another angle they are enclosed, see `continuity()` of paths; in floating-point numbers they are rounded.
+/// Let `h` be half the chord, from the middle to the start, and `k` its image under the quarter
+/// turn of the ellipse, \f$ k = (-\frac{r_x}{r_y} h_y, \frac{r_y}{r_x} h_x) \f$ without rotation.
+/// With \f$ \lambda = (h_x/r_x)^2 + (h_y/r_y)^2 \f$ and \f$ D = \frac{1-\lambda}{\lambda} \f$ the
+/// centre is \f$ m - s k \f$, where \f$ s = \sqrt D \f$ when the two flags differ and
+/// \f$ s = -\sqrt D \f$ otherwise. Radii that are too small, \f$ \lambda > 1 \f$, are enlarged to
+/// \f$ \lambda = 1 \f$: then \f$ D = 0 \f$, and the ratio of the radii remains. So everything is
+/// rational when `D` is a square, and otherwise it lies in the field extended by \f$ \sqrt D \f$. A
+/// rotation matters when the radii differ, and then `k` and \f$ \lambda \f$ are rational for
+/// multiples of 45 degrees only. With another angle they are enclosed, see `continuity()` of paths;
+/// in floating-point numbers they are rounded.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2
 template <class Traits_> class Elliptical_arc {
@@ -76,9 +80,9 @@ private:
 
 public:
   /// Makes the arc from `start` to `end`.
-  /// \throws Error `zero_direction` when the ends coincide; `parameter_outside_domain` for a zero radius, for a
-  ///   rotation by more than 10^9 degrees, and when the sizes differ so much that \f$ D \f$ is no finite floating-point
-  ///   number; `not_finite` for a number that is not finite
+  /// \throws Error `zero_direction` when the ends coincide; `parameter_outside_domain` for a zero
+  ///   radius, for a rotation by more than 10^9 degrees, and when the sizes differ so much that
+  ///   \f$ D \f$ is no finite floating-point number; `not_finite` for a number that is not finite
   Elliptical_arc(const Point& start, const Point& end, const Elliptical_arc_parameters<FT>& parameters)
       : start_(Geometric_continuity::coordinates<Traits>(start)), end_(Geometric_continuity::coordinates<Traits>(end)),
         same_flags_(parameters.large == parameters.sweep), sweep_(parameters.sweep) {
@@ -111,11 +115,12 @@ public:
   /// Returns the point where the arc ends.
   Point end() const { return Geometric_continuity::to_point<Traits>(end_); }
 
-  /// Returns whether the derivatives are known, be it with a square root: the rotation is a multiple of 45 degrees, or does not matter.
+  /// Returns whether the derivatives are known, be it with a square root: the rotation is a
+  /// multiple of 45 degrees, or does not matter.
   bool is_known() const { return rotated_.empty(); }
 
-  /// Returns an arc between the same ends, for pictures and reports: with the cosine and the sine of the rotation rounded to `double` unless
-  /// `is_known()`.
+  /// Returns an arc between the same ends, for pictures and reports: with the cosine and the sine
+  /// of the rotation rounded to `double` unless `is_known()`.
   Elliptical_arc rounded() const {
     Elliptical_arc r = *this;
     if (is_known()) return r;
@@ -130,15 +135,19 @@ public:
   /// Returns the number `D`, whose square root appears in the derivatives; 0 unless `is_known()`.
   const FT& radicand() const { return radicand_; }
 
-  /// Returns the jet at the start in a field, given the root of `radicand()` in it: \f$ x' = \pm R(x-c) \f$,
-  /// \f$ x'' = -(x-c) \f$, \f$ x''' = -x' \f$, ... with the quarter turn `R` of the ellipse.
-  /// \throws Error `negative_count` for a negative order; `parameter_outside_domain` unless `is_known()`
+  /// Returns the jet at the start in a field, given the root of `radicand()` in it:
+  /// \f$ x' = \pm R(x-c) \f$, \f$ x'' = -(x-c) \f$, \f$ x''' = -x' \f$, ... with the quarter turn
+  /// `R` of the ellipse.
+  /// \throws Error `negative_count` for a negative order; `parameter_outside_domain` unless
+  ///   `is_known()`
   template <class Field> Coordinate_jet<Field, 2> start_jet_over(int order, const Field& root) const {
     return jet<Field>(order, root, start_, half_chord(), k_);
   }
 
-  /// Returns the jet at the end in a field, given the root of `radicand()` in it; see `start_jet_over()`.
-  /// \throws Error `negative_count` for a negative order; `parameter_outside_domain` unless `is_known()`
+  /// Returns the jet at the end in a field, given the root of `radicand()` in it; see
+  /// `start_jet_over()`.
+  /// \throws Error `negative_count` for a negative order; `parameter_outside_domain` unless
+  ///   `is_known()`
   template <class Field> Coordinate_jet<Field, 2> end_jet_over(int order, const Field& root) const {
     return jet<Field>(order, root, end_, FT(-1) * half_chord(), FT(-1) * k_);
   }
@@ -157,10 +166,11 @@ public:
     return Curve_jet<Traits>(end_jet_over<FT>(order, *root_));
   }
 
-  /// Returns the arc as a rational curve, exactly; empty unless `is_rational()`. With \f$ U = x(0) - c \f$ and its quarter turn
-  /// \f$ V \f$ in the direction of the arc it is \f$ c + ((a^2-b^2) U + 2ab V) / (a^2+b^2) \f$, \f$ b = t \f$,
-  /// \f$ a = 1 - t \pm st \f$, because \f$ \tan(\theta/2) = \pm 1/s \f$ for its angle. Its middle weight is \f$ \pm s \f$: infinite
-  /// for half an ellipse, negative for more.
+  /// Returns the arc as a rational curve, exactly; empty unless `is_rational()`. With
+  /// \f$ U = x(0) - c \f$ and its quarter turn \f$ V \f$ in the direction of the arc it is
+  /// \f$ c + ((a^2-b^2) U + 2ab V) / (a^2+b^2) \f$, \f$ b = t \f$, \f$ a = 1 - t \pm st \f$,
+  /// because \f$ \tan(\theta/2) = \pm 1/s \f$ for its angle. Its middle weight is \f$ \pm s \f$:
+  /// infinite for half an ellipse, negative for more.
   std::optional<Rational_bezier_curve<Traits, 2>> curve() const {
     if (!root_) return std::nullopt;
     typedef typename Homogeneous_traits<Traits>::Point Row;
@@ -180,8 +190,8 @@ public:
     return Rational_bezier_curve<Traits, 2>(typename Rational_bezier_curve<Traits, 2>::Homogeneous(rows));
   }
 
-  /// Returns the image under an affine map of points, which is an arc of an ellipse again. That the map is affine
-  /// and invertible is not checked.
+  /// Returns the image under an affine map of points, which is an arc of an ellipse again. The map
+  /// must be affine and invertible; this is not checked.
   template <class Transformation> Elliptical_arc transform(const Transformation& map) const {
     const auto image = [&](const Coordinates& x) {
       return Geometric_continuity::coordinates<Traits>(map(Geometric_continuity::to_point<Traits>(x)));
@@ -249,13 +259,15 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// One segment of a path in the plane, as drawings have them: a line, another Bézier curve, or an arc of an ellipse.
+/// One segment of a path in the plane, as drawings have them: a line, another Bézier curve, or an
+/// arc of an ellipse.
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2
 template <class Traits> struct Path_segment {
   typedef typename Traits::FT FT;
   typedef typename Traits::Point Point;
 
-  std::variant<Bezier_curve<Traits>, Elliptical_arc<Traits>> curve; ///< a line is a Bézier curve of degree 1
+  /// a line is a Bézier curve of degree 1
+  std::variant<Bezier_curve<Traits>, Elliptical_arc<Traits>> curve;
 
   /// Returns the arc, or a null pointer for a Bézier curve.
   const Elliptical_arc<Traits>* arc() const { return std::get_if<Elliptical_arc<Traits>>(&curve); }
@@ -263,7 +275,8 @@ template <class Traits> struct Path_segment {
   /// Returns the Bézier curve, or a null pointer for an arc.
   const Bezier_curve<Traits>* bezier() const { return std::get_if<Bezier_curve<Traits>>(&curve); }
 
-  /// Returns whether the segment has a length: not a Bézier curve all of whose control points coincide.
+  /// Returns whether the segment has a length: not a Bézier curve all of whose control points
+  /// coincide.
   bool has_length() const {
     const auto is_elsewhere = [this](const Point& p) { return p != bezier()->control_point(0); };
     return arc() || std::any_of(bezier()->begin() + 1, bezier()->end(), is_elsewhere);
@@ -275,26 +288,31 @@ template <class Traits> struct Path_segment {
   /// Returns the point where the segment ends.
   Point end() const { return arc() ? arc()->end() : bezier()->control_point(bezier()->degree()); }
 
-  /// Returns whether the derivatives at the ends are known: not those of an ellipse with an irrational rotation.
+  /// Returns whether the derivatives at the ends are known: not those of an ellipse with an
+  /// irrational rotation.
   bool is_known() const { return !arc() || arc()->is_known(); }
 
   /// Returns the segment, an arc as `Elliptical_arc::rounded()`.
   Path_segment rounded() const { return arc() ? Path_segment{arc()->rounded()} : *this; }
 
-  /// Returns the number whose square root appears in the derivatives, see `Elliptical_arc::radicand()`; 0 for a Bézier curve.
+  /// Returns the number whose square root appears in the derivatives, see
+  /// `Elliptical_arc::radicand()`; 0 for a Bézier curve.
   FT radicand() const { return arc() ? arc()->radicand() : FT(0); }
 
-  /// Returns the jet at the start in a field, given the root of `radicand()` in it. An arc is taken with respect to the
-  /// eccentric angle, a Bézier curve over its domain.
+  /// Returns the jet at the start in a field, given the root of `radicand()` in it. An arc is taken
+  /// with respect to the eccentric angle, a Bézier curve over its domain.
   /// \tparam Field a field that is constructible from `FT`
-  /// \throws Error `negative_count` for a negative order; `parameter_outside_domain` unless `is_known()`
+  /// \throws Error `negative_count` for a negative order; `parameter_outside_domain` unless
+  ///   `is_known()`
   template <class Field> Coordinate_jet<Field, 2> start_jet_over(int order, const Field& root) const {
     if (arc()) return arc()->template start_jet_over<Field>(order, root);
     return converted<Field>(bezier()->start_jet(checked(order)));
   }
 
-  /// Returns the jet at the end in a field, given the root of `radicand()` in it; see `start_jet_over()`.
-  /// \throws Error `negative_count` for a negative order; `parameter_outside_domain` unless `is_known()`
+  /// Returns the jet at the end in a field, given the root of `radicand()` in it; see
+  /// `start_jet_over()`.
+  /// \throws Error `negative_count` for a negative order; `parameter_outside_domain` unless
+  ///   `is_known()`
   template <class Field> Coordinate_jet<Field, 2> end_jet_over(int order, const Field& root) const {
     if (arc()) return arc()->template end_jet_over<Field>(order, root);
     return converted<Field>(bezier()->end_jet(checked(order)));

@@ -30,20 +30,25 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityCurves
-/// A rational curve \f$ x(u) = \sum_i w_i b_i B_i(u) / \sum_i w_i B_i(u) \f$: control points \f$ b_i \f$ with weights \f$ w_i \f$
-/// in a polynomial shape, a `Bezier_curve` or a `Bspline_curve`, whose basis functions are the \f$ B_i \f$. Arcs of circles and all
-/// other conics, and all NURBS curves. `Rational_bezier_curve` and `Rational_bspline_curve` are its names.
+/// A rational curve \f$ x(u) = \sum_i w_i b_i B_i(u) / \sum_i w_i B_i(u) \f$: control points
+/// \f$ b_i \f$ with weights \f$ w_i \f$ in a polynomial shape, a `Bezier_curve` or a
+/// `Bspline_curve`, whose basis functions are the \f$ B_i \f$. Arcs of circles and all other
+/// conics, and all NURBS curves. `Rational_bezier_curve` and `Rational_bspline_curve` are its
+/// names.
 ///
-/// Numerator and denominator are a polynomial curve of the homogeneous points \f$ (w_i b_i, w_i) \f$, see `homogeneous()`, and
-/// all that is done with this curve is done with that one. A common factor of all weights changes nothing. All derivatives are
-/// taken with respect to `u`; those beyond the degree are not zero.
+/// Numerator and denominator are a polynomial curve of the homogeneous points
+/// \f$ (w_i b_i, w_i) \f$, see `homogeneous()`, and all that is done with this curve is done with
+/// that one. A common factor of all weights changes nothing. All derivatives are taken with respect
+/// to `u`; those beyond the degree are not zero.
 ///
-/// A weight may be negative or zero as long as the denominator is positive on the domain, which is decided exactly. The control
-/// point of the weight 0 is infinite, \f$ (x, 0) \f$; then `control_point()` is its direction \f$ x \f$. Given as a control point
-/// and a weight, such a point contributes nothing, \f$ (0, 0) \f$.
+/// A weight may be negative or zero as long as the denominator is positive on the domain, which is
+/// decided exactly. The control point of the weight 0 is infinite, \f$ (x, 0) \f$; then
+/// `control_point()` is its direction \f$ x \f$. Given as a control point and a weight, such a
+/// point contributes nothing, \f$ (0, 0) \f$.
 ///
-/// The curve is a value: operations return new curves. With an exact kernel they are exact. The energy
-/// \f$ \int |x^{(k)}|^2 \f$ is not a rational number in general; `fairness()` computes such measures.
+/// The curve is a value: operations return new curves. With an exact kernel they are exact. The
+/// energy \f$ \int |x^{(k)}|^2 \f$ is not a rational number in general; `fairness()` computes such
+/// measures.
 ///
 /// \tparam Shape `Bezier_curve<Traits, Degree>` or `Bspline_curve<Traits>`
 /// \cgalModels{ParametricCurve}
@@ -53,23 +58,29 @@ template <class Shape_> class Rational_curve {
   friend Kind;
 
 public:
-  typedef Shape_ Shape;                                   ///< the polynomial curve with the same control points
-  typedef typename Shape::Traits Traits;                  ///< the traits class
-  typedef typename Traits::FT FT;                         ///< the field
-  typedef typename Traits::Point Point;                   ///< the points of the kernel
-  typedef typename Traits::Vector Vector;                 ///< the vectors of the kernel
-  typedef typename Kind::Homogeneous Homogeneous;         ///< the polynomial curve of the homogeneous points
-  static constexpr int N = Shape::N;                      ///< the dimension, or 0 when it is known at run time only
-  typedef typename Shape::template Per_point<FT> Weights; ///< a container of one number for each control point
-  typedef typename Shape::const_iterator const_iterator;  ///< iterates over the control points
+  /// the polynomial curve with the same control points
+  typedef Shape_ Shape;
+  typedef typename Shape::Traits Traits;  ///< the traits class
+  typedef typename Traits::FT FT;         ///< the field
+  typedef typename Traits::Point Point;   ///< the points of the kernel
+  typedef typename Traits::Vector Vector; ///< the vectors of the kernel
+  /// the polynomial curve of the homogeneous points
+  typedef typename Kind::Homogeneous Homogeneous;
+  /// the dimension, or 0 when it is known at run time only
+  static constexpr int N = Shape::N;
+  /// a container of one number for each control point
+  typedef typename Shape::template Per_point<FT> Weights;
+  typedef typename Shape::const_iterator const_iterator; ///< iterates over the control points
 
-  /// Takes a range of control points, a range of as many weights, and the domain [a, b] of a Bézier curve.
-  /// \throws Error `wrong_number_of_points` unless the ranges have `Degree + 1` points and weights (as many as each other, and at
-  ///   least one, if dynamic)
+  /// Takes a range of control points, a range of as many weights, and the domain [a, b] of a Bézier
+  /// curve.
+  /// \throws Error `wrong_number_of_points` unless the ranges have `Degree + 1` points and weights
+  ///   (as many as each other, and at least one, if dynamic)
   /// \throws Error `zero_weight` unless the denominator is positive on the whole domain
   /// \throws Error `dimension_mismatch` when the points differ in dimension
   /// \throws Error `empty_domain` unless `a < b`
-  /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when `b - a` overflows
+  /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when
+  ///   `b - a` overflows
   template <class InputIterator, class WeightIterator>
   Rational_curve(InputIterator first, InputIterator last, WeightIterator first_weight, WeightIterator last_weight,
                  const FT& a = FT(0), const FT& b = FT(1))
@@ -78,7 +89,8 @@ public:
     place_infinite_points();
   }
 
-  /// Takes a range of control points, such as a `std::vector`, a range of their weights, and the domain of a Bézier curve.
+  /// Takes a range of control points, such as a `std::vector`, a range of their weights, and the
+  /// domain of a Bézier curve.
   /// \throws Error as the constructor from iterators
   template <class Points, class Numbers, class = internal::Range_of_points<Points, Point>>
   Rational_curve(const Points& points, const Numbers& weights, const FT& a = FT(0), const FT& b = FT(1))
@@ -89,7 +101,8 @@ public:
   Rational_curve(std::initializer_list<Point> points, std::initializer_list<FT> weights)
       : Rational_curve(points.begin(), points.end(), weights.begin(), weights.end()) {}
 
-  /// Takes a range of control points, a range of as many weights, and the knots of a B-spline curve.
+  /// Takes a range of control points, a range of as many weights, and the knots of a B-spline
+  /// curve.
   /// \throws Error `wrong_number_of_points` unless there are `n` control points and `n` weights
   /// \throws Error `zero_weight` unless the denominator is positive on the whole domain
   /// \throws Error `dimension_mismatch` when the points differ in dimension
@@ -102,7 +115,8 @@ public:
     place_infinite_points();
   }
 
-  /// Takes a range of control points, such as a `std::vector`, a range of their weights, and the knots of a B-spline curve.
+  /// Takes a range of control points, such as a `std::vector`, a range of their weights, and the
+  /// knots of a B-spline curve.
   /// \throws Error as the constructor from iterators
   template <class Points, class Numbers, class = internal::Range_of_points<Points, Point>>
   Rational_curve(const Points& points, const Numbers& weights, Knot_vector<FT> knots)
@@ -110,13 +124,15 @@ public:
   }
 
   /// Takes the curve of the homogeneous points \f$ (w_i b_i, w_i) \f$.
-  /// \throws Error `zero_weight` unless the denominator is positive on the whole domain, `not_finite` when a quotient overflows
+  /// \throws Error `zero_weight` unless the denominator is positive on the whole domain,
+  ///   `not_finite` when a quotient overflows
   explicit Rational_curve(const Homogeneous& c) : shape_(affine(c)), weights_(ones()) {
     for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = c.control_points()[i][c.dimension() - 1];
     Kind::check_weights(shape_, weights_);
   }
 
-  /// Converts a polynomial curve, whose degree may be forgotten or remembered as in `Bezier_curve`: all weights are 1.
+  /// Converts a polynomial curve, whose degree may be forgotten or remembered as in `Bezier_curve`:
+  /// all weights are 1.
   /// \throws Error `wrong_number_of_points` when the curve does not have the degree `Degree`
   template <class Polynomial_curve, class = std::enable_if_t<std::is_convertible_v<const Polynomial_curve&, Shape>>>
   Rational_curve(const Polynomial_curve& c) : shape_(c), weights_(ones()) {}
@@ -136,19 +152,22 @@ public:
     std::copy(c.weights().begin(), c.weights().end(), weights_.begin());
   }
 
-  /// Joins rational Bézier curves that continue each other to a B-spline curve: each starts where the one before it ends. Their
-  /// weights are multiplied by a factor each, so that the homogeneous points meet, and all are elevated to one degree. The knots
-  /// between them have the multiplicity of the degree. The lengths of the domains are kept.
-  /// \throws Error `wrong_number_of_points` for an empty range, `dimension_mismatch`, `curves_do_not_meet` when two neighbours do
-  ///   not fit, `empty_domain` when knots become equal by rounding
+  /// Joins rational Bézier curves that continue each other to a B-spline curve: each starts where
+  /// the one before it ends. Their weights are multiplied by a factor each, so that the homogeneous
+  /// points meet, and all are elevated to one degree. The knots between them have the multiplicity
+  /// of the degree. The lengths of the domains are kept.
+  /// \throws Error `wrong_number_of_points` for an empty range, `dimension_mismatch`,
+  ///   `curves_do_not_meet` when two neighbours do not fit, `empty_domain` when knots become equal
+  ///   by rounding
   template <class ForwardIterator, class = typename std::iterator_traits<ForwardIterator>::value_type>
   Rational_curve(ForwardIterator first, ForwardIterator last) : Rational_curve(joined(first, last)) {}
 
   /// \name Control Points and Weights
   /// @{
 
-  int degree() const { return shape_.degree(); }               ///< Returns the degree.
-  int dimension() const { return shape_.dimension(); }         ///< Returns the dimension of the control points.
+  int degree() const { return shape_.degree(); } ///< Returns the degree.
+  /// Returns the dimension of the control points.
+  int dimension() const { return shape_.dimension(); }
   std::pair<FT, FT> domain() const { return shape_.domain(); } ///< Returns the domain.
 
   /// Returns the control points, in order.
@@ -157,8 +176,10 @@ public:
   const Point& control_point(int i) const { return shape_.control_point(i); }
   /// Returns the coordinates of \f$ b_i \f$. \pre there is one
   Coordinates<Traits> coordinates(int i) const { return shape_.coordinates(i); }
-  const_iterator begin() const { return shape_.begin(); } ///< Returns an iterator to the first control point.
-  const_iterator end() const { return shape_.end(); }     ///< Returns the iterator after the last control point.
+  /// Returns an iterator to the first control point.
+  const_iterator begin() const { return shape_.begin(); }
+  /// Returns the iterator after the last control point.
+  const_iterator end() const { return shape_.end(); }
 
   /// Returns the weights, in the order of the control points.
   const Weights& weights() const { return weights_; }
@@ -167,9 +188,11 @@ public:
 
   /// Returns the number of control points.
   int number_of_points() const { return shape_.number_of_points(); }
-  const Knot_vector<FT>& knots() const { return shape_.knots(); } ///< Returns the knots of a B-spline.
+  /// Returns the knots of a B-spline.
+  const Knot_vector<FT>& knots() const { return shape_.knots(); }
 
-  /// Returns the polynomial curve of the homogeneous points \f$ (w_i b_i, w_i) \f$, on the same domain.
+  /// Returns the polynomial curve of the homogeneous points \f$ (w_i b_i, w_i) \f$, on the same
+  /// domain.
   /// \throws Error `not_finite` when a product of floating-point numbers overflows
   Homogeneous homogeneous() const {
     typename Homogeneous::template Per_point<typename Homogeneous::Point> points;
@@ -180,11 +203,13 @@ public:
 
   /// Returns the polynomial curve with the same control points, whatever the weights are.
   const Shape& unweighted() const { return shape_; }
-  /// Returns whether all weights are equal. Then the curve is the polynomial one with the same control points.
+  /// Returns whether all weights are equal. Then the curve is the polynomial one with the same
+  /// control points.
   bool is_polynomial() const {
     return std::all_of(weights_.begin(), weights_.end(), [&](const FT& w) { return bool(w == weights_[0]); });
   }
-  /// Returns the polynomial curve with the same control points if all weights are equal, otherwise nothing.
+  /// Returns the polynomial curve with the same control points if all weights are equal, otherwise
+  /// nothing.
   std::optional<Shape> polynomial() const {
     if (!is_polynomial()) return std::nullopt;
     return shape_;
@@ -192,11 +217,13 @@ public:
 
   /// @}
   /// \name Evaluation
-  /// The parameter is in the domain of a B-spline curve (`parameter_outside_domain`), and may lie outside that of a Bézier curve.
-  /// With floating-point numbers results are not checked: products of weights and coordinates, and derivatives, must not overflow.
+  /// The parameter is in the domain of a B-spline curve (`parameter_outside_domain`), and may lie
+  /// outside that of a Bézier curve. With floating-point numbers results are not checked: products
+  /// of weights and coordinates, and derivatives, must not overflow.
   /// @{
 
-  /// Returns the point at `u`, from the right at a knot. \f$ O(m^2) \f$ in degree `m`, and the search for the span
+  /// Returns the point at `u`, from the right at a knot. \f$ O(m^2) \f$ in degree `m`, and the
+  /// search for the span
   /// \throws Error `zero_weight` when the denominator is zero there
   Point operator()(const FT& u) const { return Kind::point(*this, u); }
 
@@ -215,30 +242,32 @@ public:
   /// Returns the jet of order `k` of a B-spline curve at `u` from the right; at the end of the domain from the left.
   Curve_jet<Traits> right_jet(const FT& u, int k) const { return Kind::jet_on_span(*this, u, knots().span(u), k); }
 
-  /// Returns the jet of order `k` at the start of the domain; of a Bézier curve from `k + 1` control points, in \f$ O(k^2) \f$.
+  /// Returns the jet of order `k` at the start of the domain; of a Bézier curve from `k + 1`
+  /// control points, in \f$ O(k^2) \f$.
   /// \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> start_jet(int k) const { return Curve_jet<Traits>(start_jet_over<FT>(k)); }
-  /// Returns the jet of order `k` at the end of the domain; of a Bézier curve from `k + 1` control points, in \f$ O(k^2) \f$.
+  /// Returns the jet of order `k` at the end of the domain; of a Bézier curve from `k + 1` control
+  /// points, in \f$ O(k^2) \f$.
   /// \throws Error `negative_count` unless `k >= 0`
   Curve_jet<Traits> end_jet(int k) const { return Curve_jet<Traits>(end_jet_over<FT>(k)); }
 
-  /// Returns the jet of a B-spline curve from the left in another field, to which all numbers are converted before anything is
-  /// computed.
+  /// Returns the jet of a B-spline curve from the left in another field, to which all numbers are
+  /// converted before anything is computed.
   template <class Field> Coordinate_jet<Field, N> left_jet_over(const FT& u, int k) const {
     return Kind::template jet_over<Field>(*this, u, knots().left_span(u), k);
   }
-  /// Returns the jet of a B-spline curve from the right in another field, to which all numbers are converted before anything is
-  /// computed.
+  /// Returns the jet of a B-spline curve from the right in another field, to which all numbers are
+  /// converted before anything is computed.
   template <class Field> Coordinate_jet<Field, N> right_jet_over(const FT& u, int k) const {
     return Kind::template jet_over<Field>(*this, u, knots().span(u), k);
   }
-  /// Returns the jet of order `k` at the start of the domain in another field, to which all numbers are converted before anything
-  /// is computed. \throws Error `negative_count` unless `k >= 0`
+  /// Returns the jet of order `k` at the start of the domain in another field, to which all numbers
+  /// are converted before anything is computed. \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> start_jet_over(int k) const {
     return Kind::template start_jet_over<Field>(*this, k);
   }
-  /// Returns the jet of order `k` at the end of the domain in another field, to which all numbers are converted before anything is
-  /// computed. \throws Error `negative_count` unless `k >= 0`
+  /// Returns the jet of order `k` at the end of the domain in another field, to which all numbers
+  /// are converted before anything is computed. \throws Error `negative_count` unless `k >= 0`
   template <class Field> Coordinate_jet<Field, N> end_jet_over(int k) const {
     return Kind::template end_jet_over<Field>(*this, k);
   }
@@ -254,7 +283,8 @@ public:
     return Rational_curve<typename Kind::Elevated>(homogeneous().elevate(times));
   }
 
-  /// Returns the curve in the opposite direction, on the same domain: its point at `u` is that of this curve at `a + b - u`.
+  /// Returns the curve in the opposite direction, on the same domain: its point at `u` is that of
+  /// this curve at `a + b - u`.
   Rational_curve reverse() const {
     Rational_curve r = *this;
     r.shape_ = shape_.reverse();
@@ -262,7 +292,8 @@ public:
     return r;
   }
 
-  /// Returns the image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`. The images are not checked.
+  /// Returns the image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`. The
+  /// images are not checked.
   template <class Transformation> Rational_curve transform(const Transformation& map) const {
     Rational_curve r = *this;
     auto w = weights_.begin();
@@ -271,16 +302,17 @@ public:
   }
 
   /// @}
-  /// \name Of a Bézier Curve
+  /// \name Functions of Bézier Curves
   /// @{
 
-  /// Returns the same points in another rational parametrisation, with the weights \f$ w_i c^i \f$. Where two such curves meet
-  /// themselves, they are smooth of every order \f$ G^k \f$, and in general not \f$ C^1 \f$.
+  /// Returns the same points in another rational parametrisation, with the weights \f$ w_i c^i \f$.
+  /// Where two such curves meet themselves, they are smooth of every order \f$ G^k \f$, and in
+  /// general not \f$ C^1 \f$.
   /// \throws Error `zero_weight` unless `c > 0`, `not_finite` when a weight overflows
   Rational_curve reparametrised(const FT& c) const { return Kind::reparametrised(*this, c); }
 
-  /// Returns the derivative (hodograph) \f$ (p' w - p w') / w^2 \f$: the curve of degree `2 m` whose point at `u` has the
-  /// coordinates of the first derivative. \f$ O(n m^2) \f$
+  /// Returns the derivative (hodograph) \f$ (p' w - p w') / w^2 \f$: the curve of degree `2 m`
+  /// whose point at `u` has the coordinates of the first derivative. \f$ O(n m^2) \f$
   /// \throws Error `not_finite` when a floating-point coordinate overflows
   Rational_curve<Bezier_curve<Traits>> derivative() const { return Kind::derivative(*this); }
 
@@ -303,8 +335,10 @@ public:
   /// Returns the box as `Bbox_2` or `Bbox_3`, rounded outwards. Dimension 2 or 3 only.
   auto bbox() const { return internal::bbox_of<Traits>(bounding_box()); }
 
-  /// Returns the curve halved until each part has positive weights only; then it lies in the convex hull of its control points.
-  /// \throws Error `work_limit` where the denominator is so close to zero that 64 halvings in a row do not suffice
+  /// Returns the curve halved until each part has positive weights only; then it lies in the convex
+  /// hull of its control points.
+  /// \throws Error `work_limit` where the denominator is so close to zero that 64 halvings in a row
+  ///   do not suffice
   std::vector<Rational_curve> positive_parts() const {
     std::vector<Rational_curve> parts;
     internal::add_positive_parts(*this, 64, parts);
@@ -312,7 +346,7 @@ public:
   }
 
   /// @}
-  /// \name Of a B-spline Curve
+  /// \name Functions of B-spline Curves
   /// These functions cost and throw as those of `Bspline_curve`.
   /// @{
 
@@ -320,10 +354,12 @@ public:
   Rational_curve insert(const FT& u, int times = 1) const { return Kind::insert(*this, u, times); }
   /// Returns the same curve over finer knots. \f$ O(p) \f$ for each knot that is inserted, and the copy
   Rational_curve refine(const Knot_vector<FT>& finer) const { return Rational_curve(homogeneous().refine(finer)); }
-  /// Returns the same curve with knots of multiplicity `p + 1` at the ends, without those outside the domain.
+  /// Returns the same curve with knots of multiplicity `p + 1` at the ends, without those outside
+  /// the domain.
   Rational_curve clamp() const { return Rational_curve(homogeneous().clamp()); }
 
-  /// Returns the same curve with `times >= 0` copies of the inner knot `u` less, or nothing if that changed the homogeneous curve.
+  /// Returns the same curve with `times >= 0` copies of the inner knot `u` less, or nothing if that
+  /// changed the homogeneous curve.
   std::optional<Rational_curve> remove(const FT& u, int times = 1) const {
     const std::optional<Homogeneous> c = homogeneous().remove(u, times);
     if (!c) return std::nullopt;
@@ -336,7 +372,8 @@ public:
   /// \throws Error `work_limit`
   std::vector<Rational_curve<Bezier_curve<Traits>>> bezier_pieces() const { return Kind::bezier_pieces(*this); }
 
-  /// Returns the jets of order `k` at both ends of each span, those of `bezier_pieces()`; see `Bspline_curve::span_end_jets()`.
+  /// Returns the jets of order `k` at both ends of each span, those of `bezier_pieces()`; see
+  /// `Bspline_curve::span_end_jets()`.
   /// \throws Error `negative_count` unless `k >= 0`, `work_limit`
   std::vector<Curve_end_jets<Traits>> span_end_jets(int k) const { return Kind::span_end_jets(*this, k); }
 
@@ -396,7 +433,8 @@ private:
     return Homogeneous(curves.begin(), curves.end());
   }
 
-  // The i-th coordinate of the j-th homogeneous point, see homogeneous_point(). \tparam Field the numbers of the result
+  // The i-th coordinate of the j-th homogeneous point, see homogeneous_point(). \tparam Field the
+  // numbers of the result
   template <class Field = FT> CGAL_GC_FORCEINLINE Field homogeneous_coordinate(int j, int i) const {
     const Field w = internal::to_field<Field>(weights_[j]);
     if (i == dimension()) return w;
@@ -412,9 +450,10 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// A rational Bézier curve \f$ x(u) = \sum_i w_i b_i B_i^m(t) / \sum_i w_i B_i^m(t) \f$, \f$ t = (u-a)/(b-a) \f$, with control
-/// points \f$ b_0, \dots, b_m \f$ and weights \f$ w_0, \dots, w_m \f$ on the domain [a, b], by default [0, 1]: arcs of circles
-/// and all other conics, the pieces of NURBS curves. See `Rational_curve`.
+/// A rational Bézier curve \f$ x(u) = \sum_i w_i b_i B_i^m(t) / \sum_i w_i B_i^m(t) \f$,
+/// \f$ t = (u-a)/(b-a) \f$, with control points \f$ b_0, \dots, b_m \f$ and weights
+/// \f$ w_0, \dots, w_m \f$ on the domain [a, b], by default [0, 1]: arcs of circles and all other
+/// conics, the pieces of NURBS curves. See `Rational_curve`.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Degree the degree `m >= 0`, or `dynamic_degree`
@@ -422,8 +461,9 @@ template <class Traits, int Degree = dynamic_degree>
 using Rational_bezier_curve = Rational_curve<Bezier_curve<Traits, Degree>>;
 
 /// \ingroup PkgGeometricContinuityCurves
-/// A rational B-spline curve (NURBS) \f$ x(u) = \sum_i w_i b_i N_i^p(u) / \sum_i w_i N_i^p(u) \f$ with control points
-/// \f$ b_0, \dots, b_{n-1} \f$, as many weights, and any knot vector with `n` coefficients. See `Rational_curve`.
+/// A rational B-spline curve (NURBS) \f$ x(u) = \sum_i w_i b_i N_i^p(u) / \sum_i w_i N_i^p(u) \f$
+/// with control points \f$ b_0, \dots, b_{n-1} \f$, as many weights, and any knot vector with `n`
+/// coefficients. See `Rational_curve`.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits> using Rational_bspline_curve = Rational_curve<Bspline_curve<Traits>>;

@@ -12,10 +12,12 @@
 #include <vector>
 
 /// \file arcs.h
-/// Arcs of circles, ellipses and other conics as rational Bézier curves of degree 2. Everything is rational: with an exact kernel
-/// each point of an arc lies on its circle exactly. Arcs of more than half a circle have a negative weight in the middle, and half
-/// a circle has an infinite control point there. All functions run in constant time. Points of a \cgal kernel, the first of them, say
-/// what the traits class is (`Traits_of`); for others it is the first template argument, `circular_arc<Traits>(…)`.
+/// Arcs of circles, ellipses and other conics as rational Bézier curves of degree 2. Everything is
+/// rational: with an exact kernel each point of an arc lies on its circle exactly. Arcs of more
+/// than half a circle have a negative weight in the middle, and half a circle has an infinite
+/// control point there. All functions run in constant time. Points of a \cgal kernel, the first of
+/// them, say what the traits class is (`Traits_of`); for others it is the first template argument,
+/// `circular_arc<Traits>(…)`.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -51,8 +53,8 @@ void require_one_dimension(const Coordinate_vector<FT, N>& v, const Coordinate_v
   if (v.dimension() != w.dimension()) throw Error(Error_code::dimension_mismatch, place);
 }
 
-// The arc from p in the direction d to the point p + e / |e|^2. The inversion y = (x - p) / |x - p|^2 turns the circle into the line
-// of the points (t e + (1-t) d) / t.
+// The arc from p in the direction d to the point p + e / |e|^2. The inversion y = (x - p) / |x -
+// p|^2 turns the circle into the line of the points (t e + (1-t) d) / t.
 template <class Traits>
 Rational_bezier_curve<Traits, 2> inverted_line(const Coordinates<Traits>& p, const Coordinates<Traits>& d,
                                                const Coordinates<Traits>& e) {
@@ -76,11 +78,13 @@ std::array<FT, 2> components(const Coordinate_vector<FT, N>& u, const Coordinate
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the arc \f$ c + \cos\phi\, u + \sin\phi\, v \f$, \f$ 0 \le \phi \le \theta = 4 \arctan r \f$, of the ellipse with the
-/// centre `c` and the conjugate half-axes `u` and `v`, in any dimension. Its weights are 1, \f$ \cos(\theta/2) \f$ and 1. For
-/// `r < 0` it runs in the other direction. With \f$ \rho \f$ = the rotation by \f$ \theta/2 \f$, whose cosine
-/// \f$ (1-r^2)/(1+r^2) \f$ and sine \f$ 2r/(1+r^2) \f$ are rational, the control points are \f$ c + u \f$,
-/// \f$ c + \rho u / \cos(\theta/2) \f$ and \f$ c + \rho^2 u \f$.
+/// Returns the arc \f$ c + \cos\phi\, u + \sin\phi\, v \f$,
+/// \f$ 0 \le \phi \le \theta = 4 \arctan r \f$, of the ellipse with the centre `c` and the
+/// conjugate half-axes `u` and `v`, in any dimension. Its weights are 1, \f$ \cos(\theta/2) \f$
+/// and 1. For `r < 0` it runs in the other direction. With \f$ \rho \f$ = the rotation by
+/// \f$ \theta/2 \f$, whose cosine \f$ (1-r^2)/(1+r^2) \f$ and sine \f$ 2r/(1+r^2) \f$ are rational,
+/// the control points are \f$ c + u \f$, \f$ c + \rho u / \cos(\theta/2) \f$ and
+/// \f$ c + \rho^2 u \f$.
 /// \throws Error `dimension_mismatch`, `empty_domain` for `r == 0`, `not_finite`
 template <class Given = internal::Of_points, class Point = typename Given::Point,
           class Traits = Traits_or_of<Given, Point>>
@@ -103,11 +107,14 @@ Rational_bezier_curve<Traits, 2> elliptical_arc(const Point& c, const typename T
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the arc of the circle about `centre` in the plane from `start` by the angle \f$ 4 \arctan r \f$, counterclockwise for
-/// `r > 0`: `r` is the tangent of a quarter of the angle, not the angle and no radius. `r = FT(1)` is a half circle; for an angle in
-/// degrees, `std::tan(degrees * CGAL_PI / 720)` is a number near it, with which every point is on the circle as well. Whole numbers
-/// of type `int` are refused by the compiler, because they would be degrees by mistake. See `elliptical_arc()`.
-/// \throws Error `zero_direction` when `start` is the centre, `empty_domain` for `r == 0`, `not_finite`
+/// Returns the arc of the circle about `centre` in the plane from `start` by the angle
+/// \f$ 4 \arctan r \f$, counterclockwise for `r > 0`: `r` is the tangent of a quarter of the angle,
+/// not the angle and no radius. `r = FT(1)` is a half circle; for an angle in degrees,
+/// `std::tan(degrees * CGAL_PI / 720)` is a number near it, with which every point is on the circle
+/// as well. Whole numbers of type `int` are refused by the compiler, because they would be degrees
+/// by mistake. See `elliptical_arc()`.
+/// \throws Error `zero_direction` when `start` is the centre, `empty_domain` for `r == 0`,
+///   `not_finite`
 template <class Given = internal::Of_points, class Point = typename Given::Point,
           class Traits = Traits_or_of<Given, Point>>
 Rational_bezier_curve<Traits, 2> circular_arc(const Point& centre, const typename Traits::Point& start,
@@ -122,10 +129,12 @@ Rational_bezier_curve<Traits, 2> circular_arc(const Point& centre, const typenam
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the arc in space that `start` runs through in a rotation about the axis through `centre` in the direction `axis`, by the
-/// angle \f$ 4 \arctan(r |axis|) \f$: in this parameter everything is rational, whatever the length of the axis. `centre` may be any point of the
-/// axis. An `r` of type `int` is refused by the compiler, as in the plane.
-/// \throws Error `zero_direction` when the axis is zero or `start` lies on it, `empty_domain` for `r == 0`, `not_finite`
+/// Returns the arc in space that `start` runs through in a rotation about the axis through `centre`
+/// in the direction `axis`, by the angle \f$ 4 \arctan(r |axis|) \f$: in this parameter everything
+/// is rational, whatever the length of the axis. `centre` may be any point of the axis. An `r` of
+/// type `int` is refused by the compiler, as in the plane.
+/// \throws Error `zero_direction` when the axis is zero or `start` lies on it, `empty_domain` for
+///   `r == 0`, `not_finite`
 template <class Given = internal::Of_points, class Point = typename Given::Point,
           class Traits = Traits_or_of<Given, Point>>
 Rational_bezier_curve<Traits, 2> circular_arc(const Point& centre, const typename Traits::Point& start,
@@ -160,10 +169,10 @@ Rational_bezier_curve<Traits, 2> circular_arc(const Point& centre, const typenam
                                               const typename Traits::Vector& axis, Degrees r) = delete;
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the arc of a circle from `p` to `r` through `q`, which is its point at the parameter 1/2, in any dimension; where `q` lies
-/// between `p` and `r` on their line, the segment.
-/// \throws Error `zero_direction` when two points are equal, `zero_weight` when `q` lies on the line through `p` and `r` but not
-///   between them, `dimension_mismatch`, `not_finite`
+/// Returns the arc of a circle from `p` to `r` through `q`, which is its point at the parameter
+/// 1/2, in any dimension; where `q` lies between `p` and `r` on their line, the segment.
+/// \throws Error `zero_direction` when two points are equal, `zero_weight` when `q` lies on the
+///   line through `p` and `r` but not between them, `dimension_mismatch`, `not_finite`
 template <class Given = internal::Of_points, class Point = typename Given::Point,
           class Traits = Traits_or_of<Given, Point>>
 Rational_bezier_curve<Traits, 2> circular_arc_through(const Point& p, const typename Traits::Point& q,
@@ -180,10 +189,10 @@ Rational_bezier_curve<Traits, 2> circular_arc_through(const Point& p, const type
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the arc of a circle that starts at `p` in the direction `tangent` and ends at `r`, in any dimension; a segment where the
-/// tangent points to `r`.
-/// \throws Error `zero_direction` when the tangent is zero or the points are equal, `zero_weight` when the tangent points away from
-///   `r`, `dimension_mismatch`, `not_finite`
+/// Returns the arc of a circle that starts at `p` in the direction `tangent` and ends at `r`, in
+/// any dimension; a segment where the tangent points to `r`.
+/// \throws Error `zero_direction` when the tangent is zero or the points are equal, `zero_weight`
+///   when the tangent points away from `r`, `dimension_mismatch`, `not_finite`
 template <class Given = internal::Of_points, class Point = typename Given::Point,
           class Traits = Traits_or_of<Given, Point>>
 Rational_bezier_curve<Traits, 2> circular_arc_with_tangent(const Point& p, const typename Traits::Vector& tangent,
@@ -198,11 +207,14 @@ Rational_bezier_curve<Traits, 2> circular_arc_with_tangent(const Point& p, const
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the arc of a conic from `p` to `r` through `q`, which is its point at the parameter 1/2, with tangents along the lines of the
-/// directions `tangent_p` and `tangent_r` at its ends: an ellipse, a parabola or a hyperbola. In space the second tangent and `q` are
-/// taken in the plane of `p`, `r` and the first tangent, onto which they are projected. Parallel tangents give a half ellipse.
-/// \throws Error `zero_direction` when a tangent is zero, `singular_frame` when `p`, `r` and the point where the tangents meet lie on one
-///   line, `zero_weight` when no finite arc runs through `q`, `dimension_mismatch`, `not_finite`
+/// Returns the arc of a conic from `p` to `r` through `q`, which is its point at the parameter 1/2,
+/// with tangents along the lines of the directions `tangent_p` and `tangent_r` at its ends: an
+/// ellipse, a parabola or a hyperbola. In space the second tangent and `q` are taken in the plane
+/// of `p`, `r` and the first tangent, onto which they are projected. Parallel tangents give a half
+/// ellipse.
+/// \throws Error `zero_direction` when a tangent is zero, `singular_frame` when `p`, `r` and the
+///   point where the tangents meet lie on one line, `zero_weight` when no finite arc runs through
+///   `q`, `dimension_mismatch`, `not_finite`
 template <class Given = internal::Of_points, class Point = typename Given::Point,
           class Traits = Traits_or_of<Given, Point>>
 Rational_bezier_curve<Traits, 2> conic_arc(const Point& p, const typename Traits::Vector& tangent_p,
@@ -230,9 +242,10 @@ Rational_bezier_curve<Traits, 2> conic_arc(const Point& p, const typename Traits
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the ellipse with the centre `c` and the conjugate half-axes `u` and `v` as a closed rational B-spline curve of degree 2
-/// on [0, 4]: four quarters with the weights 1, 1, 2 and 2, 1, 1 in turn. It is \f$ G^\infty \f$ everywhere, and \f$ C^1 \f$ at
-/// its knots. With orthogonal half-axes of one length it is a circle.
+/// Returns the ellipse with the centre `c` and the conjugate half-axes `u` and `v` as a closed
+/// rational B-spline curve of degree 2 on [0, 4]: four quarters with the weights 1, 1, 2 and 2, 1,
+/// 1 in turn. It is \f$ G^\infty \f$ everywhere, and \f$ C^1 \f$ at its knots. With orthogonal
+/// half-axes of one length it is a circle.
 /// \throws Error `dimension_mismatch`, `not_finite`
 template <class Given = internal::Of_points, class Point = typename Given::Point,
           class Traits = Traits_or_of<Given, Point>>

@@ -24,14 +24,16 @@
 #include <vector>
 
 /// \file bezier_properties.h
-/// What the control points tell about a curve: of a Bézier curve hull, line, variation, and curvature and torsion at the ends; and two
-/// tricks with them: points that pull, and polygons that close. Lecture slides, "Bézier curves III", "Bézier curve tricks".
-/// Basis_matrix.h has the properties of the Bernstein polynomials from which it follows. Of all curves whether they lie in a plane.
+/// Properties that the control points show: of a Bézier curve hull, line, variation, and curvature
+/// and torsion at the ends; and two tricks with them: points that pull, and polygons that close.
+/// Lecture slides, "Bézier curves III", "Bézier curve tricks". Basis_matrix.h has the properties of
+/// the Bernstein polynomials from which it follows. Of all curves whether they lie in a plane.
 ///
-/// Hagen 1.13: a curve is planar if and only if its torsion vanishes. This holds for one polynomial or
-/// rational piece, and for several only where the curvature does not vanish at their joins: \f$ (t, t^4, 0) \f$ for
-/// \f$ t \le 0 \f$ and \f$ (t, 0, t^4) \f$ for \f$ t \ge 0 \f$ have no torsion where it is defined, and no plane in common. So the
-/// control points are decided, and not the torsion.
+/// Hagen 1.13: a curve is planar if and only if its torsion vanishes. This holds for one polynomial
+/// or rational piece, and for several only where the curvature does not vanish at their joins:
+/// \f$ (t, t^4, 0) \f$ for \f$ t \le 0 \f$ and \f$ (t, 0, t^4) \f$ for \f$ t \ge 0 \f$ have no
+/// torsion where it is defined, and no plane in common. So the control points are decided, and not
+/// the torsion.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -41,11 +43,12 @@ template <class Shape> class Rational_curve;
 
 namespace internal {
 
-// The first phase of the simplex algorithm: w >= 0 with A w = b, for b >= 0. The pivots are those of Bland's rule, with
-// which it ends although nearly all of b is zero here.
+// The first phase of the simplex algorithm: w >= 0 with A w = b, for b >= 0. The pivots are those
+// of Bland's rule, with which it ends although nearly all of b is zero here.
 template <class Field> class Feasible_solution {
   typedef std::vector<Field> Row;
-  std::vector<Row> rows_;  // [A | b], transformed so that the columns basis_[i] of the chosen w are unit vectors
+  // [A | b], transformed so that the columns basis_[i] of the chosen w are unit vectors
+  std::vector<Row> rows_;
   Row cost_;               // minus the sum of the rows whose w is not chosen yet
   std::vector<int> basis_; // the w of each row; n where there is none yet
   int n_;
@@ -106,10 +109,11 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Computes weights \f$ w_i \ge 0 \f$ with \f$ \sum_i w_i = 1 \f$ and \f$ \sum_i w_i q_i = p \f$: they prove that `p`
-/// is in the convex hull of the points `q`. At most one more of them than the dimension is not zero. Empty if and only
-/// if `p` is outside. Exact in any dimension: floating-point coordinates are taken as the rational numbers they are. By
-/// the simplex algorithm with Bland's rule; fast in practice.
+/// Computes weights \f$ w_i \ge 0 \f$ with \f$ \sum_i w_i = 1 \f$ and \f$ \sum_i w_i q_i = p \f$:
+/// they prove that `p` is in the convex hull of the points `q`. At most one more of them than the
+/// dimension is not zero. Empty if and only if `p` is outside. Exact in any dimension:
+/// floating-point coordinates are taken as the rational numbers they are. By the simplex algorithm
+/// with Bland's rule; fast in practice.
 /// \throws Error `dimension_mismatch` when the points differ in dimension
 /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
 template <class FT, int N>
@@ -145,9 +149,10 @@ template <class Traits> typename Traits::Vector direction(const Coordinates<Trai
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns weights \f$ w_i \ge 0 \f$ with \f$ \sum_i w_i = 1 \f$ and \f$ \sum_i w_i b_i = p \f$ for the control points, which prove that `p` is in
-/// their convex hull; empty if and only if it is outside. Exact with every kernel for the coordinates as given, in any
-/// dimension. See `convex_weights()`.
+/// Returns weights \f$ w_i \ge 0 \f$ with \f$ \sum_i w_i = 1 \f$ and \f$ \sum_i w_i b_i = p \f$ for
+/// the control points, which prove that `p` is in their convex hull; empty if and only if it is
+/// outside. Exact with every kernel for the coordinates as given, in any dimension. See
+/// `convex_weights()`.
 /// \throws Error `dimension_mismatch` when `p` has another dimension
 /// \throws Error `not_finite` when `p` has an infinite or undefined floating-point coordinate
 template <class Traits, int Degree>
@@ -159,9 +164,10 @@ std::optional<std::vector<internal::Decision_FT<Traits>>> convex_hull_weights(co
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns whether `p` is in the convex hull of the control points, or on its boundary. Every point of the curve is, for parameters
-/// in the domain: its weights are the values of the Bernstein polynomials there. (With rounded numbers the point that
-/// the curve returns may be just outside.) Exact with every kernel for the coordinates as given. See `convex_hull_weights()`.
+/// Returns whether `p` is in the convex hull of the control points, or on its boundary. Every point
+/// of the curve is, for parameters in the domain: its weights are the values of the Bernstein
+/// polynomials there. (With rounded numbers the point that the curve returns may be just outside.)
+/// Exact with every kernel for the coordinates as given. See `convex_hull_weights()`.
 /// \throws Error `dimension_mismatch` when `p` has another dimension
 /// \throws Error `not_finite` when `p` has an infinite or undefined floating-point coordinate
 template <class Traits, int Degree>
@@ -170,9 +176,10 @@ bool is_in_convex_hull(const Bezier_curve<Traits, Degree>& curve, const typename
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the direction in which the curve starts: the first \f$ b_j - b_0 \f$ that is not zero. It is a positive multiple of the
-/// first derivative that does not vanish, so it is that of the side \f$ b_1 - b_0 \f$ in general. Empty when all control points are
-/// equal. \f$ O(m) \f$ \throws Error `not_finite` when a floating-point coordinate overflows
+/// Returns the direction in which the curve starts: the first \f$ b_j - b_0 \f$ that is not zero.
+/// It is a positive multiple of the first derivative that does not vanish, so it is that of the
+/// side \f$ b_1 - b_0 \f$ in general. Empty when all control points are equal. \f$ O(m) \f$ \throws
+/// Error `not_finite` when a floating-point coordinate overflows
 template <class Traits, int Degree>
 std::optional<typename Traits::Vector> start_tangent(const Bezier_curve<Traits, Degree>& curve) {
   for (int j = 1; j <= curve.degree(); ++j)
@@ -182,8 +189,8 @@ std::optional<typename Traits::Vector> start_tangent(const Bezier_curve<Traits, 
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the direction in which the curve ends: the last \f$ b_m - b_j \f$ that is not zero, in general the side
-/// \f$ b_m - b_{m-1} \f$. Empty when all control points are equal. \f$ O(m) \f$
+/// Returns the direction in which the curve ends: the last \f$ b_m - b_j \f$ that is not zero, in
+/// general the side \f$ b_m - b_{m-1} \f$. Empty when all control points are equal. \f$ O(m) \f$
 /// \throws Error `not_finite` when a floating-point coordinate overflows
 template <class Traits, int Degree>
 std::optional<typename Traits::Vector> end_tangent(const Bezier_curve<Traits, Degree>& curve) {
@@ -195,19 +202,23 @@ std::optional<typename Traits::Vector> end_tangent(const Bezier_curve<Traits, De
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// How often a curve and its control polygon meet a line in the plane, a plane in space, or a hyperplane.
+/// The numbers of times that a curve and its control polygon meet a line in the plane, a plane in
+/// space, or a hyperplane.
 struct Crossings {
-  int polygon = 0;  ///< changes of side from control point to control point, those on the hyperplane left out
+  /// changes of side from control point to control point, those on the hyperplane left out
+  int polygon = 0;
   int curve = 0;    ///< changes of side of the curve
   int contacts = 0; ///< common points other than the end points, each as often as its multiplicity
-  /// Returns whether the curve does not cross more often than its polygon. So it is for every curve and hyperplane.
+  /// Returns whether the curve does not cross more often than its polygon. So it is for every curve
+  /// and hyperplane.
   bool diminished() const { return curve <= contacts && contacts <= polygon; }
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Counts the crossings with the hyperplane through `origin` that is orthogonal to `normal`. Exact with every kernel for the
-/// coordinates as given: the signed distances \f$ (b_i - q) \cdot n \f$ are the coefficients of a Bernstein polynomial, the roots of
-/// which are counted. Empty when the whole curve is in the hyperplane.
+/// Counts the crossings with the hyperplane through `origin` that is orthogonal to `normal`. Exact
+/// with every kernel for the coordinates as given: the signed distances \f$ (b_i - q) \cdot n \f$
+/// are the coefficients of a Bernstein polynomial, the roots of which are counted. Empty when the
+/// whole curve is in the hyperplane.
 /// \throws Error `zero_direction` when the normal is zero
 /// \throws Error `dimension_mismatch` when the dimensions differ
 /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
@@ -236,7 +247,8 @@ std::optional<Crossings> count_crossings(const Bezier_curve<Traits, Degree>& cur
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Curvature and torsion at one end of a Bézier curve. They do not depend on the length of the domain.
+/// Curvature and torsion at one end of a Bézier curve. They do not depend on the length of the
+/// domain.
 template <class FT> struct End_invariants {
   std::optional<FT> curvature_squared; ///< empty where the end side is zero
   std::optional<FT> torsion;           ///< empty unless in space with nonzero curvature
@@ -244,8 +256,8 @@ template <class FT> struct End_invariants {
 
 namespace internal {
 
-// From the vectors p = b0 - b1, r = b2 - b1, s = b2 - b3 of a polygon of degree m, numbered from its end inwards. Scaled, so
-// that no product of floating-point numbers overflows.
+// From the vectors p = b0 - b1, r = b2 - b1, s = b2 - b3 of a polygon of degree m, numbered from
+// its end inwards. Scaled, so that no product of floating-point numbers overflows.
 template <class FT, int N>
 End_invariants<FT> invariants_from_differences(int m, const std::vector<Coordinate_vector<FT, N>>& b) {
   typedef Coordinate_vector<FT, N> Coordinates;
@@ -292,10 +304,12 @@ End_invariants<typename Traits::FT> invariants_at(const Bezier_curve<Traits, Deg
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns \f$ \kappa^2 \f$ and \f$ \tau \f$ at the end of a Bézier curve of degree `m`, read off the last three sides
-/// \f$ p = b_0 - b_{-1},\ r = b_{-2} - b_{-1},\ s = b_{-2} - b_{-3} \f$ without differentiation:
+/// Returns \f$ \kappa^2 \f$ and \f$ \tau \f$ at the end of a Bézier curve of degree `m`, read off
+/// the last three sides \f$ p = b_0 - b_{-1},\ r = b_{-2} - b_{-1},\ s = b_{-2} - b_{-3} \f$
+/// without differentiation:
 /// \f$ \kappa^2 = \left(\frac{m-1}{m}\right)^2 \frac{|p \times r|^2}{|p|^6} \f$,
-/// \f$ \tau = \frac{m-2}{m} \frac{\det(p,r,s)}{|p \times r|^2} \f$. Hagen (1.11), (1.12) at the ends of (3.1).
+/// \f$ \tau = \frac{m-2}{m} \frac{\det(p,r,s)}{|p \times r|^2} \f$. Hagen (1.11), (1.12) at the
+/// ends of (3.1).
 /// \throws Error `not_finite` when a floating-point result overflows
 template <class Traits, int Degree>
 End_invariants<typename Traits::FT> end_invariants(const Bezier_curve<Traits, Degree>& curve) {
@@ -303,8 +317,9 @@ End_invariants<typename Traits::FT> end_invariants(const Bezier_curve<Traits, De
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns \f$ \kappa^2 \f$ and \f$ \tau \f$ at the start of a Bézier curve of degree `m`, read off the first three sides as
-/// `end_invariants()` reads the last ones: in the opposite direction, a curve has the same curvature and torsion.
+/// Returns \f$ \kappa^2 \f$ and \f$ \tau \f$ at the start of a Bézier curve of degree `m`, read off
+/// the first three sides as `end_invariants()` reads the last ones: in the opposite direction, a
+/// curve has the same curvature and torsion.
 /// \throws Error `not_finite` when a floating-point result overflows
 template <class Traits, int Degree>
 End_invariants<typename Traits::FT> start_invariants(const Bezier_curve<Traits, Degree>& curve) {
@@ -312,11 +327,13 @@ End_invariants<typename Traits::FT> start_invariants(const Bezier_curve<Traits, 
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the curve whose control polygon has `times` more copies of the `i`-th control point: it is pulled towards this point,
-/// whose weight at `t` grows from \f$ B_i^m(t) \f$ to \f$ B_i^{m+1}(t) + B_{i+1}^{m+1}(t) \f$ when doubled. The degree rises
-/// by `times`. Lecture slides, "Bézier curve tricks I".
+/// Returns the curve whose control polygon has `times` more copies of the `i`-th control point: it
+/// is pulled towards this point, whose weight at `t` grows from \f$ B_i^m(t) \f$ to
+/// \f$ B_i^{m+1}(t) + B_{i+1}^{m+1}(t) \f$ when doubled. The degree rises by `times`. Lecture
+/// slides, "Bézier curve tricks I".
 /// \f$ O(m + times) \f$
-/// \throws Error `wrong_number_of_points` unless `0 <= i <= m`, `negative_count` unless `times >= 0`
+/// \throws Error `wrong_number_of_points` unless `0 <= i <= m`, `negative_count` unless
+///   `times >= 0`
 template <class Traits, int Degree>
 Bezier_curve<Traits> repeat_control_point(const Bezier_curve<Traits, Degree>& curve, int i, int times = 1) {
   internal::check_count(times, "repeat_control_point");
@@ -329,13 +346,14 @@ Bezier_curve<Traits> repeat_control_point(const Bezier_curve<Traits, Degree>& cu
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// How a single Bézier curve closes up.
+/// The ways in which a single Bézier curve closes up.
 enum class Closing {
-  open,    ///< the end points differ
-  smooth,  ///< the tangents at the closing point have one direction
-  cusp,    ///< they are opposite
-  corner,  ///< they are not parallel
-  singular ///< the first or the last side of the polygon is zero, so that it does not give the tangent
+  open,   ///< the end points differ
+  smooth, ///< the tangents at the closing point have one direction
+  cusp,   ///< they are opposite
+  corner, ///< they are not parallel
+  /// the first or the last side of the polygon is zero, so that it does not give the tangent
+  singular
 };
 
 /// \ingroup PkgGeometricContinuityCurves
@@ -354,9 +372,10 @@ inline std::string to_string(Closing closing) {
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Decides how a curve closes, exactly with exact kernels and with `Exact_predicates_inexact_constructions_kernel`: smooth if
-/// and only if \f$ b_1 - b_0 \f$ and \f$ b_m - b_{m-1} \f$ are nonzero \em positive multiples. Lecture slides, "Bézier curve
-/// tricks II", corrected: collinear is not enough. \f$ O(1) \f$
+/// Decides how a curve closes, exactly with exact kernels and with
+/// `Exact_predicates_inexact_constructions_kernel`: smooth if and only if \f$ b_1 - b_0 \f$ and
+/// \f$ b_m - b_{m-1} \f$ are nonzero \em positive multiples. Lecture slides, "Bézier curve tricks
+/// II", corrected: collinear is not enough. \f$ O(1) \f$
 template <class Traits, int Degree> Closing closing(const Bezier_curve<Traits, Degree>& curve) {
   typedef Predicate_FT<Traits> Field;
   typedef Coordinate_vector<Field, dimension_v<Traits>> Coordinates;
@@ -373,8 +392,8 @@ template <class Traits, int Degree> Closing closing(const Bezier_curve<Traits, D
 
 namespace internal {
 
-// The control points that a curve depends on, from the first to the one behind the last: of a spline those of the basis functions
-// that do not vanish on the whole domain.
+// The control points that a curve depends on, from the first to the one behind the last: of a
+// spline those of the basis functions that do not vanish on the whole domain.
 template <class Curve> std::pair<int, int> points_in_use(const Curve& curve) {
   return {0, static_cast<int>(curve.control_points().size())};
 }
@@ -395,9 +414,10 @@ template <class Traits> std::pair<int, int> points_in_use(const Rational_curve<B
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Decides whether a curve lies in a plane, in any dimension: the homogeneous control points \f$ (w_i b_i, w_i) \f$ that it depends on
-/// span three dimensions at most. Exact with every kernel for the coordinates and weights as given. A line and a point are planar.
-/// \f$ O(n) \f$ for `n` control points. Hagen 1.13.
+/// Decides whether a curve lies in a plane, in any dimension: the homogeneous control points
+/// \f$ (w_i b_i, w_i) \f$ that it depends on span three dimensions at most. Exact with every kernel
+/// for the coordinates and weights as given. A line and a point are planar. \f$ O(n) \f$ for `n`
+/// control points. Hagen 1.13.
 /// \tparam Curve a Bézier, segmented or B-spline curve, or a rational one
 template <class Curve> bool is_planar(const Curve& curve) {
   typedef typename Curve::Traits Traits;

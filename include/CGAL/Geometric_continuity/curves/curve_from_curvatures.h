@@ -42,7 +42,8 @@ template <class Traits> struct Framed_point {
   std::vector<FT> curvatures;   ///< \f$ \kappa_1(s), \dots, \kappa_{n-1}(s) \f$
 
   /// Returns the jet \f$ (x, x', x'') = (x, e_1, \kappa_1 e_2) \f$ with respect to arc length.
-  /// \throws Error `dimension_mismatch` unless the frame has at least 2 vectors and there is a curvature
+  /// \throws Error `dimension_mismatch` unless the frame has at least 2 vectors and there is a
+  ///   curvature
   Curve_jet<Traits> jet() const {
     if (frame.dimension() < 2 || curvatures.empty()) throw Error(Error_code::dimension_mismatch, "Framed_point::jet");
     Curve_jet<Traits> x(Coordinate_jet<FT, dimension_v<Traits>>(frame.dimension(), 2));
@@ -60,15 +61,17 @@ template <class Traits> struct Integrated_curve {
 
   std::vector<Framed_point<Traits>> samples; ///< in order, at the ends of all steps
 
-  /// How far the last point, and with it every sample, is at most from the exact curve, as far as the error estimate
-  /// of the integrator can be trusted, up to rounding and terms of second order.
+  /// How far the last point, and with it every sample, is at most from the exact curve, as far as
+  /// the error estimate of the integrator can be trusted, up to rounding and terms of second order.
   FT error_bound;
 
-  /// Returns the segmented Bézier curve of degree 5 on [0, length] whose knots are the arc lengths of the samples and which has
-  /// there their points and their first two derivatives \f$ e_1 \f$ and \f$ \kappa_1 e_2 \f$. Up to rounding its joins are
-  /// \f$ C^2 \f$, hence \f$ G^2 \f$, and in a segment of length `h` it is at most \f$ \frac{h^6}{46080} \max |x^{(6)}| \f$
-  /// from the curve that it interpolates (Hermite).
-  /// \throws Error `wrong_number_of_points` with fewer than 2 samples, `empty_domain` unless their arc lengths increase
+  /// Returns the segmented Bézier curve of degree 5 on [0, length] whose knots are the arc lengths
+  /// of the samples and which has there their points and their first two derivatives \f$ e_1 \f$
+  /// and \f$ \kappa_1 e_2 \f$. Up to rounding its joins are \f$ C^2 \f$, hence \f$ G^2 \f$, and in
+  /// a segment of length `h` it is at most \f$ \frac{h^6}{46080} \max |x^{(6)}| \f$ from the curve
+  /// that it interpolates (Hermite).
+  /// \throws Error `wrong_number_of_points` with fewer than 2 samples, `empty_domain` unless their
+  ///   arc lengths increase
   Composite_bezier_curve<Traits, 5> bezier_curve() const {
     if (samples.size() < 2) throw Error(Error_code::wrong_number_of_points, "Integrated_curve::bezier_curve");
     std::vector<typename Traits::Point> points(1, samples[0].point);
@@ -87,7 +90,8 @@ template <class Traits> struct Integrated_curve {
 
 namespace internal {
 
-// The values of all curvatures at s: of one function that returns a number or a range, or of a range of functions.
+// The values of all curvatures at s: of one function that returns a number or a range, or of a
+// range of functions.
 template <class FT, class Curvatures> std::vector<FT> curvature_values(const Curvatures& kappa, FT s) {
   std::vector<FT> values;
   if constexpr (!std::is_invocable_v<const Curvatures&, FT>)
@@ -111,7 +115,8 @@ public:
   Frenet_system(const Curvatures& kappa, int n, FT length) : kappa_(kappa), n_(n), length_(length) {}
 
   State curvatures(FT s) const {
-    State k = curvature_values<FT>(kappa_, (std::min)(s, length_)); // rounding must not leave their domain
+    // rounding must not leave their domain
+    State k = curvature_values<FT>(kappa_, (std::min)(s, length_));
     if (static_cast<int>(k.size()) != n_ - 1)
       throw Error(Error_code::dimension_mismatch, "curve_from_curvatures: " + std::to_string(k.size()) +
                                                       " curvatures in dimension " + std::to_string(n_));
@@ -170,28 +175,35 @@ template <class Traits> Frenet_frame<Traits> initial_frame(const Frenet_frame<Tr
 constexpr int max_integration_steps = 1000000;
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the curve of the given length in \f$ E^n \f$, \f$ n \ge 2 \f$, that is parametrised by arc length, starts at `start` with
-/// the Frenet frame `frame`, and has the curvatures \f$ \kappa_1(s), \dots, \kappa_{n-1}(s) \f$. Hagen 1.7 (b).
+/// Returns the curve of the given length in \f$ E^n \f$, \f$ n \ge 2 \f$, that is parametrised by
+/// arc length, starts at `start` with the Frenet frame `frame`, and has the curvatures
+/// \f$ \kappa_1(s), \dots, \kappa_{n-1}(s) \f$. Hagen 1.7 (b).
 ///
-/// The Frenet equations (1.6) for the point and the frame are integrated by the method of Dormand and Prince of order
-/// 5 with step control (`boost::numeric::odeint`). No step is longer than 1/16 of the curve. The frame is made orthonormal
-/// again after every step, which changes it by no more than the error of this step.
+/// The Frenet equations (1.6) for the point and the frame are integrated by the method of Dormand
+/// and Prince of order 5 with step control (`boost::numeric::odeint`). No step is longer than 1/16
+/// of the curve. The frame is made orthonormal again after every step, which changes it by no more
+/// than the error of this step.
 ///
-/// `tolerance` bounds the estimated error \f$ \varepsilon \f$ of each coordinate of the point and of the frame in one step.
-/// Errors of the frame are carried on by rotations and so add up without being amplified: after `k` steps it is
-/// at most \f$ \sqrt 2\, k n \varepsilon \f$, and the error of the point at most
-/// \f$ k \varepsilon (\sqrt n + \sqrt 2\, n\, length) \f$, which is reported as `error_bound`.
+/// `tolerance` bounds the estimated error \f$ \varepsilon \f$ of each coordinate of the point and
+/// of the frame in one step. Errors of the frame are carried on by rotations and so add up without
+/// being amplified: after `k` steps it is at most \f$ \sqrt 2\, k n \varepsilon \f$, and the error
+/// of the point at most \f$ k \varepsilon (\sqrt n + \sqrt 2\, n\, length) \f$, which is reported
+/// as `error_bound`.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` whose `FT` is a floating-point type
-/// \tparam Curvatures a range of `n - 1` functions `FT(FT)`, or a function of `FT` that returns the range of the `n - 1`
-///   values, or, for `n == 2`, the value. They are called with arguments in [0, length].
-/// \param frame its first `n - 1` vectors are orthonormalised in this order; the last follows from the orientation
-/// \throws Error `nonpositive_curvature` where one of \f$ \kappa_1, \dots, \kappa_{n-2} \f$ is not positive,
-///   `not_finite` where a curvature is not a number or infinite, or the result overflows
-/// \throws Error `dimension_mismatch` when the numbers of curvatures, vectors and coordinates do not fit,
-///   `singular_frame` when the first `n - 1` vectors are linearly dependent, `empty_domain` unless the length is positive
-/// \throws Error `unreachable_tolerance` unless the tolerance is at least the machine epsilon, and when more than
-///   `max_integration_steps` or vanishing steps would be needed; `not_finite` for an infinite or undefined length or tolerance
+/// \tparam Curvatures a range of `n - 1` functions `FT(FT)`, or a function of `FT` that returns the
+///   range of the `n - 1` values, or, for `n == 2`, the value. They are called with arguments in
+///   [0, length].
+/// \param frame its first `n - 1` vectors are orthonormalised in this order; the last follows from
+///   the orientation
+/// \throws Error `nonpositive_curvature` where one of \f$ \kappa_1, \dots, \kappa_{n-2} \f$ is not
+///   positive, `not_finite` where a curvature is not a number or infinite, or the result overflows
+/// \throws Error `dimension_mismatch` when the numbers of curvatures, vectors and coordinates do
+///   not fit, `singular_frame` when the first `n - 1` vectors are linearly dependent,
+///   `empty_domain` unless the length is positive
+/// \throws Error `unreachable_tolerance` unless the tolerance is at least the machine epsilon, and
+///   when more than `max_integration_steps` or vanishing steps would be needed; `not_finite` for an
+///   infinite or undefined length or tolerance
 template <class Traits, class Curvatures>
 Integrated_curve<Traits> curve_from_curvatures(const Curvatures& kappa, const typename Traits::Point& start,
                                                const Frenet_frame<Traits>& frame, typename Traits::FT length,
@@ -246,9 +258,10 @@ Integrated_curve<Traits> curve_from_curvatures(const Curvatures& kappa, const ty
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the curve of the given length and curvatures that starts at the origin with the standard basis of \f$ E^n \f$ as its
-/// frame, where `n - 1` is the number of the curvatures.
-/// \throws Error `dimension_mismatch` without curvatures, and what the function with a given frame throws
+/// Returns the curve of the given length and curvatures that starts at the origin with the standard
+/// basis of \f$ E^n \f$ as its frame, where `n - 1` is the number of the curvatures.
+/// \throws Error `dimension_mismatch` without curvatures, and what the function with a given frame
+///   throws
 template <class Traits, class Curvatures>
 Integrated_curve<Traits> curve_from_curvatures(const Curvatures& kappa, typename Traits::FT length,
                                                typename Traits::FT tolerance = 1e-10) {

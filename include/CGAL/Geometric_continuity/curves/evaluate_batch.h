@@ -17,7 +17,8 @@
 #include <cstddef>
 
 /// \file evaluate_batch.h
-/// Many jets of one curve at once, in the layout of `Jet_arrays`: polynomials in powers, for several parameters at a time.
+/// Many jets of one curve at once, in the layout of `Jet_arrays`: polynomials in powers, for
+/// several parameters at a time.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -25,15 +26,17 @@ namespace Geometric_continuity {
 CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
 
 /// \ingroup PkgGeometricContinuityCurves
-/// A Bézier curve prepared for its jets of order `k`: the coordinates of the point and of each derivative as polynomials in
-/// powers of \f$ x = 2(u-a)/(b-a) - 1 \f$, which is in [-1, 1] on the domain, for Horner's rule.
+/// A Bézier curve prepared for its jets of order `k`: the coordinates of the point and of each
+/// derivative as polynomials in powers of \f$ x = 2(u-a)/(b-a) - 1 \f$, which is in [-1, 1] on the
+/// domain, for Horner's rule.
 ///
-/// With exact numbers the jets are those of `Bezier_curve::jet()`. With floating-point numbers of precision \f$ \varepsilon \f$
-/// (\f$ 2^{-53} \f$ for `double`) the error of a coordinate of the `j`-th derivative is at most
-/// \f$ 8(m+1)\, 2^m \varepsilon\, \frac{m!}{(m-j)!\,(b-a)^j} R_j \f$ in the domain, where `m` is the degree, \f$ R_0 \f$ the
-/// largest control point in this coordinate and \f$ R_j \f$ the largest difference of successive ones for
-/// \f$ j \ge 1 \f$, unless numbers overflow or underflow: the coefficients sum up to \f$ 2^m R_0 \f$ at most.
-/// `Bezier_curve::jet()` is without the factor \f$ 2^m \f$ and gives the first and the last control point exactly.
+/// With exact numbers the jets are those of `Bezier_curve::jet()`. With floating-point numbers of
+/// precision \f$ \varepsilon \f$ (\f$ 2^{-53} \f$ for `double`) the error of a coordinate of the
+/// `j`-th derivative is at most \f$ 8(m+1)\, 2^m \varepsilon\, \frac{m!}{(m-j)!\,(b-a)^j} R_j \f$
+/// in the domain, where `m` is the degree, \f$ R_0 \f$ the largest control point in this coordinate
+/// and \f$ R_j \f$ the largest difference of successive ones for \f$ j \ge 1 \f$, unless numbers
+/// overflow or underflow: the coefficients sum up to \f$ 2^m R_0 \f$ at most. `Bezier_curve::jet()`
+/// is without the factor \f$ 2^m \f$ and gives the first and the last control point exactly.
 /// Outside of the domain the error grows with \f$ |x|^{m-j} \f$.
 ///
 /// \tparam FT a field number type
@@ -82,8 +85,8 @@ public:
     return jet;
   }
 
-  /// Computes the jets at `parameters[begin]`, ..., `parameters[end-1]`, several at a time, and writes them to the places
-  /// `begin`, ..., `end-1` of `jets`. \pre `begin <= end <= jets.size()`
+  /// Computes the jets at `parameters[begin]`, ..., `parameters[end-1]`, several at a time, and
+  /// writes them to the places `begin`, ..., `end-1` of `jets`. \pre `begin <= end <= jets.size()`
   void evaluate(const FT* parameters, std::size_t begin, std::size_t end, Jet_arrays<FT, N, k>& jets) const {
     for (int i = 0; i < N; ++i) evaluate_coordinate(i, parameters, begin, end, jets);
   }
@@ -121,12 +124,14 @@ private:
 
 namespace internal {
 
-// A rational Bezier curve prepared for its jets of order k: `Jet_polynomials` of the homogeneous points (p, w), and then the
-// quotient rule x_j = (p_j - sum_{l=1}^j C(j,l) w_l x_{j-l}) / w_0 of Curve_jet.h for several parameters at a time.
+// A rational Bezier curve prepared for its jets of order k: `Jet_polynomials` of the homogeneous
+// points (p, w), and then the quotient rule x_j = (p_j - sum_{l=1}^j C(j,l) w_l x_{j-l}) / w_0 of
+// Curve_jet.h for several parameters at a time.
 template <class FT, int N, int degree, int k> class Rational_jet_polynomials {
   Jet_polynomials<FT, N + 1, degree, k> homogeneous_;
 
-  static constexpr std::size_t part = 128; // jets of homogeneous points that stay in the first cache
+  // jets of homogeneous points that stay in the first cache
+  static constexpr std::size_t part = 128;
 
 public:
   template <class Traits>
@@ -217,9 +222,10 @@ void evaluate_curve(const Curve& curve, const FT* parameters, std::size_t n, Jet
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Computes the jets of order `k` of a Bézier curve at many parameters: the curve is prepared as `Jet_polynomials` once, and with
-/// floating-point numbers several parameters are computed at a time. With exact numbers the results are those of
-/// `Bezier_curve::jet()`; else see `Jet_polynomials` for the bound of the error. No memory is allocated when `jets` has room.
+/// Computes the jets of order `k` of a Bézier curve at many parameters: the curve is prepared as
+/// `Jet_polynomials` once, and with floating-point numbers several parameters are computed at a
+/// time. With exact numbers the results are those of `Bezier_curve::jet()`; else see
+/// `Jet_polynomials` for the bound of the error. No memory is allocated when `jets` has room.
 ///
 /// \param curve the curve
 /// \param parameters the first of `n` finite parameters, which may lie outside of the domain
@@ -227,7 +233,8 @@ void evaluate_curve(const Curve& curve, const FT* parameters, std::size_t n, Jet
 /// \param jets takes the results; it is resized to `n`
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
 ///
-/// \f$ O(N (m^3 + n k m)) \f$ for degree `m`; degrees above 9 that are known at run time only go through `jet()`.
+/// \f$ O(N (m^3 + n k m)) \f$ for degree `m`; degrees above 9 that are known at run time only go
+/// through `jet()`.
 /// \throws Error `dimension_mismatch` unless the curve has the dimension `N`
 template <class Concurrency_tag = Sequential_tag, class Traits, int Degree, int N, int k>
 void evaluate(const Bezier_curve<Traits, Degree>& curve, const typename Traits::FT* parameters, std::size_t n,
@@ -236,9 +243,10 @@ void evaluate(const Bezier_curve<Traits, Degree>& curve, const typename Traits::
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Computes the jets of order `k` of a rational Bézier curve at many parameters: those of its homogeneous points as for a
-/// `Bezier_curve`, and then the quotient rule, see `project()`. With exact numbers the results are those of
-/// `Rational_bezier_curve::jet()`. Memory is allocated for 128 jets of homogeneous points, besides that of `jets`.
+/// Computes the jets of order `k` of a rational Bézier curve at many parameters: those of its
+/// homogeneous points as for a `Bezier_curve`, and then the quotient rule, see `project()`. With
+/// exact numbers the results are those of `Rational_bezier_curve::jet()`. Memory is allocated for
+/// 128 jets of homogeneous points, besides that of `jets`.
 ///
 /// \param curve the curve
 /// \param parameters the first of `n` finite parameters, which may lie outside of the domain
@@ -246,9 +254,11 @@ void evaluate(const Bezier_curve<Traits, Degree>& curve, const typename Traits::
 /// \param jets takes the results; it is resized to `n`
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
 ///
-/// \f$ O(N (m^3 + n k m + n k^2)) \f$ for degree `m`; degrees above 9 that are known at run time only go through `jet()`.
-/// \throws Error `dimension_mismatch` unless the curve has the dimension `N`, `zero_weight` when the denominator is zero at a
-///   parameter, `not_finite` when a product of floating-point numbers overflows
+/// \f$ O(N (m^3 + n k m + n k^2)) \f$ for degree `m`; degrees above 9 that are known at run time
+/// only go through `jet()`.
+/// \throws Error `dimension_mismatch` unless the curve has the dimension `N`, `zero_weight` when
+///   the denominator is zero at a parameter, `not_finite` when a product of floating-point numbers
+///   overflows
 template <class Concurrency_tag = Sequential_tag, class Traits, int Degree, int N, int k>
 void evaluate(const Rational_bezier_curve<Traits, Degree>& curve, const typename Traits::FT* parameters, std::size_t n,
               Jet_arrays<typename Traits::FT, N, k>& jets) {

@@ -26,23 +26,26 @@
 #include <vector>
 
 /// \file fairness.h
-/// How fair a curve is.
+/// Measures of the fairness of a curve.
 ///
-/// As numbers that depend neither on its scale nor on its parameter: the variation of its curvature, which the strategy `Fair` makes
-/// small, and its bending energy. Moreton and Séquin.
+/// As numbers that depend neither on its scale nor on its parameter: the variation of its
+/// curvature, which the strategy `Fair` makes small, and its bending energy. Moreton and Séquin.
 ///
-/// As what a designer wants few of: where the curvature is largest and smallest, and where the curve inflects, counted exactly, by the
-/// changes of sign of polynomials. In the plane these are \f$ g \det(d_1,d_3) - 3 (d_1\cdot d_2) \det(d_1,d_2) \f$ of degree `4m - 7`,
-/// with \f$ g = d_1\cdot d_1 \f$, and \f$ \det(d_1,d_2) \f$; in other dimensions the numerator of the derivative of
-/// \f$ \kappa^2 = |d_1\wedge d_2|^2/g^3 \f$, of degree `6m - 11`, and \f$ |d_1\wedge d_2|^2 \f$.
+/// As what a designer wants few of: where the curvature is largest and smallest, and where the
+/// curve inflects, counted exactly, by the changes of sign of polynomials. In the plane these are
+/// \f$ g \det(d_1,d_3) - 3 (d_1\cdot d_2) \det(d_1,d_2) \f$ of degree `4m - 7`, with
+/// \f$ g = d_1\cdot d_1 \f$, and \f$ \det(d_1,d_2) \f$; in other dimensions the numerator of the
+/// derivative of \f$ \kappa^2 = |d_1\wedge d_2|^2/g^3 \f$, of degree `6m - 11`, and
+/// \f$ |d_1\wedge d_2|^2 \f$.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-// Two integrals over a curve, of functions that are not negative: its length and another one. By Gauss's quadrature on
-// intervals that are halved until the halves say the same as the whole. An integrand returns both functions for a parameter in [0, 1]; an infinite value is allowed.
+// Two integrals over a curve, of functions that are not negative: its length and another one. By
+// Gauss's quadrature on intervals that are halved until the halves say the same as the whole. An
+// integrand returns both functions for a parameter in [0, 1]; an infinite value is allowed.
 template <class Integrand> class Adaptive_quadrature {
   typedef std::array<double, 2> Values;
 
@@ -54,7 +57,8 @@ template <class Integrand> class Adaptive_quadrature {
   };
 
   static constexpr double precision = 1e-8; // relative, of both integrals
-  static constexpr double least = 1e-24;    // the second integral is not distinguished from 0 below this
+  // the second integral is not distinguished from 0 below this
+  static constexpr double least = 1e-24;
   static constexpr double shortest_part =
       0x1p-20; // where it is still in doubt on such a part of a piece, it is infinite
   static constexpr std::size_t most_parts = 1000; // and twice as many as there are pieces
@@ -108,7 +112,8 @@ private:
   }
 
   Values gauss(std::size_t piece, double a, double b) const {
-    typedef boost::math::quadrature::gauss<double, 10> Rule; // its nodes on one side of 0, in [-1, 1]
+    // its nodes on one side of 0, in [-1, 1]
+    typedef boost::math::quadrature::gauss<double, 10> Rule;
     const double middle = (a + b) / 2, half = (b - a) / 2;
     Values sum{};
     for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
@@ -120,10 +125,12 @@ private:
   }
 };
 
-// Functions of the first three derivatives of a curve: the speed |d1|, and what is integrated. Without a tangent it is infinite.
+// Functions of the first three derivatives of a curve: the speed |d1|, and the integrand. Without a
+// tangent it is infinite.
 
-// |(dK/ds)_perp|^2 |d1|, where (dK/ds)_perp = (d3_perp - 3 a d2_perp) / |d1|^3 and a = d1.d2 / d1.d1. The same formula for the
-// blends of one family, at fixed nodes and with its derivatives, is in blends/internal/Fairness_quadrature.h.
+// |(dK/ds)_perp|^2 |d1|, where (dK/ds)_perp = (d3_perp - 3 a d2_perp) / |d1|^3 and a = d1.d2 /
+// d1.d1. The same formula for the blends of one family, at fixed nodes and with its derivatives, is
+// in blends/internal/Fairness_quadrature.h.
 struct Curvature_variation {
   template <int N> std::array<double, 2> operator()(const Double_derivatives<N>& d) const {
     const double g = dot(d[0], d[0]), speed = std::sqrt(g);
@@ -164,23 +171,29 @@ template <class Formula, class Curve> std::array<double, 2> curve_integrals(cons
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the variation of curvature \f$ E = L^3 \int_0^L |(dK/ds)^\perp|^2\,ds \f$ of a curve of length `L` in any dimension, with
-/// \f$ (dK/ds)^\perp = (d_3^\perp - 3 \tfrac{d_1\cdot d_2}{d_1\cdot d_1}\, d_2^\perp) / |d_1|^3 \f$: in the plane
-/// \f$ L^3\int\kappa'^2 \f$, in space \f$ L^3\int\kappa'^2+\kappa^2\tau^2 \f$. It is zero for straight lines and circles, and the
-/// same for a curve of any size and in any direction. The smaller, the fairer.
+/// Returns the variation of curvature \f$ E = L^3 \int_0^L |(dK/ds)^\perp|^2\,ds \f$ of a curve of
+/// length `L` in any dimension, with
+/// \f$ (dK/ds)^\perp = (d_3^\perp - 3 \tfrac{d_1\cdot d_2}{d_1\cdot d_1}\, d_2^\perp) / |d_1|^3 \f$:
+/// in the plane \f$ L^3\int\kappa'^2 \f$, in space \f$ L^3\int\kappa'^2+\kappa^2\tau^2 \f$. It is
+/// zero for straight lines and circles, and the same for a curve of any size and in any direction.
+/// The smaller, the fairer.
 ///
-/// In floating-point numbers with every kernel, whose points may be of any size, to a relative precision of \f$ 10^{-8} \f$: the
-/// length and the integral by Gauss's quadrature with ten nodes on intervals that are halved until both halves say the same as the
-/// whole. There are at most 1000 intervals and two for each piece. Values below about \f$ 10^{-21} \f$ may be rounding.
+/// In floating-point numbers with every kernel, whose points may be of any size, to a relative
+/// precision of \f$ 10^{-8} \f$: the length and the integral by Gauss's quadrature with ten nodes
+/// on intervals that are halved until both halves say the same as the whole. There are at most 1000
+/// intervals and two for each piece. Values below about \f$ 10^{-21} \f$ may be rounding.
 ///
-/// Infinite when the first derivative vanishes in the domain, as in a cusp, also when that only seems so on a millionth of a
-/// piece. (Where it vanishes on a straight line the value has no meaning.) A curve of several pieces has the sum of their
-/// integrals; what the curvature jumps between them does not count.
+/// Infinite when the first derivative vanishes in the domain, as in a cusp, also when that only
+/// seems so on a millionth of a piece. (Where it vanishes on a straight line the value has no
+/// meaning.) A curve of several pieces has the sum of their integrals; what the curvature jumps
+/// between them does not count.
 ///
-/// \param curve a model of `ParametricCurve`. Of a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, what is
-///        derived from them, and the rational ones the pieces are known; other curves are asked for jets of order 3 inside of the domain, which are
-///        expected to be smooth there.
-/// \throws Error `work_limit` when more intervals are needed, `jet_order_too_low` when the curve has jets of a lower order
+/// \param curve a model of `ParametricCurve`. Of a `Bezier_curve`, a `Composite_bezier_curve`, a
+///   `Bspline_curve`, what is
+///   derived from them, and the rational ones the pieces are known; other curves are asked for jets
+///   of order 3 inside of the domain, which are expected to be smooth there.
+/// \throws Error `work_limit` when more intervals are needed, `jet_order_too_low` when the curve
+///   has jets of a lower order
 /// \throws Error `not_finite` when differences of floating-point coordinates overflow
 template <class Curve> double fairness(const Curve& curve) {
   const std::array<double, 2> r = internal::curve_integrals<internal::Curvature_variation>(curve);
@@ -188,9 +201,10 @@ template <class Curve> double fairness(const Curve& curve) {
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the bending energy \f$ L \int_0^L |K|^2\,ds \f$ of a curve of length `L` in any dimension, with the curvature vector
-/// \f$ K = d_2^\perp / |d_1|^2 \f$. It is the same for a curve of any size; that of an arc of a circle is the square of its angle.
-/// All else as for `fairness()`.
+/// Returns the bending energy \f$ L \int_0^L |K|^2\,ds \f$ of a curve of length `L` in any
+/// dimension, with the curvature vector \f$ K = d_2^\perp / |d_1|^2 \f$. It is the same for a curve
+/// of any size; that of an arc of a circle is the square of its angle. All else as for
+/// `fairness()`.
 /// \throws Error as `fairness()`
 template <class Curve> double bending_energy(const Curve& curve) {
   const std::array<double, 2> r = internal::curve_integrals<internal::Squared_curvature>(curve);
@@ -205,7 +219,8 @@ struct Curvature_at {
 };
 
 /// \ingroup PkgGeometricContinuityCurves
-/// A place inside of the domain where the curvature turns from rising to falling, or from falling to rising.
+/// A place inside of the domain where the curvature turns from rising to falling, or from falling
+/// to rising.
 struct Curvature_extremum : Curvature_at {
   bool maximum; ///< whether it turns to falling
 };
@@ -213,10 +228,13 @@ struct Curvature_extremum : Curvature_at {
 /// \ingroup PkgGeometricContinuityCurves
 /// The extrema of the curvature of a curve, and its inflections. It is a range of its extrema.
 struct Curvature_extrema {
-  std::vector<Curvature_extremum> extrema; ///< inside of the domain, in order, maxima and minima by turns
-  std::vector<Enclosure> inflections;      ///< the parameters, inside of the domain, in order
-  Curvature_at least;                      ///< the least curvature, which may be at an end of the domain
-  Curvature_at greatest;                   ///< the greatest curvature, which may be at an end of the domain
+  /// inside of the domain, in order, maxima and minima by turns
+  std::vector<Curvature_extremum> extrema;
+  std::vector<Enclosure> inflections; ///< the parameters, inside of the domain, in order
+  /// the least curvature, which may be at an end of the domain
+  Curvature_at least;
+  /// the greatest curvature, which may be at an end of the domain
+  Curvature_at greatest;
 
   /// Returns the number of extrema.
   std::size_t size() const { return extrema.size(); }
@@ -252,7 +270,7 @@ template <class NT> class Curvature_walk {
   Signed_square<NT> end_; // the curvature at the end of the last piece
 
 public:
-  // Of a rational curve, the rows are homogeneous.
+  // The rows of a rational curve are homogeneous.
   template <int N>
   void add(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational, const NT& a, const NT& b) {
     const Curvature_polynomials<NT> curve(rows, rational);
@@ -296,7 +314,8 @@ public:
 private:
   static NT width() { return NT(NT(1) / NT(1 << 20)) / NT(1 << 20); }
 
-  // The places inside where the slope changes its sign, each so short that the curvature has bounds there.
+  // The places inside where the slope changes its sign, each so short that the curvature has bounds
+  // there.
   static std::vector<Isolated_root<NT>> changes(const Curvature_polynomials<NT>& curve) {
     for (NT w = width();; w *= w) {
       std::vector<Isolated_root<NT>> roots = inside(curve.flat_places(w));
@@ -350,7 +369,8 @@ private:
   }
 };
 
-// The coordinates of control points as exact values, in homogeneous coordinates where they have weights.
+// The coordinates of control points as exact values, in homogeneous coordinates where they have
+// weights.
 template <class Curve> auto exact_rows(const Curve& curve) {
   typedef typename Curve::Traits Traits;
   const auto points = decision_rows<Traits>(curve);
@@ -367,8 +387,9 @@ std::false_type is_spline(...);
 template <class Traits> std::true_type is_spline(const Bspline_curve<Traits>&);
 template <class Traits> std::true_type is_spline(const Rational_bspline_curve<Traits>&);
 
-// Calls f(rows, a, b) for each of the Bezier curves that a curve is made of, in order: with the rows of its control points and
-// with its domain, as exact values from the points and knots as they are given.
+// Calls f(rows, a, b) for each of the Bezier curves that a curve is made of, in order: with the
+// rows of its control points and with its domain, as exact values from the points and knots as they
+// are given.
 template <class Curve, class Function> void for_each_exact_piece(const Curve& curve, Function f) {
   typedef typename Curve::Traits Traits;
   typedef Decision_number<Traits> NT;
@@ -392,26 +413,31 @@ template <class Curve, class Function> void for_each_exact_piece(const Curve& cu
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Returns the extrema of the curvature of a curve and its inflections: how many there are is exact with every kernel for the
-/// control points and knots as given, also with floating-point numbers. Parameters and curvatures are guaranteed enclosures,
-/// whose parameters are in intervals of at most \f$ 2^{-40} \f$ of a piece.
+/// Returns the extrema of the curvature of a curve and its inflections: how many there are is exact
+/// with every kernel for the control points and knots as given, also with floating-point numbers.
+/// Parameters and curvatures are guaranteed enclosures, whose parameters are in intervals of at
+/// most \f$ 2^{-40} \f$ of a piece.
 ///
-/// In the plane the curvature has a sign, positive in a left turn, and an inflection is a place where it changes. In other
-/// dimensions the curvature is not negative, and an inflection is a place where the curvature vector vanishes and has the
-/// opposite directions before and behind; it is a minimum there. Of a planar curve both have the same inflections.
+/// In the plane the curvature has a sign, positive in a left turn, and an inflection is a place
+/// where it changes. In other dimensions the curvature is not negative, and an inflection is a
+/// place where the curvature vector vanishes and has the opposite directions before and behind; it
+/// is a minimum there. For a planar curve both have the same inflections.
 ///
-/// What does not change its sign is not counted, as a point of undulation; neither are the ends of the domain, also where they
-/// meet. A straight line has neither extrema nor inflections. A curve of several pieces is treated as one: where the curvature
-/// jumps it rises or falls at once, and the extremum in front of a jump and the one behind have the same parameter.
-/// A stretch of constant curvature, a straight piece, between rising and falling counts once, with the parameter where it
-/// begins; and the same holds between two bends in opposite directions.
+/// A zero without a change of sign, such as a point of undulation, is not counted. Neither are the
+/// ends of the domain, also where they meet. A straight line has neither extrema nor inflections. A
+/// curve of several pieces is treated as one: where the curvature jumps it rises or falls at once,
+/// and the extremum in front of a jump and the one behind have the same parameter. A stretch of
+/// constant curvature, a straight piece, between rising and falling counts once, with the parameter
+/// where it begins; and the same holds between two bends in opposite directions.
 ///
-/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived from them, or a rational one
-/// \throws Error `zero_tangent` when the first derivative vanishes anywhere in the domain, as in a cusp
-/// \throws Error `not_finite` for an infinite or undefined floating-point coordinate, and for a curvature that is larger than all
-///   floating-point numbers
-/// \throws Error `work_limit` when roots are so close to each other that `isolate_roots()` refuses to separate them, and when exact
-///   numbers are so long that more work is needed
+/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived
+///   from them, or a rational one
+/// \throws Error `zero_tangent` when the first derivative vanishes anywhere in the domain, as in a
+///   cusp
+/// \throws Error `not_finite` for an infinite or undefined floating-point coordinate, and for a
+///   curvature that is larger than all floating-point numbers
+/// \throws Error `work_limit` when roots are so close to each other that `isolate_roots()` refuses
+///   to separate them, and when exact numbers are so long that more work is needed
 template <class Curve> Curvature_extrema curvature_extrema(const Curve& curve) {
   typedef internal::Decision_number<typename Curve::Traits> NT;
   internal::Curvature_walk<NT> walk;

@@ -25,28 +25,30 @@
 #include <vector>
 
 /// \file fit.h
-/// Few Bézier curves near a polyline, with joins that are exactly \f$ G^1 \f$ or \f$ G^2 \f$, also in floating-point numbers, and with a
-/// proven distance.
+/// Few Bézier curves near a polyline, with joins that are exactly \f$ G^1 \f$ or \f$ G^2 \f$, also
+/// in floating-point numbers, and with a proven distance.
 ///
-/// The control points next to a join are \f$ A \pm b_\pm D \f$ and, for \f$ G^2 \f$, \f$ A \pm f_\pm D + b_\pm^2 Q \f$: with a
-/// tangent `D` and a second difference `Q` that both curves share, and integers \f$ b_\pm > 0, f_\pm \f$. All are multiples of one
-/// power of two, with so few digits that no rounding is needed.
+/// The control points next to a join are \f$ A \pm b_\pm D \f$ and, for \f$ G^2 \f$,
+/// \f$ A \pm f_\pm D + b_\pm^2 Q \f$: with a tangent `D` and a second difference `Q` that both
+/// curves share, and integers \f$ b_\pm > 0, f_\pm \f$. All are multiples of one power of two, with
+/// so few digits that no rounding is needed.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// A curve near a polyline: cubics with \f$ G^1 \f$ joins, or quintics with \f$ G^2 \f$ joins, over the knots 0, 1, 2, ...
+/// A curve near a polyline: cubics with \f$ G^1 \f$ joins, or quintics with \f$ G^2 \f$ joins, over
+/// the knots 0, 1, 2, ...
 template <class Traits> struct Fitted_curve : Composite_bezier_curve<Traits> {
-  /// For each knot the number of the vertex that it belongs to, of those that were given; at a corner and at an end the curve goes
-  /// through it, up to the rounding to a grid.
+  /// For each knot the number of the vertex that it belongs to, of those that were given; at a
+  /// corner and at an end the curve goes through it, up to the rounding to a grid.
   std::vector<int> vertices;
-  /// The numbers of the knots, in increasing order, at which a corner of the polyline is kept. The knot 0 of a closed curve stands
-  /// for its last one, too.
+  /// The numbers of the knots, in increasing order, at which a corner of the polyline is kept. The
+  /// knot 0 of a closed curve stands for its last one, too.
   std::vector<int> corners;
-  /// A proven bound: no point of the curve is farther than that from the polyline, and no point of the polyline from the curve. It
-  /// bounds the distance of Fréchet, too: both can be run through without going back, and so that the two points are never farther
-  /// apart.
+  /// A proven bound: no point of the curve is farther than that from the polyline, and no point of
+  /// the polyline from the curve. It bounds the distance of Fréchet, too: both can be run through
+  /// without going back, and so that the two points are never farther apart.
   double distance;
 
   /// From the curve, vertices, corners and distance.
@@ -90,7 +92,8 @@ template <class FT> std::pair<double, double> rounded_with_error(const FT& x) {
   }
 }
 
-// The distinct vertices of a polyline in a unit of which all coordinates of a curve near it are multiples.
+// The distinct vertices of a polyline in a unit of which all coordinates of a curve near it are
+// multiples.
 template <int N> struct Fit_polyline {
   std::vector<Coordinate_vector<double, N>> points;
   std::vector<int> numbers; // of the vertices
@@ -236,27 +239,32 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns a curve of few pieces near a polyline. Its joins are *exactly* \f$ G^1 \f$ or \f$ G^2 \f$, with floating-point numbers, too, as
-/// the exact predicates on its control points confirm; and that it is near is proved, with intervals, in both directions: see
+/// Returns a curve of few pieces near a polyline. Its joins are *exactly* \f$ G^1 \f$ or
+/// \f$ G^2 \f$, with floating-point numbers, too, as the exact predicates on its control points
+/// confirm; and that it is near is proved, with intervals, in both directions: see
 /// `Fitted_curve::distance`.
 ///
-/// A piece is the longest that is found from where the one before it ends: its ends are at vertices, tangents and curvatures there
-/// are those of a cubic polynomial near the polyline, in a window that is as long as the tolerance permits, and the rest is found by
-/// least squares. How many pieces there are is not proved to be the least. Where the polyline bends sharply but less than at a corner,
-/// pieces are short, and so are tangents.
+/// A piece is the longest that is found from where the one before it ends: its ends are at
+/// vertices, tangents and curvatures there are those of a cubic polynomial near the polyline, in a
+/// window that is as long as the tolerance permits, and the rest is found by least squares. How
+/// many pieces there are is not proved to be the least. Where the polyline bends sharply but less
+/// than at a corner, pieces are short, and so are tangents.
 ///
-/// Vertices that are equal to the one before them are skipped; a closed polyline may end with its first vertex.
+/// Vertices that are equal to the one before them are skipped; a closed polyline may end with its
+/// first vertex.
 ///
-/// \f$ O(n \log n) \f$ for `n` vertices, all in `double`. With other numbers the vertices are rounded first, of which the proof takes
-/// account; control points have at most as many binary digits as a `double`.
+/// \f$ O(n \log n) \f$ for `n` vertices, all in `double`. With other numbers the vertices are
+/// rounded first, of which the proof takes account; control points have at most as many binary
+/// digits as a `double`.
 ///
 /// \param first, last the vertices
-/// \param tolerance the bound of the distance, in the unit of the coordinates, at least about \f$ 2^{-40} \f$ of the largest
-///   coordinate (\f$ 2^{-11} \f$ with `float`)
+/// \param tolerance the bound of the distance, in the unit of the coordinates, at least about
+///   \f$ 2^{-40} \f$ of the largest coordinate (\f$ 2^{-11} \f$ with `float`)
 /// \param closure whether the polyline is closed
 /// \param order 1 for cubics with \f$ G^1 \f$ joins, 2 for quintics with \f$ G^2 \f$ joins
-/// \param corner_angle in degrees, from 0 to 180. A vertex is a corner where the polyline turns by more than that, at the vertex and between
-///   the points that are two tolerances away; also where it turns back. Corners are kept: the curve has a kink there.
+/// \param corner_angle in degrees, from 0 to 180. A vertex is a corner where the polyline turns by
+///   more than that, at the vertex and between the points that are two tolerances away; also where
+///   it turns back. Corners are kept: the curve has a kink there.
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam InputIterator its value type is `Traits::Point`
 /// \throws Error `wrong_number_of_points` for fewer than 2 different vertices, or 3 if closed
@@ -295,7 +303,8 @@ Fitted_curve<Traits> fit(InputIterator first, InputIterator last, const typename
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns a curve of few pieces near a polyline with vertices of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// Returns a curve of few pieces near a polyline with vertices of a \cgal kernel, over whose traits
+/// class (`Traits_of`) it is.
 /// \throws Error as for the vertices between two iterators
 template <class Point>
 Fitted_curve<Traits_of<Point>> fit(const std::vector<Point>& vertices, const typename Traits_of<Point>::FT& tolerance,

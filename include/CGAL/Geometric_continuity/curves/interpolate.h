@@ -27,19 +27,20 @@
 #include <vector>
 
 /// \file interpolate.h
-/// Cubic B-spline curves through points, \f$ C^2 \f$ with the parameters of the points as simple knots.
-/// \cgalCite{Boor-78}
+/// Cubic B-spline curves through points, \f$ C^2 \f$ with the parameters of the points as simple
+/// knots. \cgalCite{Boor-78}
 ///
 /// At the parameter \f$ u_i \f$ three basis functions are not zero, with the values
 /// \f[ \frac{(u_{i+1} - u_i)^2}{(u_{i+1} - u_{i-1})(u_{i+1} - u_{i-2})}, \quad 1 - \dots, \quad
 ///     \frac{(u_i - u_{i-1})^2}{(u_{i+1} - u_{i-1})(u_{i+2} - u_{i-1})}. \f]
-/// The matrix of these values is totally positive: elimination needs no other pivots than those of its diagonal, and no root.
+/// The matrix of these values is totally positive: elimination needs no other pivots than those of
+/// its diagonal, and no root.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// How the parameters of points are chosen through which a curve runs.
+/// The ways to choose the parameters of points through which a curve runs.
 enum class Parametrisation {
   uniform,    ///< at the distance 1
   chordal,    ///< at the distances of the points
@@ -57,13 +58,15 @@ inline std::string to_string(Parametrisation p) {
 inline std::ostream& operator<<(std::ostream& os, Parametrisation p) { return os << to_string(p); }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns parameters for points, from 0 on; for a closed curve one more, at which it is back at the first point. Distances and their
-/// roots are rounded to 10 binary digits, so that the parameters are short numbers in every field. Any increasing numbers are as good
-/// for `interpolate()`. \f$ O(n) \f$
+/// Returns parameters for points, from 0 on; for a closed curve one more, at which it is back at
+/// the first point. Distances and their roots are rounded to 10 binary digits, so that the
+/// parameters are short numbers in every field. Any increasing numbers are as good for
+/// `interpolate()`. \f$ O(n) \f$
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam InputIterator its value type is `Traits::Point`
-/// \throws Error `empty_domain` when two consecutive points coincide (not if uniform), `dimension_mismatch`, `not_finite` when a
-///   distance is not in the range of floating-point numbers
+/// \throws Error `empty_domain` when two consecutive points coincide (not if uniform),
+///   `dimension_mismatch`, `not_finite` when a distance is not in the range of floating-point
+///   numbers
 template <class Traits, class InputIterator>
 std::vector<typename Traits::FT> interpolation_parameters(InputIterator first, InputIterator last,
                                                           Parametrisation parametrisation,
@@ -101,8 +104,9 @@ namespace internal {
 // The equation a x_{i-1} + b x_i + c x_{i+1} = r_i for values x_0, x_1, ...
 template <class FT> struct Tridiagonal_row { FT a, b, c; };
 
-// Solves the equations row(i) of n unknowns, for each i in turn, in the place of the right sides: get(i) returns one or the other, and
-// set(i, x) takes what is found. In the first row a is not read, in the last one c.
+// Solves the equations row(i) of n unknowns, for each i in turn, in the place of the right sides:
+// get(i) returns one or the other, and set(i, x) takes the solution. In the first row a is not
+// read, in the last one c.
 template <class FT, class Row, class Get, class Set> void solve_tridiagonal(int n, Row row, Get get, Set set) {
   typedef std::decay_t<decltype(get(0))> Value;
   std::vector<FT> b, c; // what is left of the rows
@@ -130,8 +134,9 @@ template <class FT, class Row, class Get, class Set> void solve_tridiagonal(int 
   }
 }
 
-// The same for a cyclic system of 3 unknowns or more: in the first row, a belongs to the last unknown, in the last row c to the first
-// one. The others are y_i - z_i x_{n-1}, where y and z solve the equations without the last unknown.
+// Solves a cyclic system of 3 unknowns or more: in the first row, a belongs to the last unknown, in
+// the last row c to the first one. The others are y_i - z_i x_{n-1}, where y and z solve the
+// equations without the last unknown.
 template <class FT, class Row, class Get, class Set> void solve_cyclic(int n, Row row, Get get, Set set) {
   typedef std::decay_t<decltype(get(0))> Value;
   const int last = n - 1;
@@ -148,9 +153,10 @@ template <class FT, class Row, class Get, class Set> void solve_cyclic(int n, Ro
   for (int i = 0; i < last; ++i) set(i, get(i) - z[i] * x);
 }
 
-// Points, the first and the last one twice, which become the control points b_0, b_1, ... Where numbers are rounded they stay where they
-// are: fresh memory costs more than elimination. Other points can be handles of numbers that are computed when they are asked for; those
-// are taken as columns meanwhile.
+// Points, the first and the last one twice, which become the control points b_0, b_1, ... Where
+// numbers are rounded they stay where they are: fresh memory costs more than elimination. Other
+// points can be handles of numbers that are computed when they are asked for; those are taken as
+// columns meanwhile.
 template <class Traits> class Spline_points {
   typedef typename Traits::Point Point;
   static constexpr bool are_numbers = std::is_floating_point_v<typename Traits::FT>;
@@ -289,17 +295,20 @@ Bspline_curve<Traits> interpolate_closed(Spline_points<Traits> b, const std::vec
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the cubic spline through points at given parameters, \f$ C^2 \f$ inside: an open one is \em natural, with second derivatives
-/// that vanish at both ends; a closed one returns to the first point at one more parameter and is \f$ C^2 \f$ there, too, over periodic
-/// knots that are not clamped. With an exact kernel it is exact. \f$ O(n) \f$ operations; exact numbers become longer from point to
-/// point.
+/// Returns the cubic spline through points at given parameters, \f$ C^2 \f$ inside: an open one is
+/// \em natural, with second derivatives that vanish at both ends; a closed one returns to the first
+/// point at one more parameter and is \f$ C^2 \f$ there, too, over periodic knots that are not
+/// clamped. With an exact kernel it is exact. \f$ O(n) \f$ operations; exact numbers become longer
+/// from point to point.
 /// \param first, last the points
-/// \param parameters one for each point, increasing; for a closed curve one more, at which it is back at the first point
+/// \param parameters one for each point, increasing; for a closed curve one more, at which it is
+///   back at the first point
 /// \param closure whether the curve is closed
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam InputIterator its value type is `Traits::Point`
-/// \throws Error `wrong_number_of_points` for fewer than 2 points, or 3 if closed, and for another number of parameters; `empty_domain`
-///   unless the parameters increase; `dimension_mismatch`; `not_finite` also when floating-point numbers overflow; `work_limit`
+/// \throws Error `wrong_number_of_points` for fewer than 2 points, or 3 if closed, and for another
+///   number of parameters; `empty_domain` unless the parameters increase; `dimension_mismatch`;
+///   `not_finite` also when floating-point numbers overflow; `work_limit`
 template <class Traits, class InputIterator>
 Bspline_curve<Traits> interpolate(InputIterator first, InputIterator last,
                                   const std::vector<typename Traits::FT>& parameters, Closure closure = Closure::open) {
@@ -309,8 +318,9 @@ Bspline_curve<Traits> interpolate(InputIterator first, InputIterator last,
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the \em clamped cubic spline through points at given parameters, \f$ C^2 \f$ inside, with the given first derivatives at both
-/// ends. Of the points of a cubic polynomial and its derivatives, it is that polynomial. \f$ O(n) \f$
+/// Returns the \em clamped cubic spline through points at given parameters, \f$ C^2 \f$ inside,
+/// with the given first derivatives at both ends. For the points of a cubic polynomial and its
+/// derivatives, it is that polynomial. \f$ O(n) \f$
 /// \throws Error as for a natural spline
 template <class Traits, class InputIterator>
 Bspline_curve<Traits>
@@ -328,7 +338,8 @@ interpolate(InputIterator first, InputIterator last, const std::vector<typename 
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the natural or closed cubic spline through points, with the parameters of `interpolation_parameters()`. \f$ O(n) \f$
+/// Returns the natural or closed cubic spline through points, with the parameters of
+/// `interpolation_parameters()`. \f$ O(n) \f$
 /// \throws Error as for given parameters, and as `interpolation_parameters()`
 template <class Traits, class InputIterator>
 Bspline_curve<Traits> interpolate(InputIterator first, InputIterator last, Parametrisation parametrisation,
@@ -360,7 +371,8 @@ interpolate(const std::vector<typename Traits::Point>& points, const std::vector
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the natural or closed cubic spline through points, with the parameters of `interpolation_parameters()`.
+/// Returns the natural or closed cubic spline through points, with the parameters of
+/// `interpolation_parameters()`.
 /// \throws Error as for the points between two iterators
 template <class Traits>
 Bspline_curve<Traits> interpolate(const std::vector<typename Traits::Point>& points, Parametrisation parametrisation,
@@ -369,7 +381,8 @@ Bspline_curve<Traits> interpolate(const std::vector<typename Traits::Point>& poi
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the natural or closed cubic spline through points of a \cgal kernel, over whose traits class (`Traits_of`) it is.
+/// Returns the natural or closed cubic spline through points of a \cgal kernel, over whose traits
+/// class (`Traits_of`) it is.
 /// \throws Error as for the points between two iterators
 template <class Point>
 Bspline_curve<Traits_of<Point>> interpolate(const std::vector<Point>& points,

@@ -15,8 +15,9 @@
 #include <vector>
 
 /// \file polyline.h
-/// Curves as polylines and in boxes, for algorithms that work on segments or boxes. The functions that make polylines write the vertices to an output iterator, from the
-/// start of the curve to its end, both of which are vertices. No two vertices in a row are equal: a curve that is a single
+/// Curves as polylines and in boxes, for algorithms that work on segments or boxes. The functions
+/// that make polylines write the vertices to an output iterator, from the start of the curve to its
+/// end, both of which are vertices. No two vertices in a row are equal: a curve that is a single
 /// point gives one vertex. The polyline of a closed curve ends with the point with which it starts.
 
 namespace CGAL {
@@ -53,19 +54,23 @@ bool is_near_segment(const Coordinate_vector<FT, N>& x, const Coordinate_vector<
   return dot(h, h) <= FT(ww * ww);
 }
 
-// A proof that a Bezier curve x of degree m and its chord L are nowhere farther apart than `tolerance`, in both directions:
+// A proof that a Bezier curve x of degree m and its chord L are nowhere farther apart than
+// `tolerance`, in both directions:
 //
-// (1) |x(t) - L(t)| <= m (m-1) / 8 max |b_i - 2 b_{i+1} + b_{i+2}|: the error of linear interpolation is at most 1/8 of the
-//     largest second derivative, and the second derivative is a convex combination of m (m-1) times these differences; or
-// (2) no control point is farther than that from the chord. The distance from a convex set is a convex function, so no point
-//     of the curve is farther away. And no point of the chord is farther from the curve: the foot on the line of the chord
-//     of a point that runs along the curve runs over the whole chord, and while it is on the chord the distance from the
-//     chord is that to the foot.
+// (1) |x(t) - L(t)| <= m (m-1) / 8 max |b_i - 2 b_{i+1} + b_{i+2}|: the error of linear
+//     interpolation is at most 1/8 of the largest second derivative, and the second derivative is a
+//     convex combination of m (m-1) times these differences; or
+// (2) no control point is farther than that from the chord. The distance from a convex set is a
+//     convex function, so no point of the curve is farther away. And no point of the chord is
+//     farther from the curve: the foot on the line of the chord of a point that runs along the
+//     curve runs over the whole chord, and while it is on the chord the distance from the chord is
+//     that to the foot.
 //
-// (1) is the better bound for a short piece: it is sharp for parabolas. (2) sees that a straight curve is straight, at
-// whatever its speed. All is measured in units of the tolerance, so that squares of doubles do not overflow
-// unnoticed. An undefined number proves nothing. (1) is not asked for a rational curve, which (2) holds for if the weights are
-// positive.
+// (1) is the better bound for a short piece: it is sharp for parabolas. (2) sees that a straight
+//     curve is straight, at
+// whatever its speed. All is measured in units of the tolerance, so that squares of doubles do not
+// overflow unnoticed. An undefined number proves nothing. (1) is not asked for a rational curve,
+// which (2) holds for if the weights are positive.
 template <class FT, int N>
 bool is_chord_near(const std::vector<Coordinate_vector<FT, N>>& rows, const FT& tolerance, bool polynomial) {
   typedef Coordinate_vector<FT, N> Coordinates;
@@ -115,22 +120,26 @@ template <class Traits> void check_continuous(const Rational_bspline_curve<Trait
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Writes a polyline whose Hausdorff distance from the curve is at most `tolerance`, in the unit of the coordinates: no point
-/// of either is farther than that from the other. Pieces of the curve are halved until a bound on their distance from the
-/// chord is met, so that vertices are dense where the curve bends. Straight pieces are kept whole. \f$ O(\sqrt{s/\tau}) \f$
-/// vertices for second derivatives of size \f$ s \f$, each in \f$ O(m^2) \f$; with exact numbers nothing else bounds their
-/// number.
+/// Writes a polyline whose Hausdorff distance from the curve is at most `tolerance`, in the unit of
+/// the coordinates: no point of either is farther than that from the other. Pieces of the curve are
+/// halved until a bound on their distance from the chord is met, so that vertices are dense where
+/// the curve bends. Straight pieces are kept whole. \f$ O(\sqrt{s/\tau}) \f$ vertices for second
+/// derivatives of size \f$ s \f$, each in \f$ O(m^2) \f$; with exact numbers nothing else bounds
+/// their number.
 ///
-/// With an exact kernel all vertices lie on the curve. With floating-point numbers they do up to rounding, and the tolerance
-/// is kept all the same: a part of it is set aside for all rounding errors (in dimensions up to 16 and degrees up to 200).
+/// With an exact kernel all vertices lie on the curve. With floating-point numbers they do up to
+/// rounding, and the tolerance is kept all the same: a part of it is set aside for all rounding
+/// errors (in dimensions up to 16 and degrees up to 200).
 ///
-/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived from them, or a rational one; its
+/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived
+///   from them, or a rational one; its
 ///        parts with positive weights are halved
 /// \param tolerance positive
 /// \param out takes values of type `Traits::Point`
 /// \returns the iterator after the last point
-/// \throws Error `unreachable_tolerance` unless `tolerance > 0`, and when it is below \f$ (m+1) 2^{-42} \f$ of the largest
-///   coordinate of a piece of degree `m` with `double` coordinates, for rational curves times the ratio of the weights and 2
+/// \throws Error `unreachable_tolerance` unless `tolerance > 0`, and when it is below
+///   \f$ (m+1) 2^{-42} \f$ of the largest coordinate of a piece of degree `m` with `double`
+///   coordinates, for rational curves times the ratio of the weights and 2
 /// \throws Error `not_finite` for an infinite or undefined tolerance
 /// \throws Error `curves_do_not_meet` for a B-spline curve that jumps
 template <class Curve, class OutputIterator>
@@ -156,7 +165,8 @@ OutputIterator chord_polyline(const Curve& curve, const typename Curve::FT& tole
 /// Writes the points at the `n + 1` parameters that divide the domain into `n` equal parts.
 /// \tparam Curve a model of `ParametricCurve` that can be evaluated in its whole domain
 /// \returns the iterator after the last point
-/// \throws Error `negative_count` unless `n >= 0`, `wrong_number_of_points` for `n == 0`, and whatever the curve throws
+/// \throws Error `negative_count` unless `n >= 0`, `wrong_number_of_points` for `n == 0`, and
+///   whatever the curve throws
 template <class Curve, class OutputIterator>
 OutputIterator uniform_polyline(const Curve& curve, int n, OutputIterator out) {
   typedef typename Curve::Traits Traits;
@@ -174,17 +184,19 @@ OutputIterator uniform_polyline(const Curve& curve, int n, OutputIterator out) {
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Writes a polyline within `tolerance` of any curve with a bounded second derivative: the points at equal distances of the
-/// parameter, as `uniform_polyline()` does, with the least number `n` of parts for which
-/// \f$ \left(\frac{b-a}{n}\right)^2 \frac{s}{8} \f$ is at most `tolerance`. This bounds the distance from the chord at the
-/// same parameter, and with it the Hausdorff distance. It is kept up to the rounding of the curve's own points.
+/// Writes a polyline within `tolerance` of any curve with a bounded second derivative: the points
+/// at equal distances of the parameter, as `uniform_polyline()` does, with the least number `n` of
+/// parts for which \f$ \left(\frac{b-a}{n}\right)^2 \frac{s}{8} \f$ is at most `tolerance`. This
+/// bounds the distance from the chord at the same parameter, and with it the Hausdorff distance. It
+/// is kept up to the rounding of the curve's own points.
 /// \tparam Curve a model of `ParametricCurve` that can be evaluated in its whole domain [a, b]
 /// \param curve a curve with a continuous first derivative
 /// \param s an upper bound of \f$ |x''| \f$ in the domain
 /// \param tolerance positive
 /// \param out takes values of type `Traits::Point`
 /// \returns the iterator after the last point
-/// \throws Error `unreachable_tolerance` unless `tolerance > 0` and `s >= 0`, and when `n` would exceed \f$ 2^{30} \f$
+/// \throws Error `unreachable_tolerance` unless `tolerance > 0` and `s >= 0`, and when `n` would
+///   exceed \f$ 2^{30} \f$
 /// \throws Error `not_finite` when one of them is infinite or undefined
 template <class Curve, class OutputIterator>
 OutputIterator chord_polyline(const Curve& curve, const typename Curve::Traits::FT& s,
@@ -208,12 +220,14 @@ OutputIterator chord_polyline(const Curve& curve, const typename Curve::Traits::
 }
 
 /// \ingroup PkgGeometricContinuityCurves
-/// A box that contains the piece of a curve over a part of its domain. It is a model of the \cgal concept
-/// `BoxIntersectionBox_d`: ranges of such boxes go into `CGAL::box_intersection_d()` as they are. There two boxes with equal
-/// handles and piece numbers are one box, in two ranges as well: the curves of one call must have different handles.
+/// A box that contains the piece of a curve over a part of its domain. It is a model of the \cgal
+/// concept `BoxIntersectionBox_d`: ranges of such boxes go into `CGAL::box_intersection_d()` as
+/// they are. There two boxes with equal handles and piece numbers are one box, in two ranges as
+/// well: the curves of one call must have different handles.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2 or 3
-/// \tparam Handle says which curve it is: a number, a pointer, an iterator; it must be ordered and comparable
+/// \tparam Handle says which curve it is: a number, a pointer, an iterator; it must be ordered and
+///   comparable
 template <class Traits, class Handle> class Curve_piece_box {
 public:
   typedef typename Traits::FT FT;                    ///< the field
@@ -265,7 +279,8 @@ private:
 
 namespace internal {
 
-// Halves a Bezier curve over [a, b] k times and calls add(a', b', control points) for each part in order.
+// Halves a Bezier curve over [a, b] k times and calls add(a', b', control points) for each part in
+// order.
 template <class Curve, class Function>
 void for_each_part(const std::vector<Control_row<Curve>>& rows, const typename Curve::FT& a,
                    const typename Curve::FT& b, int k, Function& add) {
@@ -280,14 +295,16 @@ void for_each_part(const std::vector<Control_row<Curve>>& rows, const typename C
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityCurves
-/// Writes boxes that contain the pieces of a curve: each Bézier curve that it is made of is halved `k` times, and each of the
-/// \f$ 2^k \f$ pieces gets the box of its control points, rounded outwards. Neighbouring boxes have a point in common. The
-/// boxes shrink towards those of the pieces themselves with \f$ 4^{-k} \f$. \f$ O(2^k m^2) \f$
+/// Writes boxes that contain the pieces of a curve: each Bézier curve that it is made of is halved
+/// `k` times, and each of the \f$ 2^k \f$ pieces gets the box of its control points, rounded
+/// outwards. Neighbouring boxes have a point in common. The boxes shrink towards those of the
+/// pieces themselves with \f$ 4^{-k} \f$. \f$ O(2^k m^2) \f$
 ///
-/// The boxes are certain with every kernel: those of control points in floating-point numbers are made larger by a bound of all
-/// rounding errors (in degrees up to 200).
+/// The boxes are certain with every kernel: those of control points in floating-point numbers are
+/// made larger by a bound of all rounding errors (in degrees up to 200).
 ///
-/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived from them, or a rational one;
+/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived
+///   from them, or a rational one;
 ///        of dimension 2 or 3
 /// \param k how often to halve, between 0 and 20
 /// \param handle is copied into each box, to say which curve it belongs to

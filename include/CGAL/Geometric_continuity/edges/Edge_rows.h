@@ -25,18 +25,19 @@
 #include <vector>
 
 /// \file Edge_rows.h
-/// What goes into a decision along an edge, and what comes out. All that continuity depends on are the edge and the first two
-/// derivatives across it, as rows of coefficients. The answer of `edge_continuity()` is the order of continuity, why it is not higher, and
-/// where.
+/// The input and the result of a decision along an edge. All that continuity depends on are the
+/// edge and the first two derivatives across it, as rows of coefficients. The answer of
+/// `edge_continuity()` is the order of continuity, why it is not higher, and where.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What a polynomial surface `S(u, v)` contributes to its continuity along the edge `v = 0`, `u` in [0, 1]: the edge
-/// \f$ C(u) = S(u, 0) \f$ and the cross derivatives \f$ T(u) = S_v(u, 0) \f$ and \f$ W(u) = S_{vv}(u, 0) \f$, where `v`
-/// grows into the surface. Each row holds Bernstein coefficients; the rows may differ in degree. Of a rational surface they are
-/// those of its homogeneous points. Only order 3 needs \f$ X(u) = S_{vvv}(u, 0) \f$, too.
+/// The data that a polynomial surface `S(u, v)` contributes to its continuity along the edge
+/// `v = 0`, `u` in [0, 1]: the edge \f$ C(u) = S(u, 0) \f$ and the cross derivatives
+/// \f$ T(u) = S_v(u, 0) \f$ and \f$ W(u) = S_{vv}(u, 0) \f$, where `v` grows into the surface. Each
+/// row holds Bernstein coefficients; the rows may differ in degree. For a rational surface they are
+/// the rows of its homogeneous points. Only order 3 needs \f$ X(u) = S_{vvv}(u, 0) \f$, too.
 /// \tparam FT a field number type
 /// \tparam N the number of coordinates: 3, or 4 for homogeneous points
 template <class FT_, int N = 3> struct Edge_rows {
@@ -57,8 +58,8 @@ template <class FT_, int N = 3> struct Edge_rows {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What a B-spline surface contributes to its continuity along an edge: `Edge_rows` whose coefficients are those of splines
-/// over the knots of the edge.
+/// The data that a B-spline surface contributes to its continuity along an edge: `Edge_rows` whose
+/// coefficients are those of splines over the knots of the edge.
 /// \tparam FT a field number type
 /// \tparam N the number of coordinates: 3, or 4 for homogeneous points
 template <class FT_, int N = 3> struct Spline_edge_rows {
@@ -69,8 +70,9 @@ template <class FT_, int N = 3> struct Spline_edge_rows {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The field in which the continuity of surfaces is decided: that of the predicates of the traits class, or
-/// `Exact_rational` if those are floating-point numbers. The decision is exact with every kernel.
+/// The field in which the continuity of surfaces is decided: that of the predicates of the traits
+/// class, or `Exact_rational` if those are floating-point numbers. The decision is exact with every
+/// kernel.
 template <class Traits> using Edge_field = typename Exact_field<Predicate_FT<Traits>>::type;
 
 namespace internal {
@@ -165,9 +167,10 @@ spline_rows_of_surface(const Surface& surface, Patch_edge edge, int order) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the rows of a patch along one of its edges, with the patch taken on the unit square and turned so that the edge is
-/// at `v = 0`. Continuity does not depend on the lengths of the domain. The control points are converted to `Field` before
-/// anything is computed. `(order + 1) (p + 1)` coefficients for an edge of degree `p`, in as many operations.
+/// Returns the rows of a patch along one of its edges, with the patch taken on the unit square and
+/// turned so that the edge is at `v = 0`. Continuity does not depend on the lengths of the domain.
+/// The control points are converted to `Field` before anything is computed. `(order + 1) (p + 1)`
+/// coefficients for an edge of degree `p`, in as many operations.
 /// \param order 2, or 3 for all rows
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Field, class Traits>
@@ -177,7 +180,8 @@ Edge_rows<Field> edge_rows_over(const Bezier_patch<Traits>& patch, Patch_edge ed
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the rows of a patch along one of its edges, see `edge_rows_over()`, in the field in which continuity is decided.
+/// Returns the rows of a patch along one of its edges, see `edge_rows_over()`, in the field in
+/// which continuity is decided.
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
 Edge_rows<Edge_field<Traits>> edge_rows(const Bezier_patch<Traits>& patch, Patch_edge edge, int order = 2) {
@@ -185,8 +189,8 @@ Edge_rows<Edge_field<Traits>> edge_rows(const Bezier_patch<Traits>& patch, Patch
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the rows of the homogeneous points of a rational patch along one of its edges, in the field in which continuity is
-/// decided; see the function for `Bezier_patch`.
+/// Returns the rows of the homogeneous points of a rational patch along one of its edges, in the
+/// field in which continuity is decided; see the function for `Bezier_patch`.
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
 Edge_rows<Edge_field<Traits>, 4> edge_rows(const Rational_bezier_patch<Traits>& patch, Patch_edge edge, int order = 2) {
@@ -195,7 +199,8 @@ Edge_rows<Edge_field<Traits>, 4> edge_rows(const Rational_bezier_patch<Traits>& 
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the rows of a patch along one of its edges, see `edge_rows()`, as splines over the domain of the edge.
+/// Returns the rows of a patch along one of its edges, see `edge_rows()`, as splines over the
+/// domain of the edge.
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
 Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bezier_patch<Traits>& patch, Patch_edge edge,
@@ -204,7 +209,8 @@ Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bezier_patch<Traits>
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the rows of a rational patch along one of its edges, see `edge_rows()`, as splines over the domain of the edge.
+/// Returns the rows of a rational patch along one of its edges, see `edge_rows()`, as splines over
+/// the domain of the edge.
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
 Spline_edge_rows<Edge_field<Traits>, 4> spline_edge_rows(const Rational_bezier_patch<Traits>& patch, Patch_edge edge,
@@ -213,9 +219,10 @@ Spline_edge_rows<Edge_field<Traits>, 4> spline_edge_rows(const Rational_bezier_p
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the rows of a B-spline surface along one of its edges, over the knots of the edge, in the field in which
-/// continuity is decided. Derivatives are those with respect to the parameter that grows into the surface. Control points
-/// and knots are converted before anything is computed. Linear in the number of knots.
+/// Returns the rows of a B-spline surface along one of its edges, over the knots of the edge, in
+/// the field in which continuity is decided. Derivatives are those with respect to the parameter
+/// that grows into the surface. Control points and knots are converted before anything is computed.
+/// Linear in the number of knots.
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
 Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bspline_surface<Traits>& surface, Patch_edge edge,
@@ -224,8 +231,8 @@ Spline_edge_rows<Edge_field<Traits>> spline_edge_rows(const Bspline_surface<Trai
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the rows of the homogeneous points of a rational B-spline surface along one of its edges, see the function for
-/// `Bspline_surface`.
+/// Returns the rows of the homogeneous points of a rational B-spline surface along one of its
+/// edges, see the function for `Bspline_surface`.
 /// \throws Error `dimension_mismatch` unless in dimension 3
 template <class Traits>
 Spline_edge_rows<Edge_field<Traits>, 4> spline_edge_rows(const Rational_bspline_surface<Traits>& surface,
@@ -236,13 +243,15 @@ Spline_edge_rows<Edge_field<Traits>, 4> spline_edge_rows(const Rational_bspline_
 /// \ingroup PkgGeometricContinuityContinuity
 /// Why two surfaces are not smoother along an edge than they are.
 enum class Edge_defect {
-  none,             ///< they have the highest order that is decided, \f$ G^2 \f$
-  gap,              ///< the edges are different curves
-  collapsed,        ///< the edge is a single point
-  vanishing_normal, ///< the tangent planes agree wherever there are any, but the normal of one side vanishes somewhere
-  crease,           ///< the tangent planes differ somewhere
-  fold,             ///< the tangent planes agree, but somewhere both surfaces lie on the same side of the edge
-  curvature         ///< the tangent planes agree, the curvatures do not
+  none,      ///< they have the highest order that is decided, \f$ G^2 \f$
+  gap,       ///< the edges are different curves
+  collapsed, ///< the edge is a single point
+  /// the tangent planes agree wherever there are any, but the normal of one side vanishes somewhere
+  vanishing_normal,
+  crease, ///< the tangent planes differ somewhere
+  /// the tangent planes agree, but somewhere both surfaces lie on the same side of the edge
+  fold,
+  curvature ///< the tangent planes agree, the curvatures do not
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -267,8 +276,9 @@ inline std::string to_string(Edge_defect defect) {
 inline std::ostream& operator<<(std::ostream& os, Edge_defect defect) { return os << to_string(defect); }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns how severe a defect is, from 0 for none to 6 for a gap: it decides which of several spans is called the worst. In
-/// increasing severity: none, curvature, collapsed, vanishing normal, fold, crease, gap.
+/// Returns how severe a defect is, from 0 for none to 6 for a gap: it decides which of several
+/// spans is called the worst. In increasing severity: none, curvature, collapsed, vanishing normal,
+/// fold, crease, gap.
 inline int severity(Edge_defect defect) {
   // unreachable: every value has a case
   switch (defect) {
@@ -285,21 +295,23 @@ inline int severity(Edge_defect defect) {
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What is asked about creases. To find the largest angle takes most of the time of a crease.
+/// The questions about creases. Finding the largest angle takes most of the time of a crease.
 enum class Crease_angles {
   enclosed, ///< the largest angle, too
   omitted   ///< orders and defects only: `Edge_continuity::deviation` may be empty
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// A guaranteed enclosure of the largest angle \f$ \theta \in [0, \pi] \f$ between the normals of two surfaces along their
-/// common edge, both turned so that \f$ \theta = 0 \f$ where the surfaces continue each other and \f$ \theta = \pi \f$ where
-/// they fold back. Points where a normal vanishes are left out; limits at them count.
+/// A guaranteed enclosure of the largest angle \f$ \theta \in [0, \pi] \f$ between the normals of
+/// two surfaces along their common edge, both turned so that \f$ \theta = 0 \f$ where the surfaces
+/// continue each other and \f$ \theta = \pi \f$ where they fold back. Points where a normal
+/// vanishes are left out; limits at them count.
 ///
-/// The angle is given without roots by its measure \f$ 1 - \cos\theta\,|\cos\theta| \f$, which grows with it from 0 over 1 for
-/// a right angle to 2: it is \f$ \sin^2\theta \f$ up to the right angle and \f$ 2 - \sin^2\theta \f$ beyond. The measure is so
-/// accurate that `angle()` is at most four units in the last place wide, unless the angle varies at scales near the limits
-/// of floating-point numbers.
+/// The angle is given without roots by its measure \f$ 1 - \cos\theta\,|\cos\theta| \f$, which
+/// grows with it from 0 over 1 for a right angle to 2: it is \f$ \sin^2\theta \f$ up to the right
+/// angle and \f$ 2 - \sin^2\theta \f$ beyond. The measure is so accurate that `angle()` is at most
+/// four units in the last place wide, unless the angle varies at scales near the limits of
+/// floating-point numbers.
 /// \tparam FT a field number type
 template <class FT> struct Normal_deviation {
   FT lower; ///< the measure of an angle that occurs on the edge, or as a limit
@@ -314,7 +326,8 @@ template <class FT> struct Normal_deviation {
   /// Returns the upper bound of `angle()`.
   double largest_angle() const { return angle(upper).upper; }
 
-  /// Returns an enclosure of the angle that has a measure between 0 and 2, in radians. It needs `CGAL::to_interval()`.
+  /// Returns an enclosure of the angle that has a measure between 0 and 2, in radians. It needs
+  /// `CGAL::to_interval()`.
   /// \throws Error `parameter_outside_domain` for another measure
   static Enclosure angle(const FT& measure) {
     if (measure < FT(0) || FT(2) < measure)
@@ -326,29 +339,32 @@ template <class FT> struct Normal_deviation {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about two surfaces along an edge.
+/// The decision about two surfaces along an edge.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Edge_continuity {
-  /// -1 when the edges differ, 0 when they are the same curve, 1 when the tangent planes agree along the whole closed edge
-  /// and the surfaces lie on different sides of it, 2 when the curvatures agree as well.
+  /// -1 when the edges differ, 0 when they are the same curve, 1 when the tangent planes agree
+  /// along the whole closed edge and the surfaces lie on different sides of it, 2 when the
+  /// curvatures agree as well.
   int g_order = -1;
   Edge_defect defect = Edge_defect::gap; ///< why the order is not higher
   bool reversed = false;                 ///< the second edge runs backwards
   bool coplanar = false;                 ///< \f$ \det(C', T_1, T_2) \equiv 0 \f$
-  /// The signs of \f$ (C' \times T_1) \cdot (C' \times T_2) \f$: `negative` where the surfaces continue each other.
+  /// The signs of \f$ (C' \times T_1) \cdot (C' \times T_2) \f$: `negative` where the surfaces
+  /// continue each other.
   Sign_pattern side = Sign_pattern::zero;
   bool collapsed = false;       ///< the edge is a single point
   bool normal_vanishes = false; ///< a normal vanishes somewhere on the closed edge
-  /// The sub-interval of the parameters of the first edge, at most 1/32 of it, in which a normal vanishes: a point when it
-  /// was found exactly. Empty where no normal vanishes or the edge is collapsed.
+  /// The sub-interval of the parameters of the first edge, at most 1/32 of it, in which a normal
+  /// vanishes: a point when it was found exactly. Empty where no normal vanishes or the edge is
+  /// collapsed.
   std::optional<std::pair<FT, FT>> vanishing;
-  /// The enclosure of the largest angle between the normals and the place of a crease or fold, in the parameters of the
-  /// first edge. Empty without a common edge, where one normal vanishes identically, and possibly at creases with
-  /// `Crease_angles::omitted`.
+  /// The enclosure of the largest angle between the normals and the place of a crease or fold, in
+  /// the parameters of the first edge. Empty without a common edge, where one normal vanishes
+  /// identically, and possibly at creases with `Crease_angles::omitted`.
   std::optional<Normal_deviation<FT>> deviation;
 
-  /// Writes the order, the defect and the upper bound of the angle in degrees, rounded upwards to the precision of the
-  /// stream, e.g. `G1 (curvature)` or `G0 (crease), angle <= 17.2 degrees`.
+  /// Writes the order, the defect and the upper bound of the angle in degrees, rounded upwards to
+  /// the precision of the stream, e.g. `G1 (curvature)` or `G0 (crease), angle <= 17.2 degrees`.
   friend std::ostream& operator<<(std::ostream& os, const Edge_continuity& e) {
     if (e.g_order < 0) return os << "gap";
     os << 'G' << e.g_order;
@@ -365,36 +381,41 @@ template <class FT> struct Edge_continuity {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about two surfaces along an interval of their common edge on which both are polynomials.
+/// The decision about two surfaces along an interval of their common edge on which both are
+/// polynomials.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Edge_span {
-  FT begin;                       ///< the parameter of the first edge
-  FT end;                         ///< where the span ends, in the same parameter
-  Edge_continuity<FT> continuity; ///< on the closed span; all parameters in it are those of the first edge
+  FT begin; ///< the parameter of the first edge
+  FT end;   ///< where the span ends, in the same parameter
+  /// on the closed span; all parameters in it are those of the first edge
+  Edge_continuity<FT> continuity;
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about two piecewise polynomial surfaces along the part that their edges have in common, on each span of
-/// the knots of both. The members of the base class hold for the whole part:
+/// The decision about two piecewise polynomial surfaces along the part that their edges have in
+/// common, on each span of the knots of both. The members of the base class hold for the whole
+/// part:
 ///
 /// - `g_order` is the least order of all spans, and `defect` belongs to `worst`;
-/// - `coplanar` and `collapsed` hold when they do on all spans, `normal_vanishes` when it does on one, with the first
-///   sub-interval in `vanishing`; `side` has the signs of all spans;
+/// - `coplanar` and `collapsed` hold when they do on all spans, `normal_vanishes` when it does on
+///   one, with the first sub-interval in `vanishing`; `side` has the signs of all spans;
 /// - `deviation` encloses the largest angle of all spans.
 ///
-/// All parameters are those of the first edge, unless stated otherwise. Without a common part there are no spans, and the
-/// order is -1.
+/// All parameters are those of the first edge, unless stated otherwise. Without a common part there
+/// are no spans, and the order is -1.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Spline_edge_continuity : Edge_continuity<FT> {
-  std::vector<Edge_span<FT>> spans;       ///< in the order of the parameters of the first edge
-  std::size_t worst = 0;                  ///< the number of the span that has the most severe defect, see `severity()`
+  std::vector<Edge_span<FT>> spans; ///< in the order of the parameters of the first edge
+  /// the number of the span that has the most severe defect, see `severity()`
+  std::size_t worst = 0;
   std::pair<FT, FT> part_a{FT(0), FT(0)}; ///< the part of the first edge that is common
   std::pair<FT, FT> part_b{FT(0), FT(0)}; ///< the same part of the second edge, in its parameters
   bool whole_a = false;                   ///< the common part is all of the first edge
   bool whole_b = false;                   ///< the common part is all of the second edge
 
-  /// Writes the whole, then the place of the worst of several spans, and the part if it is not all of both edges; e.g.
-  /// `G1 (curvature), worst of 3 spans on [0, 1/2]` or `G2, a part of the second edge`.
+  /// Writes the whole, then the place of the worst of several spans, and the part if it is not all
+  /// of both edges; e.g. `G1 (curvature), worst of 3 spans on [0, 1/2]` or
+  /// `G2, a part of the second edge`.
   friend std::ostream& operator<<(std::ostream& os, const Spline_edge_continuity& e) {
     os << static_cast<const Edge_continuity<FT>&>(e);
     if (e.spans.size() > 1 && e.defect != Edge_defect::none)

@@ -21,31 +21,36 @@
 #include <vector>
 
 /// \file edge_continuity.h
-/// The continuity of two surfaces along an edge of each, decided exactly on the whole closed edge; for every mix of surface
-/// types, and for rows of coefficients. See `Edge_conditions` for what is decided. `edge_continuity()` tells the order, the reason and the
-/// place, `is_g0_edge()`, `is_g1_edge()`, `is_g2_edge()` and `is_g3_edge()` answer one question each, `knot_line_continuity()` looks inside a surface, and
-/// `common_edges()` finds the edges that two patches share.
+/// The continuity of two surfaces along an edge of each, decided exactly on the whole closed edge;
+/// for every mix of surface types, and for rows of coefficients. See `Edge_conditions` for the
+/// conditions that are decided. `edge_continuity()` tells the order, the reason and the place,
+/// `is_g0_edge()`, `is_g1_edge()`, `is_g2_edge()` and `is_g3_edge()` answer one question each,
+/// `knot_line_continuity()` looks inside a surface, and `common_edges()` finds the edges that two
+/// patches share.
 ///
-/// The answers of the predicates are those of `edge_continuity()`, without its reasons and places. Two surfaces without
-/// inner knots whose coordinates are `double`, of whatever kernel, or rational numbers with short numerators, and the spans
-/// of other surfaces, are decided in stages: control points that differ are a gap; values at the ends that exceed their
-/// proven rounding errors refute; integers of fixed length on a grid decide nearly all other edges of degree 7 or less; and
-/// multi-precision numbers the rest.
+/// The answers of the predicates are those of `edge_continuity()`, without its reasons and places.
+/// Two surfaces without inner knots whose coordinates are `double`, of whatever kernel, or rational
+/// numbers with short numerators, and the spans of other surfaces, are decided in stages: control
+/// points that differ are a gap; values at the ends that exceed their proven rounding errors
+/// refute; integers of fixed length on a grid decide nearly all other edges of degree 7 or less;
+/// and multi-precision numbers the rest.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The polynomials that decide the continuity of two surfaces \f$ S_1, S_2 \f$ whose edges are the same
-/// curve in the same direction. With the rows \f$ C, T_1, W_1 \f$ and \f$ C, T_2, W_2 \f$ and \f$ N = C' \times T_1 \f$:
+/// The polynomials that decide the continuity of two surfaces \f$ S_1, S_2 \f$ whose edges are the
+/// same curve in the same direction. With the rows \f$ C, T_1, W_1 \f$ and \f$ C, T_2, W_2 \f$ and
+/// \f$ N = C' \times T_1 \f$:
 ///
-/// - \f$ G^1 \f$: \f$ \det(C', T_1, T_2) \equiv 0 \f$ and \f$ (C' \times T_1) \cdot (C' \times T_2) < 0 \f$ on the whole closed
-///   interval;
-/// - \f$ G^2 \f$: in addition, with \f$ n_2 = C' \times T_2 \f$ and \f$ n_3 = T_2 \times T_1 \f$, for each coordinate `i`
+/// - \f$ G^1 \f$: \f$ \det(C', T_1, T_2) \equiv 0 \f$ and
+///   \f$ (C' \times T_1) \cdot (C' \times T_2) < 0 \f$ on the whole closed interval;
+/// - \f$ G^2 \f$: in addition, with \f$ n_2 = C' \times T_2 \f$ and \f$ n_3 = T_2 \times T_1 \f$,
+///   for each coordinate `i`
 ///   \f$ N_i^2 (N \cdot W_2) \equiv n_{3,i}^2 (N \cdot C'') + 2 n_{3,i} n_{2,i} (N \cdot T_1') + n_{2,i}^2 (N \cdot W_1) \f$.
 ///
-/// For \f$ T_2 = p\,C' + q\,T_1 \f$ this is the equality of the second fundamental forms: \f$ n_2 = qN \f$,
-/// \f$ n_3 = pN \f$.
+/// For \f$ T_2 = p\,C' + q\,T_1 \f$ this is the equality of the second fundamental forms:
+/// \f$ n_2 = qN \f$, \f$ n_3 = pN \f$.
 ///
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
 template <class FT> class Edge_conditions {
@@ -53,21 +58,25 @@ public:
   /// The field of the answers: `FT`, or `Exact_rational` for floating-point numbers.
   typedef typename Exact_field<FT>::type Field;
 
-  /// Takes the rows of two surfaces with the same edge in the same direction, which is not checked. The degrees may differ.
-  /// Costs a number of ring operations that is quadratic in the degree.
+  /// Takes the rows of two surfaces with the same edge in the same direction, which is not checked.
+  /// The degrees may differ. Costs a number of ring operations that is quadratic in the degree.
   /// \param a, b the rows
-  /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`: here and in each question
+  /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`: here and
+  ///   in each question
   Edge_conditions(const Edge_rows<FT>& a, const Edge_rows<FT>& b)
       : Edge_conditions(a, b, internal::Work_guard(place)) {}
 
-  /// Returns \f$ \det(C', T_1, T_2) \f$. With rows of degrees `p` (the lower of the two edges), `l` and `m` it has the coefficients
+  /// Returns \f$ \det(C', T_1, T_2) \f$. With rows of degrees `p` (the lower of the two edges), `l`
+  /// and `m` it has the coefficients
   /// \f$ \binom{p+l+m-1}{k}^{-1} \sum_{i+j+h=k} \binom{p-1}{i} \binom{l}{j} \binom{m}{h} \det(p\,\Delta C_i, T_{1,j}, T_{2,h}) \f$.
   Bernstein_polynomial<Field> determinant() const { return bernstein(normals_.det, 3); }
 
-  /// Returns \f$ (C' \times T_1) \cdot (C' \times T_2) \f$: negative where the surfaces lie on different sides of the edge.
+  /// Returns \f$ (C' \times T_1) \cdot (C' \times T_2) \f$: negative where the surfaces lie on
+  /// different sides of the edge.
   Bernstein_polynomial<Field> side() const { return bernstein(normals_.side, 4); }
 
-  /// Returns whether the determinant vanishes identically: the tangent planes agree wherever there are any.
+  /// Returns whether the determinant vanishes identically: the tangent planes agree wherever there
+  /// are any.
   bool coplanar() const { return normals_.coplanar(); }
 
   /// Returns the signs of `side()` on the closed interval.
@@ -82,7 +91,8 @@ public:
     return normals_.normal_vanishes(side_pattern());
   }
 
-  /// Returns whether `coplanar()` holds and the identity of \f$ G^2 \f$, which alone does not see on which sides the surfaces lie.
+  /// Returns whether `coplanar()` holds and the identity of \f$ G^2 \f$, which alone does not see
+  /// on which sides the surfaces lie.
   bool second_order() const {
     const internal::Work_guard work(place);
     return coplanar() && normals_.second_order(sides_);
@@ -111,17 +121,20 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides the continuity of two surfaces along their edges `v = 0`, exactly and on the whole closed edge, see
-/// `Edge_conditions`. The edges are the same when their points and their parametrisations are, after exact elevation to one
-/// degree; the second one may run backwards. (An affine reparametrisation that maps an edge as a whole to itself is the
-/// identity or the reversal.) Where the normal of one side vanishes there is no tangent plane, hence no \f$ G^1 \f$; this
-/// is reported as such. All parameters in the result are those of the first edge, in [0, 1].
+/// Decides the continuity of two surfaces along their edges `v = 0`, exactly and on the whole
+/// closed edge, see `Edge_conditions`. The edges are the same when their points and their
+/// parametrisations are, after exact elevation to one degree; the second one may run backwards. (An
+/// affine reparametrisation that maps an edge as a whole to itself is the identity or the
+/// reversal.) Where the normal of one side vanishes there is no tangent plane, hence no
+/// \f$ G^1 \f$; this is reported as such. All parameters in the result are those of the first edge,
+/// in [0, 1].
 ///
-/// When the surfaces are not \f$ G^1 \f$, the largest angle between their normals \f$ n_i = C' \times T_i \f$ is enclosed by
-/// branch and bound on the Bernstein coefficients of \f$ \sin^2\theta = 1 - (n_1 \cdot n_2)^2 / (|n_1|^2 |n_2|^2) \f$, in
-/// integers of fixed length that are rounded outwards or, where these do not suffice, in exact arithmetic. Where the limit of
-/// the work does not suffice for a close enclosure, it is a wider one; what is decided
-/// is decided, or refused by an error.
+/// When the surfaces are not \f$ G^1 \f$, the largest angle between their normals
+/// \f$ n_i = C' \times T_i \f$ is enclosed by branch and bound on the Bernstein coefficients of
+/// \f$ \sin^2\theta = 1 - (n_1 \cdot n_2)^2 / (|n_1|^2 |n_2|^2) \f$, in integers of fixed length
+/// that are rounded outwards or, where these do not suffice, in exact arithmetic. Where the limit
+/// of the work does not suffice for a close enclosure, it is a wider one; the answer is exact, or
+/// refused by an error.
 ///
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
 /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`
@@ -138,29 +151,35 @@ Edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Edge_rows<
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides the continuity of two piecewise polynomial surfaces along the part that their edges have in common, exactly, on
-/// each closed span of the knots of both, see the function for `Edge_rows`.
+/// Decides the continuity of two piecewise polynomial surfaces along the part that their edges have
+/// in common, exactly, on each closed span of the knots of both, see the function for `Edge_rows`.
 ///
-/// The edges may differ in degree, in knots and in domain. First they are compared as a whole: they are the same when the
-/// affine map of the one domain to the other, forwards or backwards, makes them the same curve. Otherwise the longest part is
-/// found on which some affine map of the parameters does and which contains the first or the last span of one of the edges:
-/// all of one edge where several patches meet one long edge, or where the edges overlap. (One case is not found: a part that
-/// is not all of both edges and whose polynomial depends only on a power \f$ (t - c)^g \f$, `g > 1`, of the parameter.)
+/// The edges may differ in degree, in knots and in domain. First they are compared as a whole: they
+/// are the same when the affine map of the one domain to the other, forwards or backwards, makes
+/// them the same curve. Otherwise the longest part is found on which some affine map of the
+/// parameters does and which contains the first or the last span of one of the edges: all of one
+/// edge where several patches meet one long edge, or where the edges overlap. (One case is not
+/// found: a part that is not all of both edges and whose polynomial depends only on a power
+/// \f$ (t - c)^g \f$, `g > 1`, of the parameter.)
 ///
-/// Only the rows are restricted to common spans; no surface is refined. For edges that are the same as a whole the number of
-/// operations is linear in the number of knots, otherwise it is at most quadratic. On each span rational numbers with short
-/// numerators are decided with integers of fixed length, as for surfaces.
+/// Only the rows are restricted to common spans; no surface is refined. For edges that are the same
+/// as a whole the number of operations is linear in the number of knots, otherwise it is at most
+/// quadratic. On each span rational numbers with short numerators are decided with integers of
+/// fixed length, as for surfaces.
 ///
-/// Rows of homogeneous points, `N = 4`, are those of rational surfaces. Then edges are the same curve where their homogeneous
-/// points differ by a constant factor on each span, and the conditions are those of the tangent planes in homogeneous space, with
-/// \f$ C \wedge C' \wedge T \f$ in place of \f$ C' \times T \f$. Edges that are the same points in another rational
-/// parametrisation, or with a factor that is not constant, are not recognised as the same, unless they are collapsed. With
-/// one degree and the same knots this happens where the weights of one edge are those of the other times \f$ c^i \f$, and where the
-/// homogeneous points of both have been multiplied by different polynomials: both curves are then of less degree than they seem.
+/// Rows of homogeneous points, `N = 4`, are those of rational surfaces. Then edges are the same
+/// curve where their homogeneous points differ by a constant factor on each span, and the
+/// conditions are those of the tangent planes in homogeneous space, with
+/// \f$ C \wedge C' \wedge T \f$ in place of \f$ C' \times T \f$. Edges that are the same points in
+/// another rational parametrisation, or with a factor that is not constant, are not recognised as
+/// the same, unless they are collapsed. With one degree and the same knots this happens where the
+/// weights of one edge are those of the other times \f$ c^i \f$, and where the homogeneous points
+/// of both have been multiplied by different polynomials: both curves are then of less degree than
+/// they seem.
 /// \tparam FT a field number type; for floating-point numbers all is exact in the numbers as given
 /// \tparam N the number of coordinates: 3, or 4 for homogeneous points
-/// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`; `zero_weight` where
-///   a denominator is zero
+/// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`,
+///   `work_limit`; `zero_weight` where a denominator is zero
 template <class FT, int N>
 Spline_edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Spline_edge_rows<FT, N>& a,
                                                                        const Spline_edge_rows<FT, N>& b) {
@@ -168,26 +187,30 @@ Spline_edge_continuity<typename Exact_field<FT>::type> edge_continuity(const Spl
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Decides the continuity of two surfaces along an edge of each, exactly, on the whole closed edge and with every kernel:
-/// control points and knots are taken as they are given. The edge of `b` may run backwards, and degrees, knots and domains
-/// may differ. When the edges are not the same, the part that they have in common is decided, e.g. where several surfaces meet
-/// one long edge; members of the result say which part of each edge it is. The result has a verdict for each span of the
-/// knots of both edges; see the function for `Spline_edge_rows`.
+/// Decides the continuity of two surfaces along an edge of each, exactly, on the whole closed edge
+/// and with every kernel: control points and knots are taken as they are given. The edge of `b` may
+/// run backwards, and degrees, knots and domains may differ. When the edges are not the same, the
+/// part that they have in common is decided, e.g. where several surfaces meet one long edge;
+/// members of the result say which part of each edge it is. The result has a verdict for each span
+/// of the knots of both edges; see the function for `Spline_edge_rows`.
 ///
-/// All parameters in the result are those of the domain of the edge of `a`, without rounding. For two edges of one surface
-/// that closes up, `a` and `b` are the same surface. What happens at knots across the edge inside one of the surfaces is
-/// decided by `knot_line_continuity()`. For the two sides of a ribbon pass `G1_ribbon::side1` and `G1_ribbon::side2`; swept
+/// All parameters in the result are those of the domain of the edge of `a`, without rounding. For
+/// two edges of one surface that closes up, `a` and `b` are the same surface.
+/// `knot_line_continuity()` decides the continuity at knots across the edge inside one of the
+/// surfaces. For the two sides of a ribbon pass `G1_ribbon::side1` and `G1_ribbon::side2`; swept
 /// surfaces have `extrusion_continuity()` and `revolution_continuity()`.
 ///
-/// Smooth edges of degree 7 or less are proved with integers of fixed length where the coordinates are `double`, or rational
-/// numbers with short numerators over one denominator; see above. So are most creases of degree 5 or less, and with
-/// `double` also edges of B-spline surfaces over inner knots where the derivatives across them are the same but for the speed of
-/// the parameter. Otherwise a number of operations with integers
-/// that is quadratic in the degree and linear in the number of knots, plus the search for the largest angle where the surfaces
-/// are not \f$ G^1 \f$. Smooth edges of rational patches, and of spans of rational B-spline surfaces, are proved with
-/// integers of fixed length where points and weights are `double`, or homogeneous points rational numbers of at most 105 bits.
-/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, in any
-///   combination, with one traits class
+/// Smooth edges of degree 7 or less are proved with integers of fixed length where the coordinates
+/// are `double`, or rational numbers with short numerators over one denominator; see above. So are
+/// most creases of degree 5 or less, and with `double` also edges of B-spline surfaces over inner
+/// knots where the derivatives across them are the same but for the speed of the parameter.
+/// Otherwise a number of operations with integers
+/// that is quadratic in the degree and linear in the number of knots, plus the search for the
+/// largest angle where the surfaces are not \f$ G^1 \f$. Smooth edges of rational patches, and of
+/// spans of rational B-spline surfaces, are proved with integers of fixed length where points and
+/// weights are `double`, or homogeneous points rational numbers of at most 105 bits.
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`, in any combination, with one traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Surface_a, class Surface_b>
 auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b)
@@ -198,21 +221,23 @@ auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns whether the edges are the same curve, whole, with the same parametrisation up to an affine map, in either direction.
-/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
-///   traits class
-/// \throws Error `dimension_mismatch` unless in dimension 3; `not_finite` when the answer depends on a coordinate that is
-///   infinite or not a number; `work_limit`
+/// Returns whether the edges are the same curve, whole, with the same parametrisation up to an
+/// affine map, in either direction.
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`, with one traits class
+/// \throws Error `dimension_mismatch` unless in dimension 3; `not_finite` when the answer depends
+///   on a coordinate that is infinite or not a number; `work_limit`
 template <class Surface_a, class Surface_b>
 bool is_g0_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
   return internal::edge_has_order<0>(a, edge_a, b, edge_b);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns whether the edges are the same, see `is_g0_edge()`, the tangent planes agree along the whole closed edge and the
-/// surfaces lie on different sides of it. Decides the signs of forms of degree 3 and 4. False where a normal vanishes.
-/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
-///   traits class
+/// Returns whether the edges are the same, see `is_g0_edge()`, the tangent planes agree along the
+/// whole closed edge and the surfaces lie on different sides of it. Decides the signs of forms of
+/// degree 3 and 4. False where a normal vanishes.
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`, with one traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite`, `work_limit`
 template <class Surface_a, class Surface_b>
 bool is_g1_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
@@ -220,10 +245,10 @@ bool is_g1_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns whether the surfaces are \f$ G^1 \f$ along the edges, see `is_g1_edge()`, and their curvatures agree, see
-/// `Edge_conditions`. Decides whether a form of degree 7 vanishes.
-/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
-///   traits class
+/// Returns whether the surfaces are \f$ G^1 \f$ along the edges, see `is_g1_edge()`, and their
+/// curvatures agree, see `Edge_conditions`. Decides whether a form of degree 7 vanishes.
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`, with one traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite`, `work_limit`
 template <class Surface_a, class Surface_b>
 bool is_g2_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
@@ -231,11 +256,12 @@ bool is_g2_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns whether the surfaces are \f$ G^2 \f$ along the edges, see `is_g2_edge()`, and agree to third order: the one is, to third order
-/// and on each span of the knots, the other one in other parameters. Decides whether a form of degree 11 vanishes, by multi-precision
-/// where the surfaces are \f$ G^2 \f$.
-/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
-///   traits class
+/// Returns whether the surfaces are \f$ G^2 \f$ along the edges, see `is_g2_edge()`, and agree to
+/// third order: the one is, to third order and on each span of the knots, the other one in other
+/// parameters. Decides whether a form of degree 11 vanishes, by multi-precision where the surfaces
+/// are \f$ G^2 \f$.
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`, with one traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite`, `work_limit`
 template <class Surface_a, class Surface_b>
 bool is_g3_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
@@ -243,15 +269,15 @@ bool is_g3_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// A line of a B-spline surface on which one parameter is an inner knot, and what was decided about the two parts of the
-/// surface along it.
+/// A line of a B-spline surface on which one parameter is an inner knot, and the decision about the
+/// two parts of the surface along it.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Knot_line {
   bool constant_u;  ///< the knot is one of `u`, and `v` varies on the line; otherwise the reverse
   FT knot;          ///< the constant parameter
   int multiplicity; ///< of the knot
-  /// The first surface is the part at smaller parameters, the second the part at larger ones. Parameters are those along the
-  /// line. On spans where the surface jumps the order is -1.
+  /// The first surface is the part at smaller parameters, the second the part at larger ones.
+  /// Parameters are those along the line. On spans where the surface jumps the order is -1.
   Spline_edge_continuity<FT> continuity;
 
   /// Writes the line and the verdict, e.g. `u = 1/2: G1 (curvature)`.
@@ -289,7 +315,7 @@ void add_knot_lines(const Surface& s, Parameter_line line,
   }
 }
 
-// What knot_line_continuity() returns; report() is called after each line.
+// Returns the result of knot_line_continuity(); report() is called after each line.
 template <class Surface, class Report>
 std::vector<Knot_line<Edge_field<typename Surface::Traits>>> knot_lines(const Surface& surface, Report report) {
   require_space(surface, "knot_line_continuity");
@@ -302,10 +328,11 @@ std::vector<Knot_line<Edge_field<typename Surface::Traits>>> knot_lines(const Su
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Decides the continuity of a B-spline surface across its knot lines, exactly, along each line as a whole and with every
-/// kernel: for each inner knot of a multiplicity that does not make the surface twice continuously differentiable, i.e.
-/// greater than degree - 2, first those of `u` and then those of `v`. As for edges, nothing is sampled, a knot with
-/// multiplicity degree can be \f$ G^2 \f$, and points where the normal vanishes are reported.
+/// Decides the continuity of a B-spline surface across its knot lines, exactly, along each line as
+/// a whole and with every kernel: for each inner knot of a multiplicity that does not make the
+/// surface twice continuously differentiable, i.e. greater than degree - 2, first those of `u` and
+/// then those of `v`. As for edges, nothing is sampled, a knot with multiplicity degree can be
+/// \f$ G^2 \f$, and points where the normal vanishes are reported.
 ///
 /// Linear in the number of control points of the lines. The limit is one for each line.
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
@@ -315,7 +342,8 @@ std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Bspline_su
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Decides the continuity of a rational B-spline surface across its knot lines, see the function for `Bspline_surface`.
+/// Decides the continuity of a rational B-spline surface across its knot lines, see the function
+/// for `Bspline_surface`.
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Traits>
 std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Rational_bspline_surface<Traits>& surface) {
@@ -332,7 +360,8 @@ struct Common_edge {
 
 namespace internal {
 
-// Returns whether two edges that are not single points are the same curve, and whether the second runs backwards.
+// Returns whether two edges that are not single points are the same curve, and whether the second
+// runs backwards.
 template <class Traits>
 std::optional<bool> common_edge_reversed(const Bezier_patch<Traits>& a, Patch_edge edge_a,
                                          const Bezier_patch<Traits>& b, Patch_edge edge_b) {
@@ -364,9 +393,10 @@ template <class Patch> std::vector<Common_edge> all_common_edges(const Patch& a,
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns all pairs of edges of `a` and `b` that are the same curve, and not a single point. The points of the edges and their
-/// parametrisations, after exact elevation to one degree, are compared exactly; 16 pairs are tried. Two edges of the same
-/// patch `a = b` are listed once; an edge is not paired with itself. For many patches see `model_continuity()`.
+/// Returns all pairs of edges of `a` and `b` that are the same curve, and not a single point. The
+/// points of the edges and their parametrisations, after exact elevation to one degree, are
+/// compared exactly; 16 pairs are tried. Two edges of the same patch `a = b` are listed once; an
+/// edge is not paired with itself. For many patches see `model_continuity()`.
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit` for one pair
 template <class Traits>
 std::vector<Common_edge> common_edges(const Bezier_patch<Traits>& a, const Bezier_patch<Traits>& b) {
@@ -374,8 +404,8 @@ std::vector<Common_edge> common_edges(const Bezier_patch<Traits>& a, const Bezie
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns all pairs of edges of two rational patches that are the same curve, and not a single point, see the function for
-/// `Bezier_patch`. The weights may differ by a constant factor.
+/// Returns all pairs of edges of two rational patches that are the same curve, and not a single
+/// point, see the function for `Bezier_patch`. The weights may differ by a constant factor.
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit` for one pair
 template <class Traits>
 std::vector<Common_edge> common_edges(const Rational_bezier_patch<Traits>& a, const Rational_bezier_patch<Traits>& b) {

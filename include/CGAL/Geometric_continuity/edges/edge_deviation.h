@@ -24,12 +24,14 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// How far two surfaces are from being continuous along an edge of each: guaranteed enclosures of what is largest on the
-/// whole edges, where points at corresponding parameters are compared.
+/// The distance of two surfaces from being continuous along an edge of each, as guaranteed
+/// enclosures of the maxima on the whole edges, where points at corresponding parameters are
+/// compared.
 struct Edge_deviation {
   Enclosure gap; ///< the largest distance of the points of the edges, in units of the coordinates
-  /// The largest angle between the normals, in radians, in \f$ [0, \pi] \f$: 0 where the surfaces continue each other, see
-  /// `Normal_deviation`. Points where a normal vanishes are left out. Empty when a normal vanishes on a whole span.
+  /// The largest angle between the normals, in radians, in \f$ [0, \pi] \f$: 0 where the surfaces
+  /// continue each other, see `Normal_deviation`. Points where a normal vanishes are left out.
+  /// Empty when a normal vanishes on a whole span.
   std::optional<Enclosure> normal_angle;
   bool normal_vanishes = false; ///< a normal vanishes somewhere on the closed edges
   bool reversed = false;        ///< the second edge runs backwards
@@ -49,8 +51,9 @@ inline Enclosure larger_of(const Enclosure& x, const Enclosure& y) {
   return {(std::max)(x.lower, y.lower), (std::max)(x.upper, y.upper)};
 }
 
-// A number that is at least twice the largest value of s/q on [0, 1], of polynomials of one degree. As the coefficients of q are
-// not all positive where some weights are not, it is found on parts of the interval, after so many halvings.
+// A number that is at least twice the largest value of s/q on [0, 1], of polynomials of one degree.
+// As the coefficients of q are not all positive where some weights are not, it is found on parts of
+// the interval, after so many halvings.
 // \throws Error `work_limit` when q comes too close to zero
 template <class Polynomial>
 typename Polynomial::NT twice_the_quotient(const Polynomial& s, const Polynomial& q, int halvings) {
@@ -69,9 +72,10 @@ typename Polynomial::NT twice_the_quotient(const Polynomial& s, const Polynomial
                     twice_the_quotient(p.second, r.second, halvings - 1));
 }
 
-// The largest distance of two edges is the root of the largest value of s/q, where s = |C1 - C2|^2 and q = 1, or
-// s = |w2 C1 - w1 C2|^2 and q = (w1 w2)^2 for homogeneous points. With a number k >= 2 s/q it is that of k times the largest
-// value of s/(k q), of which at least half is left to 1, so that its bounds differ by the 2^-53-th part at most.
+// The largest distance of two edges is the root of the largest value of s/q, where s = |C1 - C2|^2
+// and q = 1, or s = |w2 C1 - w1 C2|^2 and q = (w1 w2)^2 for homogeneous points. With a number k >=
+// 2 s/q it is that of k times the largest value of s/(k q), of which at least half is left to 1, so
+// that its bounds differ by the 2^-53-th part at most.
 template <class Field, int N> Enclosure largest_distance(const Edge_sides<Field, N>& sides) {
   typedef typename Edge_sides<Field, N>::Ring Ring;
   typedef typename Edge_sides<Field, N>::Polynomial Polynomial;
@@ -95,13 +99,15 @@ template <class Field, int N> Enclosure largest_distance(const Edge_sides<Field,
   const Polynomial factor(std::vector<Ring>(1, k)), acute(std::vector<Ring>(1, Ring(-1)));
   const Normal_deviation<Exact> largest =
       largest_measure<Exact>(s.elevated_to(degree), factor * q.elevated_to(degree), acute);
-  const auto distance = [&](const Exact& measure) { // of homogeneous points the common denominator cancels out
+  // of homogeneous points the common denominator cancels out
+  const auto distance = [&](const Exact& measure) {
     return sqrt_enclosure(sides.denominator.divided(Exact(measure * Exact(k)), N == 4 ? 0 : 2));
   };
   return {distance(largest.lower).lower, distance(largest.upper).upper};
 }
 
-// The largest angle of the normals on one span, empty when one vanishes identically, and whether one vanishes somewhere.
+// The largest angle of the normals on one span, empty when one vanishes identically, and whether
+// one vanishes somewhere.
 template <class Field, int N>
 std::pair<std::optional<Enclosure>, bool> normal_angle(const Edge_sides<Field, N>& sides) {
   typedef typename Edge_sides<Field, N>::Ring Ring;
@@ -167,10 +173,11 @@ Edge_deviation deviation_at_same_parameters(const Spline_edge_rows<Field, N>& a,
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Encloses how far two surfaces are from being continuous along their edges `v = 0`. The second edge is taken in the direction
-/// that gives the smaller gap. Everything is computed in an exact field from the coefficients as given; only the last step, a
-/// root or an arc tangent, is rounded, outwards. With a gap the normals are compared that belong to the same parameter.
-/// Where the limit of the work does not suffice for close enclosures, they are wider ones, and still guaranteed.
+/// Encloses how far two surfaces are from being continuous along their edges `v = 0`. The second
+/// edge is taken in the direction that gives the smaller gap. Everything is computed in an exact
+/// field from the coefficients as given; only the last step, a root or an arc tangent, is rounded,
+/// outwards. With a gap the normals are compared that belong to the same parameter. Where the limit
+/// of the work does not suffice for close enclosures, they are wider ones, and still guaranteed.
 /// \throws Error `wrong_number_of_points` for an empty row, `not_finite`, `work_limit`
 template <class FT> Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_rows<FT>& b) {
   typedef typename Exact_field<FT>::type Field;
@@ -186,10 +193,11 @@ template <class FT> Edge_deviation deviation(const Edge_rows<FT>& a, const Edge_
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Encloses how far two piecewise polynomial surfaces are from being continuous along an edge of each, on all spans of the
-/// knots of both: the domain of one edge as a whole corresponds to that of the other, in the direction that gives the smaller
-/// gap. See the function for `Edge_rows`.
-/// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`
+/// Encloses how far two piecewise polynomial surfaces are from being continuous along an edge of
+/// each, on all spans of the knots of both: the domain of one edge as a whole corresponds to that
+/// of the other, in the direction that gives the smaller gap. See the function for `Edge_rows`.
+/// \throws Error `wrong_number_of_points` when the rows do not fit the knots, `not_finite`,
+///   `work_limit`
 template <class FT, int N>
 Edge_deviation deviation(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>& b) {
   typedef typename Exact_field<FT>::type Field;
@@ -198,11 +206,12 @@ Edge_deviation deviation(const Spline_edge_rows<FT, N>& a, const Spline_edge_row
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Encloses how far two surfaces are from being continuous along an edge of each: guaranteed enclosures of the largest
-/// distance of the edges, whose domains correspond as a whole in the direction that makes it smaller, and of the largest angle
-/// of the normals. Exact up to the last rounding, with every kernel.
-/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, in any
-///   combination, with one traits class
+/// Encloses how far two surfaces are from being continuous along an edge of each: guaranteed
+/// enclosures of the largest distance of the edges, whose domains correspond as a whole in the
+/// direction that makes it smaller, and of the largest angle of the normals. Exact up to the last
+/// rounding, with every kernel.
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`, in any combination, with one traits class
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Surface_a, class Surface_b>
 Edge_deviation deviation(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
@@ -213,18 +222,19 @@ Edge_deviation deviation(const Surface_a& a, Patch_edge edge_a, const Surface_b&
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What is tolerated along an edge: the quantities of `Edge_deviation`, in their units.
+/// A tolerance along an edge: the quantities of `Edge_deviation`, in their units.
 struct Edge_tolerance {
   Bound normal_angle = 0; ///< in radians
   Bound gap = 0;          ///< in units of the coordinates
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The orders 0 and 1 of two surfaces along an edge, within a tolerance. (The order 2 has no tolerance: it is decided
-/// exactly by `edge_continuity()`.)
+/// The orders 0 and 1 of two surfaces along an edge, within a tolerance. (The order 2 has no
+/// tolerance: it is decided exactly by `edge_continuity()`.)
 struct Edge_order_within {
   Edge_deviation deviation; ///< on which the verdicts rest
-  /// For each order: the edges are the same; in addition the tangent planes agree and the surfaces continue each other.
+  /// For each order: the edges are the same; in addition the tangent planes agree and the surfaces
+  /// continue each other.
   std::array<Verdict, 2> verdicts;
 
   /// Returns whether the surfaces have the order, 0 or 1, within the tolerance.
@@ -253,8 +263,9 @@ inline void check_tolerance(const Edge_tolerance& tolerance) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns the verdicts on a deviation: *proved* when its enclosures are within the tolerance, *refuted* when one exceeds it,
-/// otherwise *undecided*. A normal that vanishes somewhere refutes the order 1: there is no tangent plane.
+/// Returns the verdicts on a deviation: *proved* when its enclosures are within the tolerance,
+/// *refuted* when one exceeds it, otherwise *undecided*. A normal that vanishes somewhere refutes
+/// the order 1: there is no tangent plane.
 /// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number
 inline Edge_order_within order_within(const Edge_deviation& deviation, const Edge_tolerance& tolerance) {
   internal::check_tolerance(tolerance);
@@ -266,11 +277,12 @@ inline Edge_order_within order_within(const Edge_deviation& deviation, const Edg
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns the verdicts on edges that have been decided to be the same, at least in part, along the part that they have in
-/// common. An order that the surfaces have exactly is proved with each tolerance.
-/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number; `curves_do_not_meet` when the
-///   edges have nothing in common (`edge.g_order < 0`): then their gap is not known, which `deviation()` of the surfaces
-///   encloses
+/// Returns the verdicts on edges that have been decided to be the same, at least in part, along the
+/// part that they have in common. An order that the surfaces have exactly is proved with each
+/// tolerance.
+/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number;
+///   `curves_do_not_meet` when the edges have nothing in common (`edge.g_order < 0`): then their
+///   gap is not known, which `deviation()` of the surfaces encloses
 template <class FT>
 Edge_order_within order_within(const Spline_edge_continuity<FT>& edge, const Edge_tolerance& tolerance) {
   internal::check_tolerance(tolerance);
@@ -295,11 +307,12 @@ Edge_order_within order_within_or_exactly(const Spline_edge_continuity<FT>& exac
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides which order, 0 or 1, two piecewise polynomial surfaces have along an edge within a tolerance. What counts is
-/// `deviation()` along the whole edges; where these are farther apart than the tolerance but have a part exactly in common, see
-/// `edge_continuity()`, this part counts.
-/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number, `wrong_number_of_points` when
-///   the rows do not fit the knots, `not_finite`, `work_limit`
+/// Decides which order, 0 or 1, two piecewise polynomial surfaces have along an edge within a
+/// tolerance. The order follows from `deviation()` along the whole edges; where these are farther
+/// apart than the tolerance but have a part exactly in common, see `edge_continuity()`, this part
+/// counts.
+/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number,
+///   `wrong_number_of_points` when the rows do not fit the knots, `not_finite`, `work_limit`
 template <class FT, int N>
 Edge_order_within order_within(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>& b,
                                const Edge_tolerance& tolerance) {
@@ -309,12 +322,13 @@ Edge_order_within order_within(const Spline_edge_rows<FT, N>& a, const Spline_ed
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Decides which order, 0 or 1, two surfaces have along an edge of each within a tolerance, see the function for
-/// `Spline_edge_rows`. Edges that have nothing in common, exactly or within the tolerance, are refuted, with their gap.
-/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, in any
-///   combination, with one traits class
-/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number; `dimension_mismatch` unless
-///   in dimension 3; `work_limit`
+/// Decides which order, 0 or 1, two surfaces have along an edge of each within a tolerance, see the
+/// function for `Spline_edge_rows`. Edges that have nothing in common, exactly or within the
+/// tolerance, are refuted, with their gap.
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`, in any combination, with one traits class
+/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number;
+///   `dimension_mismatch` unless in dimension 3; `work_limit`
 template <class Surface_a, class Surface_b>
 Edge_order_within order_within(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
                                const Edge_tolerance& tolerance) {
@@ -324,14 +338,15 @@ Edge_order_within order_within(const Surface_a& a, Patch_edge edge_a, const Surf
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Decides which order, 0 or 1, a B-spline surface has along one of its knot lines within a tolerance. Where the surface jumps
-/// its two parts are compared at equal parameters.
+/// Decides which order, 0 or 1, a B-spline surface has along one of its knot lines within a
+/// tolerance. Where the surface jumps its two parts are compared at equal parameters.
 /// \tparam Surface `Bspline_surface` or `Rational_bspline_surface`
 /// \param surface the surface
 /// \param line one of `knot_line_continuity(surface)`
 /// \param tolerance for the gap and for the order 1
-/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number; `knot_multiplicity` when
-///   the surface jumps along `line`, but has no inner knot there; `work_limit`
+/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number;
+///   `knot_multiplicity` when the surface jumps along `line`, but has no inner knot there;
+///   `work_limit`
 template <class Surface>
 Edge_order_within order_within(const Surface& surface, const Knot_line<Edge_field<typename Surface::Traits>>& line,
                                const Edge_tolerance& tolerance) {

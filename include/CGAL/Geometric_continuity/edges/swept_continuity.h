@@ -23,7 +23,8 @@
 #include <vector>
 
 /// \file swept_continuity.h
-/// The continuity of surfaces that two profiles sweep, along the line swept by the point in which the profiles join.
+/// The continuity of surfaces that two profiles sweep, along the line swept by the point in which
+/// the profiles join.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -58,8 +59,9 @@ private:
   }
 };
 
-// The derivatives C', C'' of a common edge and T = S_v, T' = S_uv, W = S_vv of both sides at one point, in a ring, as
-// polynomials that are constant: what Edge_decision reads of Edge_sides, for an edge whose points are all alike.
+// The derivatives C', C'' of a common edge and T = S_v, T' = S_uv, W = S_vv of both sides at one
+// point, in a ring, as polynomials that are constant: what Edge_decision reads of Edge_sides, for
+// an edge whose points are all alike.
 template <class Field> class Point_of_edge {
   typedef Coordinate_vector<Field, 3> Column;
   typedef typename Edge_sides<Field>::Polynomial Polynomial;
@@ -102,18 +104,20 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Decides the continuity of the extrusions of two profiles in the direction `w` along their common ruling, which starts where
-/// `left` ends and `right` starts. It is `edge_continuity()` of the polynomial rows \f$ C = c + v w \f$, \f$ T = \mp c' \f$,
-/// \f$ W = c'' \f$, decided on the whole ruling.
+/// Decides the continuity of the extrusions of two profiles in the direction `w` along their common
+/// ruling, which starts where `left` ends and `right` starts. It is `edge_continuity()` of the
+/// polynomial rows \f$ C = c + v w \f$, \f$ T = \mp c' \f$, \f$ W = c'' \f$, decided on the whole
+/// ruling.
 ///
-/// A profile that is \f$ G^2 \f$ gives a surface that is \f$ G^2 \f$, unless its tangent is parallel to `w`. The converse is
-/// false: the surface depends on the profile as it is seen in the direction `w` only, and is smooth where a crease of the
-/// profile lies in a plane with `w`.
+/// A profile that is \f$ G^2 \f$ gives a surface that is \f$ G^2 \f$, unless its tangent is
+/// parallel to `w`. The converse is false: the surface depends on the profile as it is seen in the
+/// direction `w` only, and is smooth where a crease of the profile lies in a plane with `w`.
 ///
-/// The decision is exact with every kernel: control points are taken as they are given, and otherwise the derivatives as
-/// `ParametricCurve::jet()` returns them.
+/// The decision is exact with every kernel: control points are taken as they are given, and
+/// otherwise the derivatives as `ParametricCurve::jet()` returns them.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class, in dimension 3
-/// \throws Error `zero_direction`, `dimension_mismatch` unless in dimension 3, `jet_order_too_low`, `not_finite`
+/// \throws Error `zero_direction`, `dimension_mismatch` unless in dimension 3, `jet_order_too_low`,
+///   `not_finite`
 template <class Left, class Right>
 Edge_continuity<Edge_field<typename Left::Traits>>
 extrusion_continuity(const Left& left, const Right& right, const typename Left::Traits::Vector& direction) {
@@ -130,24 +134,27 @@ extrusion_continuity(const Left& left, const Right& right, const typename Left::
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Decides the continuity of the surfaces that two profiles sweep by a full turn about one axis, along the parallel on which
-/// `left` ends and `right` starts. The profiles may end and start at different points of it.
+/// Decides the continuity of the surfaces that two profiles sweep by a full turn about one axis,
+/// along the parallel on which `left` ends and `right` starts. The profiles may end and start at
+/// different points of it.
 ///
-/// The decision is made at one point, from the derivatives with respect to the angle: \f$ C' = w \times x \f$,
-/// \f$ C'' = w \times C' \f$, \f$ T = \mp c' \f$, \f$ T' = w \times T \f$, \f$ W = c'' \f$ with \f$ x = c - a \f$. One point
-/// suffices: each rotation about the axis maps both surfaces to themselves, and takes this point to any other of the parallel;
-/// tangent planes and curvatures go with it. In the result, intervals are [0, 1] for the whole parallel.
+/// The decision is made at one point, from the derivatives with respect to the angle:
+/// \f$ C' = w \times x \f$, \f$ C'' = w \times C' \f$, \f$ T = \mp c' \f$, \f$ T' = w \times T \f$,
+/// \f$ W = c'' \f$ with \f$ x = c - a \f$. One point suffices: each rotation about the axis maps
+/// both surfaces to themselves, and takes this point to any other of the parallel; tangent planes
+/// and curvatures go with it. In the result, intervals are [0, 1] for the whole parallel.
 ///
-/// A profile that is \f$ G^2 \f$ gives a surface that is \f$ G^2 \f$, unless the normal vanishes. The converse is false: the
-/// surface depends on the distance from the axis and the height only, and is smooth where a crease of the profile lies in a
-/// plane with the tangent of the parallel. On the axis the parallel is a point, and the continuity along it is undefined: the
-/// defect is `collapsed`.
+/// A profile that is \f$ G^2 \f$ gives a surface that is \f$ G^2 \f$, unless the normal vanishes.
+/// The converse is false: the surface depends on the distance from the axis and the height only,
+/// and is smooth where a crease of the profile lies in a plane with the tangent of the parallel. On
+/// the axis the parallel is a point, and the continuity along it is undefined: the defect is
+/// `collapsed`.
 ///
-/// The decision is exact with every kernel: control points are taken as they are given, and otherwise the derivatives as
-/// `ParametricCurve::jet()` returns them.
+/// The decision is exact with every kernel: control points are taken as they are given, and
+/// otherwise the derivatives as `ParametricCurve::jet()` returns them.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class, in dimension 3
-/// \throws Error `zero_direction`, `dimension_mismatch` unless in dimension 3, `jet_order_too_low`, `not_finite`,
-///   `work_limit`
+/// \throws Error `zero_direction`, `dimension_mismatch` unless in dimension 3, `jet_order_too_low`,
+///   `not_finite`, `work_limit`
 template <class Left, class Right>
 Edge_continuity<Edge_field<typename Left::Traits>> revolution_continuity(const Left& left, const Right& right,
                                                                          const typename Left::Traits::Point& axis_point,
@@ -164,7 +171,8 @@ Edge_continuity<Edge_field<typename Left::Traits>> revolution_continuity(const L
   const Field radius = dot(m, m), W = dot(w, w);
   if (dot(w, x) != dot(w, y) || radius != dot(my, my)) return {}; // different parallels
   if (radius != Field(0)) {
-    // the rotation that takes y to x: v + sin w x v + (1 - cos) w x (w x v), with w taken as a unit vector
+    // the rotation that takes y to x: v + sin w x v + (1 - cos) w x (w x v), with w taken as a unit
+    // vector
     const Field sine = dot(m, cross_product(w, my)) / (W * radius), versine = (Field(1) - dot(m, my) / radius) / W;
     for (int j = 1; j < 3; ++j) {
       const Vector wv = cross_product(w, join.right[j]);
@@ -186,26 +194,28 @@ Edge_continuity<Edge_field<typename Left::Traits>> revolution_continuity(const L
 /// \ingroup PkgGeometricContinuitySurfaces
 /// A parameter of a profile at which the normal of its swept surface vanishes.
 ///
-/// If neither `on_axis` nor `zero_tangent`, the profile is tangent there to the lines of the sweep: parallel to the direction
-/// of an extrusion, or along a parallel of a surface of revolution.
+/// If neither `on_axis` nor `zero_tangent`, the profile is tangent there to the lines of the sweep:
+/// parallel to the direction of an extrusion, or along a parallel of a surface of revolution.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Sweep_defect {
   FT begin;     ///< the parameter of the profile lies between this and the next,
   FT end;       ///< it is the only one there, and it is this one if they are equal
   bool on_axis; ///< the profile meets the axis of revolution
-  /// On the axis, \f$ c' \ne 0 \f$ is orthogonal to it: the surface has a tangent plane at this pole all the same.
+  /// On the axis, \f$ c' \ne 0 \f$ is orthogonal to it: the surface has a tangent plane at this
+  /// pole all the same.
   bool smooth_pole;
   bool zero_tangent; ///< \f$ c' = 0 \f$
   int multiplicity;  ///< how often the normal vanishes, as a polynomial in the parameter
-  /// The normal has opposite directions before and after: the parameter is inside the domain and the multiplicity is odd.
-  /// On the axis the surface passes through a pole, elsewhere it folds.
+  /// The normal has opposite directions before and after: the parameter is inside the domain and
+  /// the multiplicity is odd. On the axis the surface passes through a pole, elsewhere it folds.
   bool normal_flips;
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Lists all parameters of a profile at which the normal of its swept surface vanishes.
 template <class FT> struct Sweep_defects {
-  /// The normal vanishes everywhere: the profile is a point, lies on the axis, or is straight in the direction of extrusion.
+  /// The normal vanishes everywhere: the profile is a point, lies on the axis, or is straight in
+  /// the direction of extrusion.
   bool degenerate = false;
   std::vector<Sweep_defect<FT>> points; ///< in increasing order; none if `degenerate`
 };
@@ -292,7 +302,8 @@ private:
     return p.is_zero() ? Polynomial{Exact(1)} : square_free_part(p.bernstein());
   }
 
-  // of the normal n, where d is c', `axis` is zero on the axis, and `pole` where also c' is orthogonal to it
+  // of the normal n, where d is c', `axis` is zero on the axis, and `pole` where also c' is
+  // orthogonal to it
   Sweep_defects<Field> defects(const Vector& n, const Vector& d, const Polynomial& axis, const Polynomial& pole) const {
     typedef Root_isolation<Exact> Isolation;
     Sweep_defects<Field> result;
@@ -316,9 +327,10 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Finds the parameters at which the normal \f$ c' \times w \f$ of the extrusion of a Bézier curve vanishes. They are the common
-/// roots of its coordinates, found exactly and with every kernel: the control points are taken as they are given. The
-/// intervals have at most 1/1024 of the length of the domain.
+/// Finds the parameters at which the normal \f$ c' \times w \f$ of the extrusion of a Bézier curve
+/// vanishes. They are the common roots of its coordinates, found exactly and with every kernel: the
+/// control points are taken as they are given. The intervals have at most 1/1024 of the length of
+/// the domain.
 ///
 /// A B-spline curve or a segmented curve is analysed piece by piece.
 /// \throws Error `dimension_mismatch` unless the profile is in dimension 3
@@ -331,9 +343,10 @@ Sweep_defects<Edge_field<Traits>> sweep_defects(const Extrusion_surface_3<Bezier
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Finds the parameters at which the normal \f$ c' \times (w \times (c - a)) \f$ of the surface of revolution of a Bézier curve
-/// vanishes: at these parameters for all angles, and at no others. They are found exactly and with every kernel, in intervals
-/// of at most 1/1024 of the length of the domain, as for an extrusion.
+/// Finds the parameters at which the normal \f$ c' \times (w \times (c - a)) \f$ of the surface of
+/// revolution of a Bézier curve vanishes: at these parameters for all angles, and at no others.
+/// They are found exactly and with every kernel, in intervals of at most 1/1024 of the length of
+/// the domain, as for an extrusion.
 /// \throws Error `dimension_mismatch` unless the profile is in dimension 3
 template <class Traits, int Degree>
 Sweep_defects<Edge_field<Traits>> sweep_defects(const Revolution_surface_3<Bezier_curve<Traits, Degree>>& s) {
@@ -343,10 +356,11 @@ Sweep_defects<Edge_field<Traits>> sweep_defects(const Revolution_surface_3<Bezie
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the signed distance of a profile from the axis, times a positive constant, as a polynomial on [0, 1], for a profile that
-/// lies in a plane through the axis; otherwise empty. Its first coefficient that is not zero is positive. Where it changes
-/// its sign the profile crosses the axis, and the normal of the surface flips. Decided exactly, with every kernel; its
-/// signs are found by `sign_pattern()`.
+/// Returns the signed distance of a profile from the axis, times a positive constant, as a
+/// polynomial on [0, 1], for a profile that lies in a plane through the axis; otherwise empty. Its
+/// first coefficient that is not zero is positive. Where it changes its sign the profile crosses
+/// the axis, and the normal of the surface flips. Decided exactly, with every kernel; its signs are
+/// found by `sign_pattern()`.
 /// \throws Error `dimension_mismatch` unless the profile is in dimension 3
 template <class Traits, int Degree>
 std::optional<Bernstein_polynomial<Edge_field<Traits>>>

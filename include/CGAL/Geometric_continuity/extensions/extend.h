@@ -26,17 +26,20 @@
 #include <vector>
 
 /// \file extend.h
-/// The next segment behind a curve, with chosen members of Hagen's families of alternatives (see `alternatives.h`), and the one
-/// that leads from the end of a chain of curves back to its start. Of a Bézier curve the segment is returned; a segmented curve
-/// and a B-spline curve are returned with the segment.
+/// The next segment behind a curve, with chosen members of Hagen's families of alternatives (see
+/// `alternatives.h`), and the one that leads from the end of a chain of curves back to its start.
+/// For a Bézier curve the segment is returned; a segmented curve and a B-spline curve are returned
+/// with the segment.
 ///
-/// `extend_toward()` leads to a wished point with the least energy among the members of Hagen's families (see `alternatives.h`).
+/// `extend_toward()` leads to a wished point with the least energy among the members of Hagen's
+/// families (see `alternatives.h`).
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// What a join keeps continuous, each with all before it: \f$ F^1 \f$, \f$ F^2 \f$, \f$ F^3 \f$.
+/// The quantities that a join keeps continuous, each with all before it: \f$ F^1 \f$, \f$ F^2 \f$,
+/// \f$ F^3 \f$.
 enum class Frenet_order {
   tangent = 1,   ///< the direction of the tangent
   curvature = 2, ///< the curvature vector
@@ -60,19 +63,24 @@ template <class FT> struct Given_optional_number {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// The ratio and the members of the families of alternatives that a next segment takes. What is not given is that of the
-/// smoothest join: \f$ C_0 \f$ of the \f$ C^2 \f$ member, \f$ C_2 \f$ of the \f$ G^3 \f$ member and \f$ C_1 \f$ with
-/// \f$ \delta = 0 \f$.
+/// The ratio and the members of the families of alternatives that a next segment takes. Scalars
+/// that are not given are those of the smoothest join: \f$ C_0 \f$ of the \f$ C^2 \f$ member,
+/// \f$ C_2 \f$ of the \f$ G^3 \f$ member and \f$ C_1 \f$ with \f$ \delta = 0 \f$.
 template <class FT> struct Extension_parameters {
-  FT beta = FT(1);      ///< the length of the domain of the next segment, that of the last one being 1
+  /// the length of the domain of the next segment, that of the last one being 1
+  FT beta = FT(1);
   std::optional<FT> c0; ///< \f$ C_0 \f$, which chooses \f$ b_2 \f$, see `Curvature_alternatives`
-  std::optional<FT> c1; ///< \f$ C_1 \f$, which chooses \f$ b_3 \f$ together with `c2`, see `Torsion_alternatives`
-  std::optional<FT> c2; ///< \f$ C_2 \f$, which chooses \f$ b_3 \f$ together with `c1`, see `Torsion_alternatives`
+  /// \f$ C_1 \f$, which chooses \f$ b_3 \f$ together with `c2`, see `Torsion_alternatives`
+  std::optional<FT> c1;
+  /// \f$ C_2 \f$, which chooses \f$ b_3 \f$ together with `c1`, see `Torsion_alternatives`
+  std::optional<FT> c2;
 
   /// Sets \f$ \beta = 1 \f$ and gives none of the others.
   Extension_parameters() = default;
-  /// Takes numbers of any type from which `FT` can be made; what is `{}` or `std::nullopt` is not given.
-  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a number
+  /// Takes numbers of any type from which `FT` can be made; `{}` or `std::nullopt` stands for a
+  /// value that is not given.
+  /// \throws Error `not_finite` when a floating-point number that is converted is infinite or not a
+  ///   number
   Extension_parameters(internal::Convertible_number<FT> given_beta, internal::Given_optional_number<FT> given_c0 = {},
                        internal::Given_optional_number<FT> given_c1 = {},
                        internal::Given_optional_number<FT> given_c2 = {})
@@ -82,7 +90,8 @@ template <class FT> struct Extension_parameters {
 
 namespace internal {
 
-// The polygon of the polynomial `left` itself on the interval behind its domain that is beta times as long.
+// The polygon of the polynomial `left` itself on the interval behind its domain that is beta times
+// as long.
 template <class Traits, int Degree>
 std::vector<Coordinates<Traits>> continued_polygon(const Bezier_curve<Traits, Degree>& left,
                                                    const typename Traits::FT& beta) {
@@ -100,7 +109,8 @@ std::vector<Coordinates<Traits>> continued_polygon(const Bezier_curve<Traits, De
   return b;
 }
 
-// Moves b_j to its new place and the points behind it so that only the j-th derivative at the start changes.
+// Moves b_j to its new place and the points behind it so that only the j-th derivative at the start
+// changes.
 template <class FT, int N>
 void move_point(std::vector<Coordinate_vector<FT, N>>& b, int j, const Coordinate_vector<FT, N>& place) {
   const Coordinate_vector<FT, N> step = place - b[j];
@@ -122,14 +132,17 @@ Bezier_curve<Traits, Degree> next_segment(const Bezier_curve<Traits, Degree>& le
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the next segment of a chain behind `left`: of the same degree `m`, on the domain \f$ [b, b + \beta (b - a)] \f$ behind
-/// \f$ [a, b] \f$, with the wanted continuity. Its first points are the given members of the families of alternatives; its
-/// derivatives beyond the wanted order are those of `left`. Without given parameters this is the polynomial `left` itself,
+/// Returns the next segment of a chain behind `left`: of the same degree `m`, on the domain
+/// \f$ [b, b + \beta (b - a)] \f$ behind \f$ [a, b] \f$, with the wanted continuity. Its first
+/// points are the given members of the families of alternatives; its derivatives beyond the wanted
+/// order are those of `left`. Without given parameters this is the polynomial `left` itself,
 /// continued, for every order. \f$ O(m^2) \f$
-/// \throws Error `wrong_number_of_points` when `m` is less than the order (the family does not exist)
+/// \throws Error `wrong_number_of_points` when `m` is less than the order (the family does not
+///   exist)
 /// \throws Error `nonpositive_beta` unless \f$ \beta > 0 \f$
 /// \throws Error `zero_tangent` when the last two control points are equal
-/// \throws Error `not_finite` when a parameter is infinite or not a number, or the result overflows the number type
+/// \throws Error `not_finite` when a parameter is infinite or not a number, or the result overflows
+///   the number type
 /// \throws Error `work_limit` when exact numbers are so long that the limit does not suffice
 template <class Traits, int Degree>
 Bezier_curve<Traits, Degree> extend(const Bezier_curve<Traits, Degree>& left, Frenet_order order,
@@ -158,7 +171,8 @@ Bezier_curve<Traits, Degree> extend(const Bezier_curve<Traits, Degree>& left, Fr
 
 namespace internal {
 
-// What an extension of this order reads of a rational curve: its Taylor polynomial, of its degree or of that order.
+// Returns the part of a rational curve that an extension of this order reads: its Taylor
+// polynomial, of its degree or of that order.
 template <class Traits, int Degree>
 Bezier_curve<Traits> polynomial_at_end(const Rational_bezier_curve<Traits, Degree>& left, Frenet_order order) {
   if (left.is_polynomial()) return *left.polynomial();
@@ -168,10 +182,12 @@ Bezier_curve<Traits> polynomial_at_end(const Rational_bezier_curve<Traits, Degre
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the next segment of a chain behind a rational curve: a polynomial one, which `extend()` makes from the Taylor polynomial of
-/// `left` at its end, see `taylor_polynomial_at_end()`. Its degree is that of `left`, or the order if that is higher. With equal weights
-/// it is that of the polynomial curve.
-/// \throws Error `nonpositive_beta`, `zero_tangent`, `not_finite`, `work_limit` as `extend()` of a Bézier curve
+/// Returns the next segment of a chain behind a rational curve: a polynomial one, which `extend()`
+/// makes from the Taylor polynomial of `left` at its end, see `taylor_polynomial_at_end()`. Its
+/// degree is that of `left`, or the order if that is higher. With equal weights it is that of the
+/// polynomial curve.
+/// \throws Error `nonpositive_beta`, `zero_tangent`, `not_finite`, `work_limit` as `extend()` of a
+///   Bézier curve
 template <class Traits, int Degree>
 Bezier_curve<Traits> extend(const Rational_bezier_curve<Traits, Degree>& left, Frenet_order order,
                             const Extension_parameters<typename Traits::FT>& parameters = {}) {
@@ -190,10 +206,10 @@ std::vector<Bezier_curve<Traits>> segments_of(const Composite_bezier_curve<Trait
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the segmented curve with one more segment, which `extend()` makes from the last one. In the global parameter
-/// \f$ \beta \f$ is the ratio of the lengths of the two parameter intervals.
-/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `not_finite`, `work_limit` as `extend()` of a Bézier
-///   curve
+/// Returns the segmented curve with one more segment, which `extend()` makes from the last one. In
+/// the global parameter \f$ \beta \f$ is the ratio of the lengths of the two parameter intervals.
+/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `not_finite`,
+///   `work_limit` as `extend()` of a Bézier curve
 template <class Traits, int Degree>
 Composite_bezier_curve<Traits, Degree> extend(const Composite_bezier_curve<Traits, Degree>& curve, Frenet_order order,
                                               const Extension_parameters<typename Traits::FT>& parameters = {}) {
@@ -204,7 +220,8 @@ Composite_bezier_curve<Traits, Degree> extend(const Composite_bezier_curve<Trait
 
 namespace internal {
 
-// The curve over the knots of both, with the end of the curve repeated p times. The segment starts where the clamped curve ends.
+// The curve over the knots of both, with the end of the curve repeated p times. The segment starts
+// where the clamped curve ends.
 template <class Traits>
 Bspline_curve<Traits> with_segment(const Bspline_curve<Traits>& clamped, const Bezier_curve<Traits>& segment) {
   typedef typename Traits::FT FT;
@@ -215,7 +232,8 @@ Bspline_curve<Traits> with_segment(const Bspline_curve<Traits>& clamped, const B
   return {points.begin(), points.end(), Knot_vector<FT>(clamped.degree(), std::move(knots))};
 }
 
-// A rational curve with a polynomial segment behind its clamped form, raised to the degree of the curve.
+// A rational curve with a polynomial segment behind its clamped form, raised to the degree of the
+// curve.
 template <class Traits>
 Rational_bspline_curve<Traits> with_segment(const Rational_bspline_curve<Traits>& clamped,
                                             const Bezier_curve<Traits>& segment, const char* place) {
@@ -232,10 +250,10 @@ Rational_bspline_curve<Traits> with_segment(const Rational_bspline_curve<Traits>
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the rational B-spline curve with one more segment, a polynomial one, which `extend()` makes from the rational Bézier curve on
-/// the last span; knots as for a B-spline curve.
-/// \throws Error `wrong_number_of_points` when the order exceeds the degree, `nonpositive_beta`, `zero_tangent`, `not_finite` as
-///   `extend()` of a Bézier curve
+/// Returns the rational B-spline curve with one more segment, a polynomial one, which `extend()`
+/// makes from the rational Bézier curve on the last span; knots as for a B-spline curve.
+/// \throws Error `wrong_number_of_points` when the order exceeds the degree, `nonpositive_beta`,
+///   `zero_tangent`, `not_finite` as `extend()` of a Bézier curve
 template <class Traits>
 Rational_bspline_curve<Traits> extend(const Rational_bspline_curve<Traits>& curve, Frenet_order order,
                                       const Extension_parameters<typename Traits::FT>& parameters = {}) {
@@ -244,13 +262,14 @@ Rational_bspline_curve<Traits> extend(const Rational_bspline_curve<Traits>& curv
 }
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the B-spline curve with one more segment, which `extend()` makes from the Bézier curve on the last span. It is clamped; its
-/// domain \f$ [a, b] \f$ grows by \f$ \beta \f$ times the length of that span. The inner knots stay, and the join at `b` becomes a
-/// knot of multiplicity `p`, because a join with geometric continuity is in general no smoother in the parameter;
-/// `Bspline_curve::remove_superfluous_knots()` leaves those that are needed. A clamped curve keeps its control points. For
-/// the Bézier curve on the last span \f$ O(n p^3) \f$.
-/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `not_finite`, `work_limit` as `extend()` of a Bézier
-///   curve
+/// Returns the B-spline curve with one more segment, which `extend()` makes from the Bézier curve
+/// on the last span. It is clamped; its domain \f$ [a, b] \f$ grows by \f$ \beta \f$ times the
+/// length of that span. The inner knots stay, and the join at `b` becomes a knot of multiplicity
+/// `p`, because a join with geometric continuity is in general no smoother in the parameter;
+/// `Bspline_curve::remove_superfluous_knots()` leaves those that are needed. A clamped curve keeps
+/// its control points. For the Bézier curve on the last span \f$ O(n p^3) \f$.
+/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `not_finite`,
+///   `work_limit` as `extend()` of a Bézier curve
 template <class Traits>
 Bspline_curve<Traits> extend(const Bspline_curve<Traits>& curve, Frenet_order order,
                              const Extension_parameters<typename Traits::FT>& parameters = {}) {
@@ -259,13 +278,15 @@ Bspline_curve<Traits> extend(const Bspline_curve<Traits>& curve, Frenet_order or
 }
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the segment on [0, 1] that leads from the end of the curve `last` back to the start of the curve `first`, with the wanted
-/// continuity at both joins: for the tangent the cubic with the end tangents \f$ \beta x' \f$ and \f$ \eta y' \f$, for the
-/// curvature the quintic blend of least \f$ \int |\gamma'''|^2 \f$, for the torsion the \f$ G^3 \f$ septic blend of least
+/// Returns the segment on [0, 1] that leads from the end of the curve `last` back to the start of
+/// the curve `first`, with the wanted continuity at both joins: for the tangent the cubic with the
+/// end tangents \f$ \beta x' \f$ and \f$ \eta y' \f$, for the curvature the quintic blend of least
+/// \f$ \int |\gamma'''|^2 \f$, for the torsion the \f$ G^3 \f$ septic blend of least
 /// \f$ \int |\gamma^{(4)}|^2 \f$.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class
-/// \throws Error `nonpositive_beta` unless \f$ \beta > 0 \f$ and \f$ \eta > 0 \f$, `dimension_mismatch`, `zero_tangent` when an end
-///   tangent is zero, `not_finite` when a shape parameter is infinite or the result overflows
+/// \throws Error `nonpositive_beta` unless \f$ \beta > 0 \f$ and \f$ \eta > 0 \f$,
+///   `dimension_mismatch`, `zero_tangent` when an end tangent is zero, `not_finite` when a shape
+///   parameter is infinite or the result overflows
 template <class Left, class Right>
 Bezier_curve<typename Left::Traits> close(const Left& last, const Right& first, Frenet_order order,
                                           const Shape_parameters<typename Left::Traits::FT>& shape = {}) {
@@ -284,8 +305,8 @@ Bezier_curve<typename Left::Traits> close(const Left& last, const Right& first, 
 }
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the closed curve with one more segment, which `close()` makes from the last one to the first. It takes a parameter
-/// interval of length 1; all segments get the highest degree.
+/// Returns the closed curve with one more segment, which `close()` makes from the last one to the
+/// first. It takes a parameter interval of length 1; all segments get the highest degree.
 /// \throws Error `nonpositive_beta`, `zero_tangent`, `not_finite` as `close()` of two curves
 template <class Traits, int Degree>
 Composite_bezier_curve<Traits> close(const Composite_bezier_curve<Traits, Degree>& curve, Frenet_order order,
@@ -303,8 +324,8 @@ template <class Vector> struct Freedom {
   Vector direction;
 };
 
-// Moves the points of the polygon b along the given directions so that the integral of |gamma''|^2 becomes least.
-// b_0 and b_1 do not move, and the directions of one point are independent.
+// Moves the points of the polygon b along the given directions so that the integral of |gamma''|^2
+// becomes least. b_0 and b_1 do not move, and the directions of one point are independent.
 template <class FT, int N>
 void minimize_energy(std::vector<Coordinate_vector<FT, N>>& b,
                      const std::vector<Freedom<Coordinate_vector<FT, N>>>& free) {
@@ -333,14 +354,16 @@ void minimize_energy(std::vector<Coordinate_vector<FT, N>>& b,
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the next segment of a chain behind `left` that leads to a wished point: of the same degree `m`, on the domain
-/// \f$ [b, b + \beta (b - a)] \f$ behind \f$ [a, b] \f$, with the wanted continuity `k`. When `m > k` it ends at the point; when
-/// `m == k` it ends at the nearest member of the family of alternatives. All that is free otherwise, the scalars of the
-/// families and the points between, has the least energy \f$ \int |\gamma''|^2 \f$: an exact linear system in at most
-/// `3 + n (m - k - 1)` unknowns in dimension `n`, never singular, solved by elimination.
-/// \throws Error `wrong_number_of_points` when `m < k`, `nonpositive_beta` unless \f$ \beta > 0 \f$, `zero_tangent` when the last
-///   two control points are equal, `dimension_mismatch`, `not_finite` when the result overflows the number type; `work_limit` in a
-///   `Work_scope`
+/// Returns the next segment of a chain behind `left` that leads to a wished point: of the same
+/// degree `m`, on the domain \f$ [b, b + \beta (b - a)] \f$ behind \f$ [a, b] \f$, with the wanted
+/// continuity `k`. When `m > k` it ends at the point; when `m == k` it ends at the nearest member
+/// of the family of alternatives. All that is free otherwise, the scalars of the families and the
+/// points between, has the least energy \f$ \int |\gamma''|^2 \f$: an exact linear system in at
+/// most `3 + n (m - k - 1)` unknowns in dimension `n`, never singular, solved by elimination.
+/// \throws Error `wrong_number_of_points` when `m < k`, `nonpositive_beta` unless
+///   \f$ \beta > 0 \f$, `zero_tangent` when the last two control points are equal,
+///   `dimension_mismatch`, `not_finite` when the result overflows the number type; `work_limit` in
+///   a `Work_scope`
 template <class Traits, int Degree>
 Bezier_curve<Traits, Degree> extend_toward(const Bezier_curve<Traits, Degree>& left, Frenet_order order,
                                            const typename Traits::Point& wished,
@@ -382,9 +405,11 @@ Bezier_curve<Traits, Degree> extend_toward(const Bezier_curve<Traits, Degree>& l
 }
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the next segment of a chain behind a rational curve that leads to a wished point: a polynomial one, which `extend_toward()`
-/// makes from the Taylor polynomial of `left` at its end, as `extend()` of a rational curve.
-/// \throws Error `nonpositive_beta`, `zero_tangent`, `dimension_mismatch`, `not_finite` as `extend_toward()` of a Bézier curve
+/// Returns the next segment of a chain behind a rational curve that leads to a wished point: a
+/// polynomial one, which `extend_toward()` makes from the Taylor polynomial of `left` at its end,
+/// as `extend()` of a rational curve.
+/// \throws Error `nonpositive_beta`, `zero_tangent`, `dimension_mismatch`, `not_finite` as
+///   `extend_toward()` of a Bézier curve
 template <class Traits, int Degree>
 Bezier_curve<Traits> extend_toward(const Rational_bezier_curve<Traits, Degree>& left, Frenet_order order,
                                    const typename Traits::Point& wished,
@@ -393,9 +418,10 @@ Bezier_curve<Traits> extend_toward(const Rational_bezier_curve<Traits, Degree>& 
 }
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the rational B-spline curve with one more segment, a polynomial one, which `extend_toward()` makes from the rational Bézier
-/// curve on the last span.
-/// \throws Error `wrong_number_of_points` when the order exceeds the degree, otherwise as `extend_toward()` of a Bézier curve
+/// Returns the rational B-spline curve with one more segment, a polynomial one, which
+/// `extend_toward()` makes from the rational Bézier curve on the last span.
+/// \throws Error `wrong_number_of_points` when the order exceeds the degree, otherwise as
+///   `extend_toward()` of a Bézier curve
 template <class Traits>
 Rational_bspline_curve<Traits> extend_toward(const Rational_bspline_curve<Traits>& curve, Frenet_order order,
                                              const typename Traits::Point& wished,
@@ -406,10 +432,11 @@ Rational_bspline_curve<Traits> extend_toward(const Rational_bspline_curve<Traits
 }
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the segmented curve with one more segment, which `extend_toward()` makes from the last one. In the global parameter
-/// \f$ \beta \f$ is the ratio of the lengths of the two parameter intervals.
-/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `dimension_mismatch`, `not_finite` as
-///   `extend_toward()` of a Bézier curve
+/// Returns the segmented curve with one more segment, which `extend_toward()` makes from the last
+/// one. In the global parameter \f$ \beta \f$ is the ratio of the lengths of the two parameter
+/// intervals.
+/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`,
+///   `dimension_mismatch`, `not_finite` as `extend_toward()` of a Bézier curve
 template <class Traits, int Degree>
 Composite_bezier_curve<Traits, Degree> extend_toward(const Composite_bezier_curve<Traits, Degree>& curve,
                                                      Frenet_order order, const typename Traits::Point& wished,
@@ -420,10 +447,11 @@ Composite_bezier_curve<Traits, Degree> extend_toward(const Composite_bezier_curv
 }
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the B-spline curve with one more segment, which `extend_toward()` makes from the Bézier curve on the last span. It is
-/// clamped, and the join becomes a knot of multiplicity `p`, as by `extend()` of a B-spline curve.
-/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`, `dimension_mismatch`, `not_finite` as
-///   `extend_toward()` of a Bézier curve
+/// Returns the B-spline curve with one more segment, which `extend_toward()` makes from the Bézier
+/// curve on the last span. It is clamped, and the join becomes a knot of multiplicity `p`, as by
+/// `extend()` of a B-spline curve.
+/// \throws Error `wrong_number_of_points`, `nonpositive_beta`, `zero_tangent`,
+///   `dimension_mismatch`, `not_finite` as `extend_toward()` of a Bézier curve
 template <class Traits>
 Bspline_curve<Traits> extend_toward(const Bspline_curve<Traits>& curve, Frenet_order order,
                                     const typename Traits::Point& wished,

@@ -8,7 +8,8 @@
 #include <cstdint>
 #include <utility>
 
-// How many steps of work each object may take: what a thread hands on to those that work for it, see Work_limit.h.
+// How many steps of work each object may take: what a thread hands on to those that work for it,
+// see Work_limit.h.
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -22,7 +22,7 @@ CGAL_GC_FORCEINLINE void for_each_index(const Function& f, std::index_sequence<i
 template <int n, class Function> CGAL_GC_FORCEINLINE void for_each_index(const Function& f) {
   for_each_index(f, std::make_index_sequence<n>());
 }
-// The same where n is 0 when the number is known at run time only.
+// Calls the function for each index, where n is 0 when the number is known at run time only.
 template <int n, class Function> CGAL_GC_FORCEINLINE void for_each_index(int number, const Function& f) {
   if constexpr (n == 0)
     for (int i = 0; i < number; ++i) f(i);

@@ -14,8 +14,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
 #endif
 
-// Before and after functions with such loops: clang shall not warn where it cannot compute several iterations at a time,
-// as with exact numbers.
+// Before and after functions with such loops: clang shall not warn where it cannot compute several
+// iterations at a time, as with exact numbers.
 #if defined(__clang__)
 #define CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF                                                                    \
   _Pragma("clang diagnostic push") _Pragma("clang diagnostic ignored \"-Wpass-failed\"")

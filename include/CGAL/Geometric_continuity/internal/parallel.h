@@ -26,14 +26,15 @@ namespace Geometric_continuity {
 namespace internal {
 
 #ifdef CGAL_LINKED_WITH_TBB
-// Returns whether TBB may use more than one core. Otherwise it need not be started, which takes memory.
+// Returns whether TBB may use more than one core. Otherwise it need not be started, which takes
+// memory.
 inline bool several_cores() {
   return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism) > 1;
 }
 #endif
 
-// Calls work(begin, end) for consecutive parts of [0, n), on several cores with Parallel_tag, where they are halved while they
-// are larger than `grain`.
+// Calls work(begin, end) for consecutive parts of [0, n), on several cores with Parallel_tag, where
+// they are halved while they are larger than `grain`.
 template <class Concurrency_tag, class Work>
 void for_each_block(std::size_t n, const Work& work, [[maybe_unused]] std::size_t grain = 1024) {
 #ifdef CGAL_LINKED_WITH_TBB
@@ -54,7 +55,8 @@ void for_each_block(std::size_t n, const Work& work, [[maybe_unused]] std::size_
   work(std::size_t(0), n);
 }
 
-// Something that is done at once, or, with Parallel_tag, at some time until it is waited for, possibly on another core.
+// Something that is done at once, or, with Parallel_tag, at some time until it is waited for,
+// possibly on another core.
 template <class Concurrency_tag, class = void> class Task {
   static_assert(!std::is_same_v<Concurrency_tag, Parallel_tag>,
                 "Parallel_tag needs TBB, see CGAL_TBB_support; Parallel_if_available_tag does without");

@@ -28,15 +28,17 @@
 #include <utility>
 
 /// \file Corner_threshold.h
-/// What a join of two plane curves looks like, and which angle is a corner that somebody meant: decided exactly, for any bound in degrees.
+/// The look of a join of two plane curves, and the angles that are intended corners: decided
+/// exactly, for any bound in degrees.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-// The arc tangent of 1/k for k >= 5 in units of 2^-w. Each term 1/((2i+1) k^(2i+1)) is rounded downwards twice and wrong by less than
-// 2 units, and there are less than w/4 + 1 of them that are not zero.
+// The arc tangent of 1/k for k >= 5 in units of 2^-w. Each term 1/((2i+1) k^(2i+1)) is rounded
+// downwards twice and wrong by less than 2 units, and there are less than w/4 + 1 of them that are
+// not zero.
 inline boost::multiprecision::cpp_int arc_tangent_of_inverse(int k, int w) {
   boost::multiprecision::cpp_int power = boost::multiprecision::cpp_int(1) << w, sum = 0;
   power /= k;
@@ -51,10 +53,12 @@ inline boost::multiprecision::cpp_int arc_tangent_of_inverse(int k, int w) {
   return sum;
 }
 
-// cos(a) and sin(a) for the angle a of p/q degrees, 0 < p/q < 180, in units of 2^-w, w >= 128, wrong by less than `error` units.
+// cos(a) and sin(a) for the angle a of p/q degrees, 0 < p/q < 180, in units of 2^-w, w >= 128,
+// wrong by less than `error` units.
 //
-// Pi = 16 atan(1/5) - 4 atan(1/239), by Machin, is wrong by less than 20 (2 (w/4 + 1)) units, and a by one more. The error of sin(a)/a
-// is multiplied by a < 3.2, and the product rounded: with the error of a that is less than 10 w + 41 + 3.2 (w + 8) + 1 < 14 w.
+// Pi = 16 atan(1/5) - 4 atan(1/239), by Machin, is wrong by less than 20 (2 (w/4 + 1)) units, and a
+// by one more. The error of sin(a)/a is multiplied by a < 3.2, and the product rounded: with the
+// error of a that is less than 10 w + 41 + 3.2 (w + 8) + 1 < 14 w.
 struct Rotation_bounds {
   typedef boost::multiprecision::cpp_int Integer;
   Integer cosine, sine;
@@ -114,21 +118,26 @@ template <class Integer> double rounded_integer(Integer x) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The largest angle between two tangents that is a *kink*; what is larger is a *corner*, which somebody meant.
+/// The largest angle between two tangents that is a *kink*; a larger angle is a *corner*, which is
+/// intended.
 ///
-/// With \f$ B \f$ for the bound and \f$ c = |a \times b| \f$, \f$ d = a \cdot b \f$ of two vectors in the plane, their angle is larger
-/// than the bound if and only if \f$ c \cos B - d \sin B > 0 \f$. That is decided exactly: by floating-point numbers with a bound of their
-/// error, otherwise by enclosures of \f$ \cos B \f$ and \f$ \sin B \f$ whose precision is doubled until they decide. They cannot where
-/// the angle is the bound. This is possible for few bounds only: the tangent of \f$ 180 m/n \f$ degrees, in lowest terms, is rational
-/// for `n <= 2` and `n = 4` only, and in a field with two square roots for `n <= 24` (I. Niven, *Irrational Numbers*, 1956, theorem 3.11).
-/// For these \f$ (d + ic)^n \f$ is real where the angles agree.
+/// With \f$ B \f$ for the bound and \f$ c = |a \times b| \f$, \f$ d = a \cdot b \f$ of two vectors
+/// in the plane, their angle is larger than the bound if and only if
+/// \f$ c \cos B - d \sin B > 0 \f$. This is decided exactly: by floating-point numbers with a bound
+/// of their error, otherwise by enclosures of \f$ \cos B \f$ and \f$ \sin B \f$ whose precision is
+/// doubled until they decide. They cannot where the angle is the bound. This is possible for few
+/// bounds only: the tangent of \f$ 180 m/n \f$ degrees, in lowest terms, is rational for `n <= 2`
+/// and `n = 4` only, and in a field with two square roots for `n <= 24` (I. Niven, *Irrational
+/// Numbers*, 1956, theorem 3.11). For these \f$ (d + ic)^n \f$ is real where the angles agree.
 class Corner_threshold {
 public:
   /// Exact numbers.
   typedef typename Exact_field<double>::type Field;
 
-  /// Makes the bound of this many degrees, as an exact number: 5 unless another one is given. (The `double` 0.1 is not the decimal 0.1.)
-  /// \throws Error `parameter_outside_domain` unless the angle is larger than 0 and less than 180 degrees, `not_finite`
+  /// Makes the bound of this many degrees, as an exact number: 5 unless another one is given. (The
+  /// `double` 0.1 is not the decimal 0.1.)
+  /// \throws Error `parameter_outside_domain` unless the angle is larger than 0 and less than 180
+  ///   degrees, `not_finite`
   explicit Corner_threshold(const internal::Convertible_number<Field>& degrees = 5) : degrees_(degrees.value) {
     if (!(Field(0) < degrees_) || !(degrees_ < Field(180)))
       throw Error(Error_code::parameter_outside_domain,
@@ -141,10 +150,10 @@ public:
   /// Returns the bound in degrees.
   const Field& degrees() const { return degrees_; }
 
-  /// Decides whether the angle of two vectors in the plane is larger than the bound, given their cross product, whose sign does not matter,
-  /// and their dot product.
-  /// \tparam NT an integer or floating-point type, whose numbers are taken as they are, or an exact ordered field: the rational numbers,
-  ///   possibly with one or two square roots
+  /// Decides whether the angle of two vectors in the plane is larger than the bound, given their
+  /// cross product, whose sign does not matter, and their dot product.
+  /// \tparam NT an integer or floating-point type, whose numbers are taken as they are, or an exact
+  ///   ordered field: the rational numbers, possibly with one or two square roots
   /// \throws Error `zero_direction` when both products are zero, `not_finite`
   template <class NT> bool is_exceeded(const NT& cross, const NT& dot) const {
     std::optional<bool> answer;
@@ -165,10 +174,12 @@ public:
       return is_exceeded_exactly(internal::Exact_number<NT>::of(cross), internal::Exact_number<NT>::of(dot));
   }
 
-  /// Decides the same from rounded products whose errors are, in sum, at most `error`; empty where that does not tell.
+  /// Decides the same from rounded products whose errors are, in sum, at most `error`; empty where
+  /// that does not tell.
   std::optional<bool> is_exceeded(double cross, double dot, double error) const {
-    // The products as rounded, cosine and sine, and each operation are wrong by 2^-52, cosine and sine by 2^-51: 5 * 2^-52 in sum,
-    // in every rounding mode. Below the normal numbers nothing is decided.
+    // The products as rounded, cosine and sine, and each operation are wrong by 2^-52, cosine and
+    // sine by 2^-51: 5 * 2^-52 in sum, in every rounding mode. Below the normal numbers nothing is
+    // decided.
     const double c = std::abs(cross), excess = c * cosine_ - dot * sine_;
     // equivalent [< -> <=, 1]: the excess is not zero here
     if (std::abs(excess) > 0x1p-49 * (c + std::abs(dot)) + 1.001 * error + 0x1p-900) return 0 < excess;
@@ -212,7 +223,8 @@ private:
                error = size * NT(r.error);
       if (error < excess) return true;
       if (excess < NT(-error)) return false;
-      if (bits == 128 && is_part_of_half_turn(c, dot)) return false; // of which only the bound itself is so near
+      // of which only the bound itself is so near
+      if (bits == 128 && is_part_of_half_turn(c, dot)) return false;
     }
   }
 
@@ -230,7 +242,7 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What a join of two plane curves looks like, from the roughest to the smoothest.
+/// The look of a join of two plane curves, from the roughest to the smoothest.
 enum class Visual_class {
   gap,    ///< the second curve does not start where the first one ends
   corner, ///< the angle between the tangents is larger than a `Corner_threshold`

@@ -13,9 +13,9 @@
 #include <utility>
 
 /// \file Curve_ends.h
-/// How the ends of curves are read, for all decisions about joins: as the control points next to the end, where the curve
-/// has them as given numbers, and otherwise as jets. Control points are what the fast exact decisions on `double`
-/// coordinates read.
+/// Reads the ends of curves for all decisions about joins: as the control points next to the end,
+/// where the curve has them as given numbers, and otherwise as jets. Control points are what the
+/// fast exact decisions on `double` coordinates read.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -33,9 +33,10 @@ enum class Curve_end {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Tells how the control points next to the ends of a `Curve` are found. This is the general case: not at all, the curve is
-/// read by its jets. It is specialised for `Bezier_curve`, `Composite_bezier_curve` and `Bspline_curve`. A Bézier curve of the
-/// user's own, with the members `Traits`, `degree()`, `control_point(i)` and `domain()` of `Bezier_curve`, takes part by
+/// Tells how the control points next to the ends of a `Curve` are found. This is the general case:
+/// not at all, the curve is read by its jets. It is specialised for `Bezier_curve`,
+/// `Composite_bezier_curve` and `Bspline_curve`. A Bézier curve of the user's own, with the members
+/// `Traits`, `degree()`, `control_point(i)` and `domain()` of `Bezier_curve`, takes part by
 /// \code{.cpp}
 /// template <> struct CGAL::Geometric_continuity::Curve_ends<My_curve> : Bezier_ends<My_curve> {};
 /// \endcode
@@ -52,7 +53,8 @@ template <class Curve> struct Bezier_ends {
   static constexpr bool have_polygons = true;
   /// Returns whether the control points next to this end are Bézier points: always.
   static std::true_type has_polygon(const Curve&, Curve_end) { return {}; }
-  /// Returns the number of the control point at this end. The following ones lie inwards, as many as the degree.
+  /// Returns the number of the control point at this end. The following ones lie inwards, as many
+  /// as the degree.
   static int point_number(const Curve& c, Curve_end end) { return end == Curve_end::end ? c.degree() : 0; }
   /// Returns the domain of the Bézier curve at this end.
   static std::pair<typename Curve::Traits::FT, typename Curve::Traits::FT> domain(const Curve& c, Curve_end) {
@@ -86,10 +88,11 @@ template <class Traits, int Degree> struct Curve_ends<Composite_bezier_curve<Tra
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The `Curve_ends` of a B-spline curve: those of the polynomials on its first and last span that is not empty. The control points
-/// next to the end are Bézier points if the knots outside of the span are equal, and on its other side as many of them as four
-/// points need: at least three, or as many as the degree. Otherwise the Bézier points are combinations of control points, and
-/// the end is read by its jet.
+/// The `Curve_ends` of a B-spline curve: those of the polynomials on its first and last span that
+/// is not empty. The control points next to the end are Bézier points if the knots outside of the
+/// span are equal, and on its other side as many of them as four points need: at least three, or as
+/// many as the degree. Otherwise the Bézier points are combinations of control points, and the end
+/// is read by its jet.
 template <class Curve> struct Bspline_ends {
   typedef typename Curve::FT FT; ///< the numbers of the curve
   /// There are control points.
@@ -139,8 +142,9 @@ template <class Curve> bool weights_are_positive(const Curve& c, Curve_end end) 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The ends of a rational curve: those of the polynomial curve with its control points if all weights are equal. Otherwise control
-/// points and weights are read where these are positive, and jets where not.
+/// The ends of a rational curve: those of the polynomial curve with its control points if all
+/// weights are equal. Otherwise control points and weights are read where these are positive, and
+/// jets where not.
 template <class Shape> struct Curve_ends<Rational_curve<Shape>> {
   typedef Rational_curve<Shape> Curve;   ///< the curve
   typedef typename Shape::Traits::FT FT; ///< its numbers
@@ -160,7 +164,8 @@ template <class Shape> struct Curve_ends<Rational_curve<Shape>> {
   }
   /// There are weights.
   static constexpr bool have_weights = true;
-  /// Returns whether the control points next to this end are Bézier points, four of them with positive weights.
+  /// Returns whether the control points next to this end are Bézier points, four of them with
+  /// positive weights.
   static bool has_weighted_polygon(const Curve& c, Curve_end end) {
     return Curve_ends<Shape>::has_polygon(c.unweighted(), end) && internal::weights_are_positive(c, end);
   }
@@ -171,7 +176,8 @@ namespace internal {
 template <class Curve, class = void> struct Has_weights : std::false_type {};
 template <class Curve> struct Has_weights<Curve, std::enable_if_t<Curve_ends<Curve>::have_weights>> : std::true_type {};
 
-// The control points next to an end of a curve: point 0 is at the join. \pre the curve has them there
+// The control points next to an end of a curve: point 0 is at the join. \pre the curve has them
+// there
 template <class Curve, Curve_end which> class Curve_end_view {
   typedef Curve_ends<Curve> Ends;
   const Curve& curve_;
@@ -209,7 +215,8 @@ template <class Curve> Curve_end_view<Curve, Curve_end::start> right_end(const C
   return Curve_end_view<Curve, Curve_end::start>(curve);
 }
 
-// Tells whether there are control points at the ends of all curves of this type: has_polygon() says so by its type.
+// Tells whether there are control points at the ends of all curves of this type: has_polygon() says
+// so by its type.
 template <class Curve, class = void> struct Always_has_polygons : std::false_type {};
 template <class Curve>
 struct Always_has_polygons<Curve, std::enable_if_t<decltype(Curve_ends<Curve>::has_polygon(
@@ -222,7 +229,8 @@ template <class Curve> bool has_polygon(const Curve& curve, Curve_end end) {
     return false;
 }
 
-// Returns whether there are control points with positive weights, all of them 1 where the curve is polynomial.
+// Returns whether there are control points with positive weights, all of them 1 where the curve is
+// polynomial.
 template <class Curve> bool has_weighted_polygon(const Curve& curve, Curve_end end) {
   if constexpr (Has_weights<Curve>::value)
     return Curve_ends<Curve>::has_weighted_polygon(curve, end);
@@ -236,8 +244,8 @@ struct Has_jets<
     Curve, std::void_t<decltype(std::declval<const Curve&>().jet(std::declval<const Curve&>().domain().second, 0))>>
     : std::true_type {};
 
-// The jet of order k at an end that is given by control points: m!/(m-j)! / h^j times the j-th differences, backwards at an
-// end. The points up to min(k, m) are read.
+// The jet of order k at an end that is given by control points: m!/(m-j)! / h^j times the j-th
+// differences, backwards at an end. The points up to min(k, m) are read.
 template <class Field, Curve_end which, class View>
 Coordinate_jet<Field, dimension_v<typename View::Traits>> jet_of_polygon(const View& view, int k) {
   const Field h = to_field<Field>(view.domain().second) - to_field<Field>(view.domain().first);

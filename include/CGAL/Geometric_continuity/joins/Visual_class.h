@@ -18,8 +18,8 @@
 #include <optional>
 
 /// \file Visual_class.h
-/// What a designer sees of a join in the plane: a corner that is meant, a kink that nobody wants and how large it is, or a
-/// smooth join.
+/// The view of a designer on a join in the plane: a corner that is intended, a kink that nobody
+/// wants and how large it is, or a smooth join.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -133,16 +133,20 @@ std::optional<Kink_size> kink_size(const Bezier_curve<Traits, Left>& left, const
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns what the join between the end of `left` and the start of `right` looks like; empty when the ends meet and one of the curves has
-/// no length, hence no direction. The bound is 5 degrees unless another one is given.
+/// Returns what the join between the end of `left` and the start of `right` looks like; empty when
+/// the ends meet and one of the curves has no length, hence no direction. The bound is 5 degrees
+/// unless another one is given.
 ///
-/// It is decided exactly on the control points as given, with every kernel, and about the curves as they are drawn:
-/// - A curve whose control points lie on its chord, in order, is that line, also where handles are retracted.
-/// - Of other curves with a retracted handle, a first side that is zero, the first side that is not zero is the direction in which the curve
-///   leaves the node. Such a join is `g1` at most, because the curvature at the node is infinite or not given by the second differences.
+/// It is decided exactly on the control points as given, with every kernel, and about the curves as
+/// they are drawn:
+/// - A curve whose control points lie on its chord, in order, is that line, also where handles are
+///   retracted.
+/// - Of other curves with a retracted handle, a first side that is zero, the first side that is not
+///   zero is the direction in which the curve leaves the node. Such a join is `g1` at most, because
+///   the curvature at the node is infinite or not given by the second differences.
 ///
-/// Where no handle is retracted `g1` and `g2` are the answers of `is_g1_join()` and `is_g2_join()`. \f$ O(1) \f$ then, otherwise
-/// \f$ O(m) \f$ for the degree `m`
+/// Where no handle is retracted `g1` and `g2` are the answers of `is_g1_join()` and `is_g2_join()`.
+/// \f$ O(1) \f$ then, otherwise \f$ O(m) \f$ for the degree `m`
 /// \throws Error `not_finite` for an infinite or undefined coordinate that it reads
 template <class Traits, int Left, int Right>
 std::optional<Visual_class> visual_class(const Bezier_curve<Traits, Left>& left,

@@ -32,8 +32,8 @@ template <class Curve> struct Chain_join {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides the joins of a chain of any length whose curves come one at a time. Only the first curve and the previous one
-/// are kept.
+/// Decides the joins of a chain of any length whose curves come one at a time. Only the first curve
+/// and the previous one are kept.
 ///
 /// \code{.cpp}
 /// Chain_accumulator<Curve> chain(2);
@@ -59,8 +59,8 @@ public:
     if (max_order < 0) throw Error(Error_code::negative_count, "Chain_accumulator: order");
   }
 
-  /// Appends a curve and decides its join with the one before it, if there is one: `report` is called with a
-  /// `Chain_join<Curve>`, then the join is counted. One call of `continuity()`.
+  /// Appends a curve and decides its join with the one before it, if there is one: `report` is
+  /// called with a `Chain_join<Curve>`, then the join is counted. One call of `continuity()`.
   /// \throws Error as `continuity()` does; then the chain is as it was before
   template <class Report> void add(Curve curve, Report&& report) {
     if (last_) decide(size_ - 1, size_, *last_, curve, report);
@@ -69,15 +69,17 @@ public:
     ++size_;
   }
 
-  /// Appends a curve and decides its join with the one before it, if there is one, without a report.
+  /// Appends a curve and decides its join with the one before it, if there is one, without a
+  /// report.
   /// \throws Error as `continuity()` does; then the chain is as it was before
   void add(Curve curve) {
     No_report no_report;
     add(std::move(curve), no_report);
   }
 
-  /// Decides the join that closes the chain, from the end of the last curve to the start of the first, which may be the
-  /// same: `report` is called with a `Chain_join<Curve>`, then the join is counted. Nothing happens in an empty chain.
+  /// Decides the join that closes the chain, from the end of the last curve to the start of the
+  /// first, which may be the same: `report` is called with a `Chain_join<Curve>`, then the join is
+  /// counted. Nothing happens in an empty chain.
   /// \throws Error as `continuity()` does
   template <class Report> void close(Report&& report) {
     if (last_) decide(size_ - 1, 0, *last_, *first_, report);
@@ -111,7 +113,8 @@ private:
 
 namespace internal {
 
-// The type of the curves of a range or between two iterators; none for what holds no curves, such as the control points of a curve.
+// The type of the curves of a range or between two iterators; none for what holds no curves, such
+// as the control points of a curve.
 template <class Iterator> using Chain_curve = typename std::iterator_traits<Iterator>::value_type;
 template <class Range>
 using Curve_of_range =
@@ -121,9 +124,10 @@ using Curve_of_range =
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides all joins of a chain of curves up to order `max_order`, with that of the last curve and the first one if the chain is
-/// closed, and returns how many of them have which order. Only the orders of each join are decided, which takes less time than
-/// `continuity()`. `chain_joins()` returns the joins themselves, and `Chain_accumulator` takes curves one at a time.
+/// Decides all joins of a chain of curves up to order `max_order`, with that of the last curve and
+/// the first one if the chain is closed, and returns how many of them have which order. Only the
+/// orders of each join are decided, which takes less time than `continuity()`. `chain_joins()`
+/// returns the joins themselves, and `Chain_accumulator` takes curves one at a time.
 /// \tparam InputIterator its value type is a copyable model of `ParametricCurve`
 /// \throws Error as `continuity()` does
 template <class InputIterator>
@@ -136,22 +140,25 @@ Chain_summary chain_continuity(InputIterator first, InputIterator last, int max_
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides all joins of the curves of a range, such as a `std::vector`, and returns how many of them have which order.
+/// Decides all joins of the curves of a range, such as a `std::vector`, and returns how many of
+/// them have which order.
 template <class Range, class = internal::Curve_of_range<Range>>
 Chain_summary chain_continuity(const Range& chain, int max_order = 3, Closure closure = Closure::open) {
   return chain_continuity(std::begin(chain), std::end(chain), max_order, closure);
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides all joins of the curves of a range up to order 3, and returns how many of them have which order.
+/// Decides all joins of the curves of a range up to order 3, and returns how many of them have
+/// which order.
 template <class Range, class = internal::Curve_of_range<Range>>
 Chain_summary chain_continuity(const Range& chain, Closure closure) {
   return chain_continuity(chain, 3, closure);
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides all joins of a chain of curves up to order `max_order`, and returns them: number `i` is the join at the end of the curve
-/// number `i`, with that of the last curve and the first one as the last if the chain is closed. One call of `continuity()` for each.
+/// Decides all joins of a chain of curves up to order `max_order`, and returns them: number `i` is
+/// the join at the end of the curve number `i`, with that of the last curve and the first one as
+/// the last if the chain is closed. One call of `continuity()` for each.
 /// \tparam InputIterator its value type is a copyable model of `ParametricCurve`
 /// \throws Error as `continuity()` does
 template <class InputIterator>
@@ -202,24 +209,27 @@ template <class FT> struct Join_side {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about one join of a segmented curve, in its global parameter.
+/// The decision about one join of a segmented curve, in its global parameter.
 template <class Traits> struct Composite_join {
   typedef Predicate_FT<Traits> FT; ///< the field in which it was decided
   int left;                        ///< the number of the segment that ends here
   int right;                       ///< the number of the segment that starts here
   typename Traits::FT knot;        ///< the parameter at the end of the left segment
-  Join_continuity<FT> continuity;  ///< the orders, with the shape parameters in the global parameter
-  Join_side<FT> left_side;         ///< of the left segment
-  Join_side<FT> right_side;        ///< of the right segment
+  /// the orders, with the shape parameters in the global parameter
+  Join_continuity<FT> continuity;
+  Join_side<FT> left_side;  ///< of the left segment
+  Join_side<FT> right_side; ///< of the right segment
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about all joins of a segmented curve.
+/// The decisions about all joins of a segmented curve.
 template <class Traits> struct Composite_continuity {
-  std::vector<Composite_join<Traits>> joins; ///< from left to right; that of a closed curve's end and start is the last
-  Chain_summary summary;                     ///< how many joins have which order
+  /// from left to right; that of a closed curve's end and start is the last
+  std::vector<Composite_join<Traits>> joins;
+  Chain_summary summary; ///< how many joins have which order
 
-  /// Returns the joins that do not have the continuity of this kind and order, which must not exceed the order that was decided.
+  /// Returns the joins that do not have the continuity of this kind and order, which must not
+  /// exceed the order that was decided.
   std::vector<Composite_join<Traits>> failing(Continuity_kind kind, int order) const {
     std::vector<Composite_join<Traits>> result;
     for (const Composite_join<Traits>& join : joins)
@@ -249,10 +259,11 @@ template <class FT, int N> Join_side<FT> join_side(const Coordinate_jet<FT, N>& 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides all joins of a segmented curve with respect to its global parameter, up to order `max_order`; that between its
-/// end and its start as well when the curve is closed. Exact wherever `continuity()` of two curves is: with
-/// `Exact_predicates_inexact_constructions_kernel` for the points and knots as given. One decision as in
-/// `continuity()` for each join. Hagen 2.1, (2.2), corrected.
+/// Decides all joins of a segmented curve with respect to its global parameter, up to order
+/// `max_order`; that between its end and its start as well when the curve is closed. Exact wherever
+/// `continuity()` of two curves is: with `Exact_predicates_inexact_constructions_kernel` for the
+/// points and knots as given. One decision as in `continuity()` for each join. Hagen 2.1, (2.2),
+/// corrected.
 /// \throws Error `negative_count` for a negative order
 template <class Traits, int Degree>
 Composite_continuity<Traits> chain_continuity(const Composite_bezier_curve<Traits, Degree>& curve, int max_order = 3) {
@@ -289,7 +300,7 @@ template <class Curve> struct Split_view {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about a curve at one of its inner knots.
+/// The decision about a curve at one of its inner knots.
 template <class Traits> struct Knot_continuity {
   typename Traits::FT knot;                   ///< the parameter
   int multiplicity;                           ///< how often it is repeated
@@ -297,13 +308,16 @@ template <class Traits> struct Knot_continuity {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides the continuity of a B-spline curve at a parameter inside its domain, up to order `max_order`, from its jets on both
-/// sides. At a knot of multiplicity `m` the curve is at least \f$ C^{p-m} \f$.
+/// Decides the continuity of a B-spline curve at a parameter inside its domain, up to order
+/// `max_order`, from its jets on both sides. At a knot of multiplicity `m` the curve is at least
+/// \f$ C^{p-m} \f$.
 ///
-/// With `Exact_predicates_inexact_constructions_kernel` the control points, the knots and the parameter are taken over to an
-/// exact field before anything is derived from them, so that the answer is exact for the curve as given.
+/// With `Exact_predicates_inexact_constructions_kernel` the control points, the knots and the
+/// parameter are taken over to an exact field before anything is derived from them, so that the
+/// answer is exact for the curve as given.
 /// \tparam Curve `Bspline_curve` or `Rational_bspline_curve`
-/// \throws Error `parameter_outside_domain` also at the ends of the domain, `negative_count` for a negative order
+/// \throws Error `parameter_outside_domain` also at the ends of the domain, `negative_count` for a
+///   negative order
 template <class Curve>
 Join_continuity<Predicate_FT<typename Curve::Traits>>
 knot_continuity(const Curve& curve, const typename Curve::FT& knot, int max_order = 3) {
@@ -314,8 +328,8 @@ knot_continuity(const Curve& curve, const typename Curve::FT& knot, int max_orde
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides the continuity of a B-spline curve at all its inner knots, up to order `max_order`, and returns it in increasing
-/// order of the knots. One call of `knot_continuity()` for each of them.
+/// Decides the continuity of a B-spline curve at all its inner knots, up to order `max_order`, and
+/// returns it in increasing order of the knots. One call of `knot_continuity()` for each of them.
 /// \tparam Curve `Bspline_curve` or `Rational_bspline_curve`
 /// \throws Error `negative_count` for a negative order
 template <class Curve>

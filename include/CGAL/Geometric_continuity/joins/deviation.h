@@ -129,12 +129,13 @@ Join_deviation join_deviation(const Coordinate_jet<Field, N>& x, const Coordinat
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns how far the join between the end of `left` and the start of `right` is from being continuous. Everything is computed in
-/// an exact field from the control points as given, also with `Simple_cartesian<double>`; only the last step, a root or an
-/// arc tangent, is rounded, outwards.
+/// Returns how far the join between the end of `left` and the start of `right` is from being
+/// continuous. Everything is computed in an exact field from the control points as given, also with
+/// `Simple_cartesian<double>`; only the last step, a root or an arc tangent, is rounded, outwards.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class
-/// \throws Error `dimension_mismatch` when the dimensions differ, `not_finite` for an infinite or undefined coordinate,
-///   `work_limit` when exact numbers are so long that the limit does not suffice
+/// \throws Error `dimension_mismatch` when the dimensions differ, `not_finite` for an infinite or
+///   undefined coordinate, `work_limit` when exact numbers are so long that the limit does not
+///   suffice
 template <class Left, class Right, class = std::void_t<typename Left::Traits, typename Right::Traits>>
 Join_deviation deviation(const Left& left, const Right& right) {
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
@@ -146,8 +147,8 @@ Join_deviation deviation(const Left& left, const Right& right) {
 
 namespace internal {
 
-// The derivative of the signed curvature of a planar curve with respect to arc length, with g = x'.x':
-// (det(x', x''') g - 3 det(x', x'') x'.x'') / g^3. \pre the tangent is not zero
+// The derivative of the signed curvature of a planar curve with respect to arc length, with g =
+// x'.x': (det(x', x''') g - 3 det(x', x'') x'.x'') / g^3. \pre the tangent is not zero
 template <class Field, int N> Field curvature_derivative(const Coordinate_jet<Field, N>& x) {
   const auto det = [&](int j) -> Field { return Field(x[1][0] * x[j][1] - x[1][1] * x[j][0]); };
   const Field g = dot(x[1], x[1]);
@@ -157,17 +158,20 @@ template <class Field, int N> Field curvature_derivative(const Coordinate_jet<Fi
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides which order the join between the end of `left` and the start of `right` has within a tolerance: *proved* when
-/// the enclosures of `deviation()` and all lower orders are within it, *refuted* when one of them exceeds it, *undecided*
-/// when the tolerance lies inside of an enclosure, or when the torsions cannot be compared because a curvature is zero. An
-/// order that the join has exactly is proved with each tolerance. A zero tangent refutes the order 1.
+/// Decides which order the join between the end of `left` and the start of `right` has within a
+/// tolerance: *proved* when the enclosures of `deviation()` and all lower orders are within it,
+/// *refuted* when one of them exceeds it, *undecided* when the tolerance lies inside of an
+/// enclosure, or when the torsions cannot be compared because a curvature is zero. An order that
+/// the join has exactly is proved with each tolerance. A zero tangent refutes the order 1.
 ///
-/// Exact orders are those of \f$ F^k \f$, in the plane \f$ G^k \f$: there the order 3 means that the derivative
-/// \f$ d\kappa/ds = \frac{(x' \cdot x') \det(x', x''') - 3 (x' \cdot x'') \det(x', x'')}{(x' \cdot x')^3} \f$ of the signed
-/// curvature agrees as well, by which \f$ G^3 \f$ and \f$ G^2 \f$ differ.
+/// Exact orders are those of \f$ F^k \f$, in the plane \f$ G^k \f$: there the order 3 means that
+/// the derivative
+/// \f$ d\kappa/ds = \frac{(x' \cdot x') \det(x', x''') - 3 (x' \cdot x'') \det(x', x'')}{(x' \cdot x')^3} \f$
+/// of the signed curvature agrees as well, by which \f$ G^3 \f$ and \f$ G^2 \f$ differ.
 /// \tparam Left, Right models of `ParametricCurve` with one traits class
-/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number; `dimension_mismatch` when
-///   the dimensions differ; `work_limit` when exact numbers are so long that the limit does not suffice
+/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number;
+///   `dimension_mismatch` when the dimensions differ; `work_limit` when exact numbers are so long
+///   that the limit does not suffice
 template <class Left, class Right, class = std::void_t<typename Left::Traits, typename Right::Traits>>
 Order_within order_within(const Left& left, const Right& right, const Join_tolerance& tolerance) {
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;

@@ -19,20 +19,20 @@
 #include <utility>
 
 /// \file join_continuity.h
-/// What continuity a join has: everything that can be said about it. One single question is answered faster by
-/// join_predicates.h.
+/// Decides the continuity of a join: everything that can be said about it. One single question is
+/// answered faster by join_predicates.h.
 ///
-/// There are two roads to one answer. Curves with `double` coordinates in the plane and in space, decided exactly up to
-/// order 3, take the stages of joins/internal/Join_ladder.h on their control points. All others are decided by jets, see
-/// joins/internal/Join_decision.h.
+/// There are two ways to one answer. Curves with `double` coordinates in the plane and in space,
+/// decided exactly up to order 3, take the stages of joins/internal/Join_ladder.h on their control
+/// points. All others are decided by jets, see joins/internal/Join_decision.h.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-// Multiplies two jets by their common denominator, which changes no answer, and makes rational numbers integers. What is worth
-// it is the many products of a high order.
+// Multiplies two jets by their common denominator, which changes no answer, and makes rational
+// numbers integers. The many products of a high order make it worthwhile.
 template <class Field, int N> void clear_denominators(Coordinate_jet<Field, N>& x, Coordinate_jet<Field, N>& y) {
   if constexpr (Common_denominator<Field>::clears) {
     Common_denominator<Field> denominator;
@@ -58,8 +58,9 @@ Join_continuity<Predicate_FT<typename Left::Traits>> decide_polygons_of_doubles(
   return join;
 }
 
-// Everything about the join of two curves, see continuity(); if only the orders are wanted, flags and shape parameters may be missing.
-// `Order` is `int`, or `Order_3`: then no jets need be compiled for curves that always have control points.
+// Everything about the join of two curves, see continuity(); if only the orders are wanted, flags
+// and shape parameters may be missing. `Order` is `int`, or `Order_3`: then no jets need be
+// compiled for curves that always have control points.
 template <class Left, class Right, class Order>
 Join_continuity<Predicate_FT<typename Left::Traits>> decide_continuity(const Left& left, const Right& right,
                                                                        Order max_order, bool only_orders) {
@@ -77,7 +78,8 @@ Join_continuity<Predicate_FT<typename Left::Traits>> decide_continuity(const Lef
     if constexpr (on_doubles)
       if (max_order <= 3 && has_polygon(left, Curve_end::end) && has_polygon(right, Curve_end::start))
         return decide_polygons_of_doubles(left, right, max_order, only_orders);
-    const int order = (std::max)(int(max_order), 3); // curvature and torsion are reported for every max_order
+    // curvature and torsion are reported for every max_order
+    const int order = (std::max)(int(max_order), 3);
     const Work_scope jets_and_decision(Work_scope::limit_of_each(), "continuity");
     Coordinate_jet<Field, N> x = jet_at<Field, Curve_end::end>(left, order),
                              y = jet_at<Field, Curve_end::start>(right, order);
@@ -86,7 +88,7 @@ Join_continuity<Predicate_FT<typename Left::Traits>> decide_continuity(const Lef
   }
 }
 
-// The same, with what up_to_rounding() needs.
+// Returns the result, with the data that up_to_rounding() needs.
 template <class Left, class Right, class Order>
 Join_continuity<Predicate_FT<typename Left::Traits>> continuity_of_curves(const Left& left, const Right& right,
                                                                           Order max_order) {
@@ -103,18 +105,21 @@ Join_continuity<Predicate_FT<typename Left::Traits>> continuity_of_curves(const 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides the continuity of the join of two jets, `left` at the end of one curve and `right` at the start of the next, up
-/// to order `max_order >= 0` or as far as both jets go. The decision is division-free and exact on the numbers of the jets with
-/// every exact kernel and with `Exact_predicates_inexact_constructions_kernel`; it is plain floating point, not certified,
-/// with `Simple_cartesian<double>`, where the jets are scaled by powers of two, so that the units do not matter.
+/// Decides the continuity of the join of two jets, `left` at the end of one curve and `right` at
+/// the start of the next, up to order `max_order >= 0` or as far as both jets go. The decision is
+/// division-free and exact on the numbers of the jets with every exact kernel and with
+/// `Exact_predicates_inexact_constructions_kernel`; it is plain floating point, not certified, with
+/// `Simple_cartesian<double>`, where the jets are scaled by powers of two, so that the units do not
+/// matter.
 ///
-/// \f$ C^k \f$: equal derivatives. \f$ G^k \f$: equal arc-length derivatives, i.e. the chain rule (Faà di Bruno) with
-/// \f$ \beta_1 > 0 \f$. \f$ F^k \f$: continuous Frenet frame and curvatures, Hagen 2.1 and (2.2), corrected: the curvature
-/// \em vector counts.
+/// \f$ C^k \f$: equal derivatives. \f$ G^k \f$: equal arc-length derivatives, i.e. the chain rule
+/// (Faà di Bruno) with \f$ \beta_1 > 0 \f$. \f$ F^k \f$: continuous Frenet frame and curvatures,
+/// Hagen 2.1 and (2.2), corrected: the curvature \em vector counts.
 ///
 /// \f$ O(n k^2 + k^4) \f$ field operations in dimension `n` for order `k`.
-/// \throws Error `negative_count` for a negative order, `dimension_mismatch` when the dimensions differ, `jet_order_too_low`
-///   for an empty jet, `not_finite` for an infinite or undefined floating-point coordinate, `work_limit`
+/// \throws Error `negative_count` for a negative order, `dimension_mismatch` when the dimensions
+///   differ, `jet_order_too_low` for an empty jet, `not_finite` for an infinite or undefined
+///   floating-point coordinate, `work_limit`
 template <class Traits>
 Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, const Curve_jet<Traits>& right,
                                                  int max_order) {
@@ -125,10 +130,10 @@ Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, 
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides the continuity of the join of two jets, `left` at the end of one curve and `right` at the start of the next, as far
-/// as both jets go.
-/// \throws Error `dimension_mismatch` when the dimensions differ, `jet_order_too_low` for an empty jet, `not_finite` for an
-///   infinite or undefined floating-point coordinate
+/// Decides the continuity of the join of two jets, `left` at the end of one curve and `right` at
+/// the start of the next, as far as both jets go.
+/// \throws Error `dimension_mismatch` when the dimensions differ, `jet_order_too_low` for an empty
+///   jet, `not_finite` for an infinite or undefined floating-point coordinate
 template <class Traits>
 Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, const Curve_jet<Traits>& right) {
   const int order = (std::min)(left.order(), right.order());
@@ -137,24 +142,27 @@ Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, 
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides the continuity of the join between the end of `left` and the start of `right`, up to order `max_order >= 0`. The
-/// flags are decided whatever the order.
+/// Decides the continuity of the join between the end of `left` and the start of `right`, up to
+/// order `max_order >= 0`. The flags are decided whatever the order.
 ///
-/// With `Exact_predicates_inexact_constructions_kernel` the control points are read as given, so that the answer is exact; in
-/// the plane and in space, up to order 3, it costs little more than a few predicates of join_predicates.h. With
-/// `Simple_cartesian<double>` it is plain floating point.
+/// With `Exact_predicates_inexact_constructions_kernel` the control points are read as given, so
+/// that the answer is exact; in the plane and in space, up to order 3, it costs little more than a
+/// few predicates of join_predicates.h. With `Simple_cartesian<double>` it is plain floating point.
 ///
-/// \tparam Left, Right models of `ParametricCurve` with one traits class, or types for which `Curve_ends` is specialised
-/// \throws Error `negative_count` for a negative order, `dimension_mismatch` when the dimensions differ, `not_finite` when
-///   derivatives overflow, `work_limit`: with exact numbers, high orders are forms of high degree
+/// \tparam Left, Right models of `ParametricCurve` with one traits class, or types for which
+///   `Curve_ends` is specialised
+/// \throws Error `negative_count` for a negative order, `dimension_mismatch` when the dimensions
+///   differ, `not_finite` when derivatives overflow, `work_limit`: with exact numbers, high orders
+///   are forms of high degree
 template <class Left, class Right>
 Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right, int max_order) {
   return internal::continuity_of_curves(left, right, max_order);
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides the continuity of the join between the end of `left` and the start of `right`, up to order 3. A program that calls this
-/// function for Bézier curves only compiles faster than with orders that are known at run time.
+/// Decides the continuity of the join between the end of `left` and the start of `right`, up to
+/// order 3. A program that calls this function for Bézier curves only compiles faster than with
+/// orders that are known at run time.
 /// \tparam Left, Right as above
 /// \throws Error as above
 template <class Left, class Right>

@@ -32,12 +32,14 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// An order G that a join of rounded numbers misses by no more than rounding. It is a hint, computed in floating-point numbers, and no
-/// proof: `order_within()` proves orders within a tolerance.
+/// An order G that a join of rounded numbers misses by no more than rounding. It is a hint,
+/// computed in floating-point numbers, and no proof: `order_within()` proves orders within a
+/// tolerance.
 struct Order_up_to_rounding {
   int g_order = 0; ///< the order, at most 2
-  double units =
-      0; ///< by how much the control points at the join are off, in units in the last place of their largest coordinate
+  /// by how much the control points at the join are off, in units in the last place of their
+  /// largest coordinate
+  double units = 0;
 };
 
 namespace internal {
@@ -47,8 +49,8 @@ struct Parameter_scale {
   int left = 0, right = 0;
 };
 
-// One coordinate of the four control points from the join inwards, with what makes derivatives of their differences. The
-// tangent has a component along this coordinate.
+// One coordinate of the four control points from the join inwards, with what makes derivatives of
+// their differences. The tangent has a component along this coordinate.
 struct Parameter_end {
   double points[4];
   double start, end; // of the domain
@@ -56,9 +58,10 @@ struct Parameter_end {
   double rests[4] = {0, 0, 0, 0}; // what the points are larger than these doubles
 };
 
-// What the shape parameters beta_1, beta_2, ... of a join are computed from, when someone asks for them. Either from the
-// forms of a decision on jets, beta_k = b_k / g^(2k-1); or, for joins of curves with double coordinates, from one coordinate:
-// of the vectors Y^(k) - sum_{m=2}^k B_{k,m}(beta_1, ...) X^(m) = beta_k X' only that is needed. No memory is allocated before.
+// Computes the shape parameters beta_1, beta_2, ... of a join on request. They come from the forms
+// of a decision on jets, beta_k = b_k / g^(2k-1). Or, for joins of curves with double coordinates,
+// they come from one coordinate, since the vectors Y^(k) - sum_{m=2}^k B_{k,m}(beta_1, ...) X^(m) =
+// beta_k X' need no more. No memory is allocated before.
 template <class FT> class Join_parameters {
   std::vector<FT> forms_; // g, b_1, b_2, ...
   Parameter_scale scale_;
@@ -84,7 +87,8 @@ public:
       if constexpr (!std::is_floating_point_v<FT> && std::is_constructible_v<FT, double>) {
         const int order = (std::min)(count, 3);
         const std::array<FT, 4> x = derivatives(left_, true, order), y = derivatives(right_, false, order);
-        // beta_1 = y' / x', beta_2 = (y'' - beta_1^2 x'') / x', beta_3 = (y''' - 3 beta_1 beta_2 x'' - beta_1^3 x''') / x'
+        // beta_1 = y' / x', beta_2 = (y'' - beta_1^2 x'') / x', beta_3 = (y''' - 3 beta_1 beta_2
+        // x'' - beta_1^3 x''') / x'
         std::vector<FT> betas(order);
         for (int k = 1; k <= order; ++k) {
           FT& beta = betas[k - 1];
@@ -126,7 +130,8 @@ private:
     return x;
   }
 
-  // m!/(m-k)! / h^k times the k-th difference, k = 0, ..., order <= 3; odd ones point outwards at an end.
+  // m!/(m-k)! / h^k times the k-th difference, k = 0, ..., order <= 3; odd ones point outwards at
+  // an end.
   std::array<FT, 4> derivatives(const Parameter_end& end, bool at_end, int order) const {
     std::array<FT, 4> d;
     for (int j = 0; j <= order; ++j) {
@@ -156,7 +161,8 @@ private:
 //   gap:  |q_0 - p_0|,   G1:  what of the shorter difference is orthogonal to the other,
 //   G2:   |K_b - K_a| min(n/(n-1) |b|^2, m/(m-1) |a|^2),   K = (m-1)/m  (w_0 w_2 / w_1^2)  h^orthogonal / |a|^2.
 //
-// Coordinates and weights are divided by powers of two first, so that no square overflows or vanishes.
+// Coordinates and weights are divided by powers of two first, so that no square overflows or
+// vanishes.
 class Near_miss {
   struct Side {
     int degree;
@@ -247,38 +253,42 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What was decided about the join of a curve that ends (left) and a curve that starts (right). It is a value that does not
-/// refer to the curves.
+/// The decision about the join of a curve that ends (left) and a curve that starts (right). It is a
+/// value that does not refer to the curves.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Join_continuity {
   typedef FT Number; ///< the numbers of the shape parameters
   /// The largest `k` such that all derivatives up to order `k` agree; -1 when the points differ.
   int c_order = -1;
-  /// The largest `k` such that all arc-length derivatives up to order `k` agree; -1 when the points differ, 0 when a
-  /// tangent is zero or the tangents do not have one direction.
+  /// The largest `k` such that all arc-length derivatives up to order `k` agree; -1 when the points
+  /// differ, 0 when a tangent is zero or the tangents do not have one direction.
   int g_order = -1;
-  /// The largest `k` such that the Frenet frame and the curvatures \f$ \kappa_1, \dots, \kappa_{k-1} \f$ agree, at most
-  /// the dimension; -1 and 0 as above.
+  /// The largest `k` such that the Frenet frame and the curvatures
+  /// \f$ \kappa_1, \dots, \kappa_{k-1} \f$ agree, at most the dimension; -1 and 0 as above.
   int f_order = -1;
   /// Both tangents are nonzero (false also when the jets have no derivatives).
   bool regular = false;
-  std::optional<bool> tangent_equal;          ///< same direction; empty unless regular
-  std::optional<bool> curvature_equal;        ///< same magnitude \f$ \kappa \f$; empty where undefined
+  std::optional<bool> tangent_equal; ///< same direction; empty unless regular
+  /// same magnitude \f$ \kappa \f$; empty where undefined
+  std::optional<bool> curvature_equal;
   std::optional<bool> curvature_vector_equal; ///< same \f$ \kappa e_2 \f$; empty where undefined
-  std::optional<bool> torsion_equal;          ///< empty unless in space with nonzero curvature on both sides
+  /// empty unless in space with nonzero curvature on both sides
+  std::optional<bool> torsion_equal;
 
-  /// Returns the shape parameters \f$ \beta_1, \dots, \beta_{g\_order} \f$: the right curve is, up to this order, the left one
-  /// with the reparametrisation of these derivatives. They are computed by this call, exactly where the decision is exact.
-  /// \f$ O(k) \f$ divisions for the order `k`
+  /// Returns the shape parameters \f$ \beta_1, \dots, \beta_{g\_order} \f$: the right curve is, up
+  /// to this order, the left one with the reparametrisation of these derivatives. They are computed
+  /// by this call, exactly where the decision is exact. \f$ O(k) \f$ divisions for the order `k`
   /// \throws Error `not_finite` when a parameter is too large for floating-point numbers
   std::vector<FT> betas() const { return parameters(g_order); }
 
-  /// Returns the order, greater than `g_order` and at most 2, that the join has but for at most 16 units in the last place; empty when
-  /// there is none, for the join of two jets, and unless the numbers of the curves are floating-point numbers, in the plane or in space.
+  /// Returns the order, greater than `g_order` and at most 2, that the join has but for at most 16
+  /// units in the last place; empty when there is none, for the join of two jets, and unless the
+  /// numbers of the curves are floating-point numbers, in the plane or in space.
   std::optional<Order_up_to_rounding> up_to_rounding() const { return points.order_up_to_rounding(g_order); }
 
-  /// Writes the orders and the shape parameters, e.g. `C1 G2 F2, beta = (1, 3/4)`, and by how much a greater order is missed if that is
-  /// no more than rounding, e.g. `C0 G0 F0; G2 but for 1.5 units in the last place`.
+  /// Writes the orders and the shape parameters, e.g. `C1 G2 F2, beta = (1, 3/4)`, and by how much
+  /// a greater order is missed if that is no more than rounding, e.g.
+  /// `C0 G0 F0; G2 but for 1.5 units in the last place`.
   /// \throws Error as `betas()` does
   friend std::ostream& operator<<(std::ostream& os, const Join_continuity& join) {
     if (join.c_order < 0)
@@ -289,7 +299,8 @@ template <class FT> struct Join_continuity {
       for (std::size_t i = 0; i < betas.size(); ++i) os << (i == 0 ? ", beta = (" : ", ") << betas[i];
       os << (betas.empty() ? "" : ")");
     }
-    if (const std::optional<Order_up_to_rounding> order = join.up_to_rounding()) // by some, however few
+    // by some, however few
+    if (const std::optional<Order_up_to_rounding> order = join.up_to_rounding())
       os << "; G" << order->g_order << " but for " << (std::max)(1., std::ceil(order->units * 10)) / 10
          << " units in the last place";
     return os;

@@ -23,7 +23,8 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// The decision in a field extended by one or two square roots, without the betas that are not in FT.
+// The decision in a field extended by one or two square roots, without the betas that are not in
+// FT.
 template <class FT, class Field> Join_continuity<FT> drop_irrational_betas(const Join_continuity<Field>& join) {
   Join_continuity<FT> r;
   r.c_order = join.c_order;
@@ -36,8 +37,8 @@ template <class FT, class Field> Join_continuity<FT> drop_irrational_betas(const
   return r;
 }
 
-// Calls f(p, q) with the roots of the radicands of both segments, in the numbers of the traits class or in a field that is extended by one
-// or two roots.
+// Calls f(p, q) with the roots of the radicands of both segments, in the numbers of the traits
+// class or in a field that is extended by one or two roots.
 template <class Traits, class Function>
 auto visit_roots(const Path_segment<Traits>& left, const Path_segment<Traits>& right, Function f) {
   typedef typename Traits::FT FT;
@@ -47,15 +48,17 @@ auto visit_roots(const Path_segment<Traits>& left, const Path_segment<Traits>& r
     return f(*p, *q);
   else {
     if (p && q) return f(*p, *q);
-    typedef Sqrt_extension<FT, FT> Field;    // a + b sqrt(d)
-    typedef Sqrt_extension<Field, FT> Tower; // a + b sqrt(e), also when one root lies in the field of the other
+    typedef Sqrt_extension<FT, FT> Field; // a + b sqrt(d)
+    // a + b sqrt(e), also when one root lies in the field of the other
+    typedef Sqrt_extension<Field, FT> Tower;
     const Tower left_root(p ? Field(*p) : Field(FT(0), FT(1), d));
     const Tower right_root = q ? Tower(Field(*q)) : Tower(Field(FT(0)), Field(FT(1)), e);
     return f(left_root, right_root);
   }
 }
 
-// The direction at an end of a segment, of which the root of radicand() is given; zero for a curve of no length.
+// The direction at an end of a segment, of which the root of radicand() is given; zero for a curve
+// of no length.
 template <Curve_end which, class Traits, class Field>
 std::array<Field, 2> path_direction(const Path_segment<Traits>& segment, const Field& root) {
   if (segment.bezier()) {
@@ -95,7 +98,8 @@ public:
     return Enclosed_arc<Traits>(*left_.arc()).common_jets(Enclosed_arc<Traits>(*right_.arc()), order);
   }
 
-  // Calls f(products) with narrower and narrower enclosures, until it returns true. Returns false when it never does. \pre has_directions()
+  // Calls f(products) with narrower and narrower enclosures, until it returns true. Returns false
+  // when it never does. \pre has_directions()
   template <class Function> bool until(Function f) const {
     for (int bits = first_bits; bits <= last_bits; bits *= 2) {
       const std::optional<Direction> a = direction<Curve_end::end>(left_, bits),
@@ -132,8 +136,9 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The join between the end of a segment of a path and the start of another one, for `continuity()`, `visual_class()` and
-/// `visit_enclosures()`: what these have in common is prepared once. The segments must outlive it.
+/// The join between the end of a segment of a path and the start of another one, for
+/// `continuity()`, `visual_class()` and `visit_enclosures()`: what these have in common is prepared
+/// once. The segments must outlive it.
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 2
 template <class Traits> class Path_join {
   const Path_segment<Traits>&left_, &right_;
@@ -160,16 +165,20 @@ public:
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Decides the continuity of a join of segments of paths, up to order `max_order`; empty when it cannot be decided.
+/// Decides the continuity of a join of segments of paths, up to order `max_order`; empty when it
+/// cannot be decided.
 ///
-/// Arcs are taken with respect to the eccentric angle; only the C order and the shape parameters depend on that. Where
-/// the centre of an arc is not rational, the decision is made in the field extended by its square root, exactly, and no
-/// shape parameters are given. In `double` it is plain floating point.
+/// Arcs are taken with respect to the eccentric angle; only the C order and the shape parameters
+/// depend on that. Where the centre of an arc is not rational, the decision is made in the field
+/// extended by its square root, exactly, and no shape parameters are given. In `double` it is plain
+/// floating point.
 ///
-/// The directions of an arc of a rotated ellipse, which are not known as numbers of such a field, are enclosed, with 128 bits and more, until
-/// they differ from those of the other segment. They are equal where both segments are halves of such an ellipse, or of a larger one, or are
-/// parts of equal angle on different sides of their chords, and the chords are parallel: that is decided exactly, for all orders. Where 1024 bits
-/// do not tell, nothing is decided: `tangent_angle()` tells by how little the directions differ, if they do.
+/// The directions of an arc of a rotated ellipse, which are not known as numbers of such a field,
+/// are enclosed, with 128 bits and more, until they differ from those of the other segment. They
+/// are equal where both segments are halves of such an ellipse, or of a larger one, or are parts of
+/// equal angle on different sides of their chords, and the chords are parallel: that is decided
+/// exactly, for all orders. Where 1024 bits do not tell, nothing is decided: `tangent_angle()`
+/// tells by how little the directions differ, if they do.
 /// \throws Error `negative_count` for a negative `max_order`, `work_limit`
 template <class Traits>
 std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_join<Traits>& path_join, int max_order) {
@@ -207,9 +216,11 @@ std::optional<Join_continuity<typename Traits::FT>> continuity(const Path_segmen
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of the left segment and at the start of the right one, with respect to
-/// parameters of the domain [0, 1] each: `Coordinate_jet`s of `Interval_nt<false>`, with which `f` can compute. Returns false, without a
-/// call, unless both are Bézier curves whose coordinates are short rational numbers, over domains whose ends are short integers.
+/// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of the left segment and at the
+/// start of the right one, with respect to parameters of the domain [0, 1] each: `Coordinate_jet`s
+/// of `Interval_nt<false>`, with which `f` can compute. Returns false, without a call, unless both
+/// are Bézier curves whose coordinates are short rational numbers, over domains whose ends are
+/// short integers.
 template <class Traits, class Function> bool visit_enclosures(const Path_join<Traits>& join, Function f) {
   if (!join.has_grid_) return false;
   const Protect_FPU_rounding<true> rounding_upwards;
@@ -220,7 +231,8 @@ template <class Traits, class Function> bool visit_enclosures(const Path_join<Tr
 
 namespace internal {
 
-// Calls f(p) with the products of the directions at a join, in a field of exact numbers; returns whether both have a direction.
+// Calls f(p) with the products of the directions at a join, in a field of exact numbers; returns
+// whether both have a direction.
 // \pre both are known
 template <class Traits, class Function>
 bool visit_direction_products(const Path_segment<Traits>& left, const Path_segment<Traits>& right, Function f) {
@@ -272,7 +284,8 @@ std::optional<Visual_class> rotated_visual_class(const Path_segment<Traits>& lef
   return corner ? std::optional<Visual_class>(*corner ? Visual_class::corner : Visual_class::kink) : std::nullopt;
 }
 
-// The angle at a join with an arc of a rotated ellipse, with at least 48 bits unless it is too small. \pre both have a length
+// The angle at a join with an arc of a rotated ellipse, with at least 48 bits unless it is too
+// small. \pre both have a length
 template <class Traits>
 Enclosure rotated_join_angle(const Path_segment<Traits>& left, const Path_segment<Traits>& right) {
   typedef typename Traits::FT FT;
@@ -289,9 +302,9 @@ Enclosure rotated_join_angle(const Path_segment<Traits>& left, const Path_segmen
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns what a join of segments of paths looks like, see `visual_class()` of Bézier curves; empty when one
-/// of them has no length, and where `continuity()` does not decide. Directions of arcs are compared in the field of their square roots, or
-/// enclosed. Exact, except in `double`
+/// Returns what a join of segments of paths looks like, see `visual_class()` of Bézier curves;
+/// empty when one of them has no length, and where `continuity()` does not decide. Directions of
+/// arcs are compared in the field of their square roots, or enclosed. Exact, except in `double`
 /// \throws Error `not_finite`, `work_limit`
 template <class Traits>
 std::optional<Visual_class> visual_class(const Path_join<Traits>& join,
@@ -331,8 +344,9 @@ std::optional<Visual_class> visual_class(const Path_segment<Traits>& left, const
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns the angle in \f$ [0, \pi] \f$ between the directions in which the segments are drawn, in radians; empty when one of them has no
-/// length. A retracted handle is taken as `visual_class()` takes it.
+/// Returns the angle in \f$ [0, \pi] \f$ between the directions in which the segments are drawn, in
+/// radians; empty when one of them has no length. A retracted handle is taken as `visual_class()`
+/// takes it.
 /// \throws Error `not_finite`
 template <class Traits>
 std::optional<Enclosure> tangent_angle(const Path_segment<Traits>& left, const Path_segment<Traits>& right) {

@@ -25,11 +25,12 @@
 #include <vector>
 
 /// \file Curve_jet.h
-/// The point and the first derivatives of a curve at one parameter, and those at the two ends of any curve, in any field: all
-/// that joins and blends read of a curve. A curve that offers `end_jet_over` and `start_jet_over` derives them in that field
-/// from its control points as they are, so that a predicate on curves with `double` coordinates is exact. Of any other model of
-/// `ParametricCurve`, the jet that it returns is converted. And the jets of homogeneous points \f$ (p, w) = (w x, w) \f$: from their
-/// derivatives to those of \f$ x = p / w \f$, and back.
+/// The point and the first derivatives of a curve at one parameter, and those at the two ends of
+/// any curve, in any field: all that joins and blends read of a curve. A curve that offers
+/// `end_jet_over` and `start_jet_over` derives them in that field from its control points as they
+/// are, so that a predicate on curves with `double` coordinates is exact. For any other model of
+/// `ParametricCurve`, the jet that it returns is converted. And the jets of homogeneous points
+/// \f$ (p, w) = (w x, w) \f$: from their derivatives to those of \f$ x = p / w \f$, and back.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -40,10 +41,12 @@ struct Unspecified {};
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityLocal
-/// A jet of order `k` in coordinates: the point and the first `k` derivatives of a curve at one parameter.
-/// All functions that read a jet are written on this type; `Curve_jet` adds the types of a kernel.
+/// A jet of order `k` in coordinates: the point and the first `k` derivatives of a curve at one
+/// parameter. All functions that read a jet are written on this type; `Curve_jet` adds the types of
+/// a kernel.
 ///
-/// The coordinates can be written, and are not checked: a function that needs finite numbers looks at them itself.
+/// The coordinates can be written, and are not checked: a function that needs finite numbers looks
+/// at them itself.
 ///
 /// \tparam FT a field number type
 /// \tparam N the dimension, or 0 when it is known at run time only
@@ -56,7 +59,8 @@ public:
   Coordinate_jet() = default;
 
   /// The zero jet of order `k` in dimension `d`. No memory is allocated up to order 5.
-  /// \throws Error `negative_count` unless `k >= 0` and `d >= 0`, `dimension_mismatch` unless `d == N` or `N == 0`
+  /// \throws Error `negative_count` unless `k >= 0` and `d >= 0`, `dimension_mismatch` unless
+  ///   `d == N` or `N == 0`
   Coordinate_jet(int d, int k) : order_(k) {
     check(d, k);
     for (int j = 0; j <= k && j < inlined; ++j) inlined_[j] = Vector_type(d);
@@ -104,8 +108,8 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityLocal
-/// A jet of order `k`: the point \f$ x \f$ and the derivatives \f$ x', \dots, x^{(k)} \f$ of a curve at one
-/// parameter. Blends and continuity tests read nothing else of a curve.
+/// A jet of order `k`: the point \f$ x \f$ and the derivatives \f$ x', \dots, x^{(k)} \f$ of a
+/// curve at one parameter. Blends and continuity tests read nothing else of a curve.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> class Curve_jet : public Coordinate_jet<typename Traits_::FT, dimension_v<Traits_>> {
@@ -124,8 +128,8 @@ public:
   explicit Curve_jet(Base jet) : Base(std::move(jet)) {}
 
   /// The zero jet of order `k` in dimension `d`.
-  /// \throws Error `negative_count` unless `k >= 0` and `d >= 0`, `dimension_mismatch` unless `d` is the dimension of the
-  ///   traits class
+  /// \throws Error `negative_count` unless `k >= 0` and `d >= 0`, `dimension_mismatch` unless `d`
+  ///   is the dimension of the traits class
   Curve_jet(int d, int k) : Base(d, k) {}
 
   // The jet with numbers that are not initialised when the dimension is known at compile time.
@@ -193,10 +197,12 @@ struct Has_end_jets_over<Field, Curve,
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the point and the first `order` derivatives of a curve at the end of its domain, as numbers of `Field`.
+/// Returns the point and the first `order` derivatives of a curve at the end of its domain, as
+/// numbers of `Field`.
 ///
-/// Exact in an exact field when the curve offers `end_jet_over<Field>(order)` (see `ParametricCurve`), as all curves of this
-/// package do; otherwise `curve.jet()` at the end of the domain, converted.
+/// Exact in an exact field when the curve offers `end_jet_over<Field>(order)` (see
+/// `ParametricCurve`), as all curves of this package do; otherwise `curve.jet()` at the end of the
+/// domain, converted.
 ///
 /// \tparam Field a field number type into which the numbers of the curve can be converted
 /// \tparam Curve a model of `ParametricCurve`
@@ -211,10 +217,12 @@ Coordinate_jet<Field, dimension_v<typename Curve::Traits>> end_jet(const Curve& 
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the point and the first `order` derivatives of a curve at the start of its domain, as numbers of `Field`.
+/// Returns the point and the first `order` derivatives of a curve at the start of its domain, as
+/// numbers of `Field`.
 ///
-/// Exact in an exact field when the curve offers `start_jet_over<Field>(order)` (see `ParametricCurve`), as all curves of this
-/// package do; otherwise `curve.jet()` at the start of the domain, converted.
+/// Exact in an exact field when the curve offers `start_jet_over<Field>(order)` (see
+/// `ParametricCurve`), as all curves of this package do; otherwise `curve.jet()` at the start of
+/// the domain, converted.
 ///
 /// \tparam Field a field number type into which the numbers of the curve can be converted
 /// \tparam Curve a model of `ParametricCurve`
@@ -229,8 +237,9 @@ Coordinate_jet<Field, dimension_v<typename Curve::Traits>> start_jet(const Curve
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The jets at the two ends of a curve, in place of the curve: all that decisions about joins read. `continuity()`, `deviation()`,
-/// `order_within()` and `Chain_accumulator` take it like a curve, up to the order of the jets.
+/// The jets at the two ends of a curve, in place of the curve: all that decisions about joins read.
+/// `continuity()`, `deviation()`, `order_within()` and `Chain_accumulator` take it like a curve, up
+/// to the order of the jets.
 ///
 /// \tparam Traits_ a model of `GeometricContinuityTraits`
 template <class Traits_> class Curve_end_jets {
@@ -242,7 +251,8 @@ public:
   typedef typename Traits::FT FT; ///< the field
 
   /// Takes the jets at the start and the end, of one order.
-  /// \throws Error `dimension_mismatch`, `jet_order_too_low` when the orders differ or the jets are empty
+  /// \throws Error `dimension_mismatch`, `jet_order_too_low` when the orders differ or the jets are
+  ///   empty
   Curve_end_jets(Jet start, Jet end) : start_(std::move(start)), end_(std::move(end)) {
     if (start_.dimension() != end_.dimension()) throw Error(Error_code::dimension_mismatch, "Curve_end_jets");
     if (start_.order() != end_.order() || end_.order() < 0)
@@ -258,9 +268,11 @@ public:
   /// Returns the order of the jets.
   int order() const { return end_.order(); }
 
-  /// Returns the jet of order `k` at the start. \throws Error `negative_count`, `jet_order_too_low` unless `0 <= k <= order()`
+  /// Returns the jet of order `k` at the start. \throws Error `negative_count`, `jet_order_too_low`
+  /// unless `0 <= k <= order()`
   Curve_jet<Traits> start_jet(int k) const { return Curve_jet<Traits>(start_jet_over<FT>(k)); }
-  /// Returns the jet of order `k` at the end. \throws Error `negative_count`, `jet_order_too_low` unless `0 <= k <= order()`
+  /// Returns the jet of order `k` at the end. \throws Error `negative_count`, `jet_order_too_low`
+  /// unless `0 <= k <= order()`
   Curve_jet<Traits> end_jet(int k) const { return Curve_jet<Traits>(end_jet_over<FT>(k)); }
   /// Returns the jet of order `k` at the start in another field.
   /// \throws Error `negative_count`, `jet_order_too_low` unless `0 <= k <= order()`
@@ -285,8 +297,9 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the jet of the curve \f$ x = p / w \f$ from that of its homogeneous points \f$ (p, w) \f$:
-/// \f$ x_k = (p_k - \sum_{j=1}^k \binom{k}{j} w_j x_{k-j}) / w_0 \f$. \f$ O(n k^2) \f$
+/// Returns the jet of the curve \f$ x = p / w \f$ from that of its homogeneous points
+/// \f$ (p, w) \f$: \f$ x_k = (p_k - \sum_{j=1}^k \binom{k}{j} w_j x_{k-j}) / w_0 \f$.
+/// \f$ O(n k^2) \f$
 /// \tparam M one more than the dimension of \f$ x \f$, or 0
 /// \throws Error `zero_weight` when \f$ w_0 = 0 \f$, `jet_order_too_low` for an empty jet
 template <class FT, int M> Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> project(const Coordinate_jet<FT, M>& p) {
@@ -314,13 +327,15 @@ template <class FT, int M> Coordinate_jet<FT, (M == 0 ? 0 : M - 1)> project(cons
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the jet of the homogeneous points \f$ (p, w) \f$ of a curve from that of \f$ x = p / w \f$ and the derivatives
-/// \f$ w_0, w_1, \dots \f$ of the denominator, which may be chosen freely:
-/// \f$ p_k = \sum_{j=0}^k \binom{k}{j} w_j x_{k-j} \f$. Derivatives of the denominator that are not given are zero.
-/// \f$ O(n k^2) \f$
+/// Returns the jet of the homogeneous points \f$ (p, w) \f$ of a curve from that of
+/// \f$ x = p / w \f$ and the derivatives \f$ w_0, w_1, \dots \f$ of the denominator, which may be
+/// chosen freely:
+/// \f$ p_k = \sum_{j=0}^k \binom{k}{j} w_j x_{k-j} \f$. Derivatives of the denominator that are not
+/// given are zero. \f$ O(n k^2) \f$
 /// \param x the jet
 /// \param weights a container of numbers
-/// \throws Error `zero_weight` when \f$ w_0 \f$ is zero or missing, `jet_order_too_low` for an empty jet
+/// \throws Error `zero_weight` when \f$ w_0 \f$ is zero or missing, `jet_order_too_low` for an
+///   empty jet
 template <class FT, int N, class Weights>
 Coordinate_jet<FT, (N == 0 ? 0 : N + 1)> lift(const Coordinate_jet<FT, N>& x, const Weights& weights) {
   if (x.order() < 0) throw Error(Error_code::jet_order_too_low, "lift");
@@ -338,8 +353,9 @@ Coordinate_jet<FT, (N == 0 ? 0 : N + 1)> lift(const Coordinate_jet<FT, N>& x, co
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Many jets of order `k` in dimension `N` as a structure of arrays: for each derivative and each coordinate one array with
-/// the numbers of all jets. This is the layout in which a processor computes several jets at a time.
+/// Many jets of order `k` in dimension `N` as a structure of arrays: for each derivative and each
+/// coordinate one array with the numbers of all jets. This is the layout in which a processor
+/// computes several jets at a time.
 /// \tparam FT a field number type, usually `double`
 template <class FT_, int N, int k> class Jet_arrays {
   static_assert(N > 0 && k >= 0);
@@ -354,10 +370,12 @@ public:
   /// `n` jets with unspecified numbers.
   explicit Jet_arrays(std::size_t n) { resize(n); }
 
-  /// Changes the number of jets. The numbers are unspecified afterwards; no memory is allocated when there is enough.
+  /// Changes the number of jets. The numbers are unspecified afterwards; no memory is allocated
+  /// when there is enough.
   void resize(std::size_t n) {
     size_ = n;
-    // An odd number of cache lines lies between two arrays: else their numbers would compete for a few lines of the cache.
+    // An odd number of cache lines lies between two arrays: else their numbers would compete for a
+    // few lines of the cache.
     constexpr std::size_t line = 8;
     stride_ = line * ((n + line - 1) / line | 1);
     numbers_.resize(stride_ * (k + 1) * N);
@@ -365,10 +383,12 @@ public:
   /// Returns the number of jets.
   std::size_t size() const { return size_; }
 
-  /// Gives access to the coordinates number `i` of the derivatives of order `j` of all jets, an array of `size()` numbers.
+  /// Gives access to the coordinates number `i` of the derivatives of order `j` of all jets, an
+  /// array of `size()` numbers.
   /// \pre `0 <= j <= k`, `0 <= i < N`
   FT* array(int j, int i) { return numbers_.data() + (j * N + i) * stride_; }
-  /// Returns the coordinates number `i` of the derivatives of order `j` of all jets, an array of `size()` numbers.
+  /// Returns the coordinates number `i` of the derivatives of order `j` of all jets, an array of
+  /// `size()` numbers.
   /// \pre `0 <= j <= k`, `0 <= i < N`
   const FT* array(int j, int i) const { return numbers_.data() + (j * N + i) * stride_; }
 
@@ -392,20 +412,23 @@ public:
 };
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The partial Bell polynomials \f$ B_{k,m}(x_1, x_2, \dots) \f$, the coefficients of Faà di Bruno's
-/// formula: \f$ (X \circ \varphi)^{(k)} = \sum_m B_{k,m}(\varphi', \varphi'', \dots)\, X^{(m)} \f$.
+/// The partial Bell polynomials \f$ B_{k,m}(x_1, x_2, \dots) \f$, the coefficients of Faà di
+/// Bruno's formula:
+/// \f$ (X \circ \varphi)^{(k)} = \sum_m B_{k,m}(\varphi', \varphi'', \dots)\, X^{(m)} \f$.
 ///
 /// The variables are appended one after the other, as a chain of joins determines them; each append
 /// of the `k`-th variable costs \f$ O(k^2) \f$ products.
 template <class FT> class Bell_polynomials {
-  std::vector<FT> x_;                                                   // x_[j-1] = j-th variable
-  std::vector<std::vector<FT>> rows_ = std::vector<std::vector<FT>>(1); // rows_[k][m-2] = B_{k,m} for m >= 2
-  std::vector<FT> binomials_{FT(1)};                                    // row k-1 of Pascal's triangle
+  std::vector<FT> x_; // x_[j-1] = j-th variable
+  // rows_[k][m-2] = B_{k,m} for m >= 2
+  std::vector<std::vector<FT>> rows_ = std::vector<std::vector<FT>>(1);
+  // row k-1 of Pascal's triangle
+  std::vector<FT> binomials_{FT(1)};
 
 public:
-  /// Returns \f$ B_{k,m} \f$ for `2 <= m <= k`. It depends on the first `k - m + 1` variables only, so it is known as
-  /// soon as the first `k - 1` variables have been appended; that they have been, and the range of `m`, is the caller's
-  /// duty.
+  /// Returns \f$ B_{k,m} \f$ for `2 <= m <= k`. It depends on the first `k - m + 1` variables only,
+  /// so it is known as soon as the first `k - 1` variables have been appended; that they have been,
+  /// and the range of `m`, is the caller's duty.
   const FT& operator()(int k, int m) const { return rows_[k - 1][m - 2]; }
 
   /// Appends the next variable, \f$ x_{k-1} \f$, and so makes the row \f$ B_{k,\cdot} \f$ known.

@@ -37,7 +37,8 @@ public:
   typedef typename Traits::Vector Vector;                        ///< the vectors of the kernel
   typedef Geometric_continuity::Coordinates<Traits> Coordinates; ///< their coordinates
 
-  /// The zero jet of order `k` in dimension `d`. No memory is allocated up to order 2, provided that numbers do not.
+  /// The zero jet of order `k` in dimension `d`. No memory is allocated up to order 2, provided
+  /// that numbers do not.
   /// \throws Error `jet_order_too_low` unless `k >= 0`, `negative_count` unless `d >= 0`
   /// \throws Error `dimension_mismatch` unless `d` is the dimension of the traits class
   Surface_jet(int d, int k) : order_(k) {
@@ -51,17 +52,19 @@ public:
   /// Returns the dimension.
   int dimension() const { return partials_[0].dimension(); }
 
-  /// Returns the coordinates of the derivative of order `i` in `u` and `j` in `v`; of the point for `i = j = 0`.
+  /// Returns the coordinates of the derivative of order `i` in `u` and `j` in `v`; of the point for
+  /// `i = j = 0`.
   /// \pre `0 <= i`, `0 <= j`, `i + j <= order()`
   const Coordinates& operator()(int i, int j) const { return partials_[index(i, j)]; }
-  /// Gives access to the coordinates of the derivative of order `i` in `u` and `j` in `v`; to those of the point for
-  /// `i = j = 0`. \pre `0 <= i`, `0 <= j`, `i + j <= order()`
+  /// Gives access to the coordinates of the derivative of order `i` in `u` and `j` in `v`; to those
+  /// of the point for `i = j = 0`. \pre `0 <= i`, `0 <= j`, `i + j <= order()`
   Coordinates& operator()(int i, int j) { return partials_[index(i, j)]; }
 
   /// Returns the point.
   Point point() const { return Geometric_continuity::to_point<Traits>(partials_[0]); }
 
-  /// Returns the derivative of order `i` in `u` and `j` in `v`. \pre `0 <= i`, `0 <= j`, `0 < i + j <= order()`
+  /// Returns the derivative of order `i` in `u` and `j` in `v`. \pre `0 <= i`, `0 <= j`,
+  /// `0 < i + j <= order()`
   Vector partial(int i, int j) const { return Geometric_continuity::to_vector<Traits>((*this)(i, j)); }
 
 private:
@@ -83,9 +86,10 @@ template <class Traits> void require_normal(const Surface_jet<Traits>& jet) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the normal \f$ S_u \times S_v \f$, not normalised and hence exact with an exact kernel. It is zero where the
-/// surface is not regular. Lecture slides, "Normals".
-/// \throws Error `dimension_mismatch` unless in dimension 3, `jet_order_too_low` for a jet of order 0
+/// Returns the normal \f$ S_u \times S_v \f$, not normalised and hence exact with an exact kernel.
+/// It is zero where the surface is not regular. Lecture slides, "Normals".
+/// \throws Error `dimension_mismatch` unless in dimension 3, `jet_order_too_low` for a jet of order
+///   0
 /// \throws Error `not_finite` when a floating-point coordinate overflows
 template <class Traits> typename Traits::Vector normal(const Surface_jet<Traits>& jet) {
   internal::require_normal(jet);
@@ -95,9 +99,10 @@ template <class Traits> typename Traits::Vector normal(const Surface_jet<Traits>
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the unit normal, empty where \f$ S_u \times S_v = 0 \f$; only for number types that have a square root.
-/// Derivatives of any floating-point size are scaled, so that no product overflows.
-/// \throws Error `dimension_mismatch` unless in dimension 3, `jet_order_too_low` for a jet of order 0
+/// Returns the unit normal, empty where \f$ S_u \times S_v = 0 \f$; only for number types that have
+/// a square root. Derivatives of any floating-point size are scaled, so that no product overflows.
+/// \throws Error `dimension_mismatch` unless in dimension 3, `jet_order_too_low` for a jet of order
+///   0
 /// \throws Error `not_finite` when a floating-point derivative is infinite or undefined
 template <class Traits> std::optional<typename Traits::Vector> unit_normal(const Surface_jet<Traits>& jet) {
   typedef typename Traits::FT FT;
@@ -114,7 +119,8 @@ template <class Traits> std::optional<typename Traits::Vector> unit_normal(const
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The types of a surface, and what it tells at parameters by its jets: the base of patches and B-spline surfaces, rational or not.
+/// The types of a surface, and its functions that evaluate jets: the base of patches and B-spline
+/// surfaces, rational or not.
 /// \tparam Surface the surface, with `jet(u, v, k)`
 /// \tparam Traits_ a model of `GeometricContinuityTraits`
 template <class Surface, class Traits_> class Surface_evaluation {
@@ -126,20 +132,24 @@ public:
   typedef typename Traits::Point Point;             ///< the points
   typedef typename Traits::Vector Vector;           ///< the vectors
   typedef std::pair<FT, FT> Interval;               ///< the two ends of a parameter interval
-  static constexpr int N = dimension_v<Traits>;     ///< the dimension, or 0 when it is known at run time only
+  /// the dimension, or 0 when it is known at run time only
+  static constexpr int N = dimension_v<Traits>;
 
-  /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the position vector.
+  /// Returns the derivative of order `i >= 0` in `u` and `j >= 0` in `v`; for `i = j = 0` the
+  /// position vector.
   /// \throws Error `negative_count` for a negative order
   Vector partial(const FT& u, const FT& v, int i, int j) const {
     internal::check_count((std::min)(i, j), "order of a partial derivative");
     return surface().jet(u, v, i + j).partial(i, j);
   }
 
-  /// Returns the normal \f$ S_u \times S_v \f$, not normalised; zero where the surface is not regular.
+  /// Returns the normal \f$ S_u \times S_v \f$, not normalised; zero where the surface is not
+  /// regular.
   /// \throws Error `dimension_mismatch` unless in dimension 3
   Vector normal(const FT& u, const FT& v) const { return Geometric_continuity::normal(surface().jet(u, v, 1)); }
 
-  /// Returns the unit normal, empty where \f$ S_u \times S_v = 0 \f$; only for number types that have a square root.
+  /// Returns the unit normal, empty where \f$ S_u \times S_v = 0 \f$; only for number types that
+  /// have a square root.
   /// \throws Error `dimension_mismatch` unless in dimension 3
   std::optional<Vector> unit_normal(const FT& u, const FT& v) const {
     return Geometric_continuity::unit_normal(surface().jet(u, v, 1));
@@ -151,7 +161,7 @@ private:
 
 namespace internal {
 
-// What overflows in floating-point arithmetic is refused: x - x is not 0 then.
+// Refuses a jet that overflows in floating-point arithmetic, where x - x is not 0.
 template <class Traits> void check_jet(const Surface_jet<Traits>& jet, const char* place) {
   if constexpr (std::is_floating_point_v<typename Traits::FT>) {
     Coordinates<Traits> zeros(jet.dimension());
@@ -202,10 +212,12 @@ void project_short(const Surface_jet<Homogeneous_traits<Traits>>& p, Surface_jet
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the jet of the surface \f$ S = P / w \f$ from that of its homogeneous points \f$ (P, w) \f$:
+/// Returns the jet of the surface \f$ S = P / w \f$ from that of its homogeneous points
+/// \f$ (P, w) \f$:
 /// \f$ S_{kl} = (P_{kl} - \sum_{(i,j) \ne (0,0)} \binom{k}{i} \binom{l}{j} w_{ij} S_{k-i,l-j}) / w_{00} \f$.
 /// \f$ O(n k^4) \f$ for the order `k`
-/// \throws Error `zero_weight` when \f$ w_{00} = 0 \f$, `not_finite` when a floating-point number overflows
+/// \throws Error `zero_weight` when \f$ w_{00} = 0 \f$, `not_finite` when a floating-point number
+///   overflows
 template <class Traits> Surface_jet<Traits> project(const Surface_jet<Homogeneous_traits<Traits>>& p) {
   typedef typename Traits::FT FT;
   const int order = p.order();

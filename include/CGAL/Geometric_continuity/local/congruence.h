@@ -20,14 +20,16 @@
 #include <vector>
 
 /// \file congruence.h
-/// The isometry that takes one jet to another, decided by dot products and a determinant. Hagen 1.7 (a).
+/// The isometry that takes one jet to another, decided by dot products and a determinant. Hagen 1.7
+/// (a).
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityLocal
-/// A map \f$ x \mapsto B x + t \f$ of points of \f$ E^n \f$ with an orthogonal matrix `B` of determinant 1. Vectors are
-/// mapped by `B`, jets as a whole. Floating-point images are rounded, and not checked for overflow.
+/// A map \f$ x \mapsto B x + t \f$ of points of \f$ E^n \f$ with an orthogonal matrix `B` of
+/// determinant 1. Vectors are mapped by `B`, jets as a whole. Floating-point images are rounded,
+/// and not checked for overflow.
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> class Isometry {
 public:
@@ -48,13 +50,15 @@ public:
   /// Returns the dimension `n`.
   int dimension() const { return static_cast<int>(rows_.size()); }
 
-  /// Returns the entry of `B` in row `i` and column `j`. \pre `0 <= i < dimension()`, `0 <= j < dimension()`
+  /// Returns the entry of `B` in row `i` and column `j`. \pre `0 <= i < dimension()`,
+  /// `0 <= j < dimension()`
   const FT& entry(int i, int j) const { return rows_[i][j]; }
 
   /// Returns the vector `t`.
   Vector translation() const { return Geometric_continuity::to_vector<Traits>(t_); }
 
-  /// Returns the image \f$ B p + t \f$ of a point. \f$ O(n^2) \f$ \throws Error `dimension_mismatch`
+  /// Returns the image \f$ B p + t \f$ of a point. \f$ O(n^2) \f$ \throws Error
+  /// `dimension_mismatch`
   Point operator()(const Point& p) const {
     return Geometric_continuity::to_point<Traits>(linear(Geometric_continuity::coordinates<Traits>(p)) + t_);
   }
@@ -62,7 +66,8 @@ public:
   Vector operator()(const Vector& v) const {
     return Geometric_continuity::to_vector<Traits>(linear(Geometric_continuity::coordinates<Traits>(v)));
   }
-  /// Returns the jet of the moved curve. \f$ O(n^2 k) \f$ for order `k` \throws Error `dimension_mismatch`
+  /// Returns the jet of the moved curve. \f$ O(n^2 k) \f$ for order `k` \throws Error
+  /// `dimension_mismatch`
   Curve_jet<Traits> operator()(const Curve_jet<Traits>& x) const {
     Curve_jet<Traits> y = x;
     for (int j = 0; j <= x.order(); ++j) y[j] = linear(x[j]);
@@ -124,8 +129,9 @@ template <class FT, int N> struct Scaled_derivatives {
   }
 };
 
-// Scales the derivatives y and their frame f by the powers of two by which x is scaled. The largest coordinates of vectors of
-// equal length differ by a factor of sqrt(n) at most: false when they differ by much more.
+// Scales the derivatives y and their frame f by the powers of two by which x is scaled. The largest
+// coordinates of vectors of equal length differ by a factor of sqrt(n) at most: false when they
+// differ by much more.
 template <class FT, int N>
 bool adopt_scale(const Scaled_derivatives<FT, N>& x, Scaled_derivatives<FT, N>& y,
                  std::vector<Coordinate_vector<FT, N>>& f) {
@@ -142,9 +148,10 @@ bool adopt_scale(const Scaled_derivatives<FT, N>& x, Scaled_derivatives<FT, N>& 
   return true;
 }
 
-// Decides whether an isometry that preserves orientation takes the vectors x to the vectors y, the first n-1 of which are
-// independent. The others are then given by their dot products with these, and by their determinant with these, which is
-// their dot product with the last vector of the frame.
+// Decides whether an isometry that preserves orientation takes the vectors x to the vectors y, the
+// first n-1 of which are independent. The others are then given by their dot products with these,
+// and by their determinant with these, which is their dot product with the last vector of the
+// frame.
 template <class FT, int N>
 bool has_equal_invariants(const std::vector<Coordinate_vector<FT, N>>& x,
                           const std::vector<Coordinate_vector<FT, N>>& y, const Coordinate_vector<FT, N>& last_x,
@@ -169,22 +176,29 @@ template <class FT, class Field> FT rounded_entry(const Field& x) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the isometry that preserves orientation and takes the jet `x` to the jet `y`, up to the order that both have;
-/// empty when there is none. With the Frenet frames \f$ e_i \f$ and \f$ f_i \f$ of the jets as orthogonal vectors,
-/// \f$ |e_i| = |f_i| \f$ and \f$ B v = \sum_i \frac{e_i \cdot v}{e_i \cdot e_i} f_i \f$, so that no root is needed.
-/// Hagen 1.7 (a), where "unique" needs "that preserves orientation": a mirrored curve has the opposite last curvature.
+/// Returns the isometry that preserves orientation and takes the jet `x` to the jet `y`, up to the
+/// order that both have; empty when there is none. With the Frenet frames \f$ e_i \f$ and
+/// \f$ f_i \f$ of the jets as orthogonal vectors, \f$ |e_i| = |f_i| \f$ and
+/// \f$ B v = \sum_i \frac{e_i \cdot v}{e_i \cdot e_i} f_i \f$, so that no root is needed. Hagen 1.7
+/// (a), where "unique" needs "that preserves orientation": a mirrored curve has the opposite last
+/// curvature.
 ///
-/// If two curves have equal speed and equal curvatures in an interval, their jets at each parameter are congruent, by one
-/// and the same map. Jets of order `n - 1` in \f$ E^n \f$ do not see the last curvature.
+/// If two curves have equal speed and equal curvatures in an interval, their jets at each parameter
+/// are congruent, by one and the same map. Jets of order `n - 1` in \f$ E^n \f$ do not see the last
+/// curvature.
 ///
-/// The decision is exact with every exact kernel and with `Exact_predicates_inexact_constructions_kernel`, with which the map
-/// is computed exactly and its numbers are rounded; it is plain floating point with `Simple_cartesian<double>`, where rounding
-/// makes most pairs of congruent jets differ. \f$ O(n^2 k + n^4) \f$ field operations for jets of order `k`.
+/// The decision is exact with every exact kernel and with
+/// `Exact_predicates_inexact_constructions_kernel`, with which the map is computed exactly and its
+/// numbers are rounded; it is plain floating point with `Simple_cartesian<double>`, where rounding
+/// makes most pairs of congruent jets differ. \f$ O(n^2 k + n^4) \f$ field operations for jets of
+/// order `k`.
 ///
-/// \throws Error `dimension_mismatch` when the dimensions differ, `jet_order_too_low` with fewer than `n - 1` derivatives
-/// \throws Error `singular_frame` when the first `n - 1` derivatives of one of the jets are linearly dependent (lines, and in
-///   space points without curvature)
-/// \throws Error `not_finite` when a floating-point number of a jet or of the translation is infinite or undefined
+/// \throws Error `dimension_mismatch` when the dimensions differ, `jet_order_too_low` with fewer
+///   than `n - 1` derivatives
+/// \throws Error `singular_frame` when the first `n - 1` derivatives of one of the jets are
+///   linearly dependent (lines, and in space points without curvature)
+/// \throws Error `not_finite` when a floating-point number of a jet or of the translation is
+///   infinite or undefined
 template <class Traits>
 std::optional<Isometry<Traits>> congruence(const Curve_jet<Traits>& x, const Curve_jet<Traits>& y) {
   typedef typename Traits::FT FT;

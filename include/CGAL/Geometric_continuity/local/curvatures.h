@@ -28,13 +28,15 @@
 #include <vector>
 
 /// \file curvatures.h
-/// Curvature, torsion and all curvatures of a curve in \f$ E^n \f$ from its jet, without roots, and hence exact in every
-/// field: \f$ \kappa_i^2 = G_{i-1} G_{i+1} / (G_i^2 G_1) \f$ with the Gram determinants \f$ G_i \f$ of the derivatives
-/// (Hagen (1.5), (1.9), (1.11), (1.12)); the Frenet frame, and the Frenet equations, which take roots.
+/// Curvature, torsion and all curvatures of a curve in \f$ E^n \f$ from its jet, without roots, and
+/// hence exact in every field: \f$ \kappa_i^2 = G_{i-1} G_{i+1} / (G_i^2 G_1) \f$ with the Gram
+/// determinants \f$ G_i \f$ of the derivatives (Hagen (1.5), (1.9), (1.11), (1.12)); the Frenet
+/// frame, and the Frenet equations, which take roots.
 ///
-/// With floating-point numbers all these functions compute with derivatives that are scaled by powers of two, so that no
-/// intermediate number overflows. A result that is too large for the number type, and derivatives that are not finite,
-/// are refused (`Error`, `not_finite`); one that is too small is rounded to 0.
+/// With floating-point numbers all these functions compute with derivatives that are scaled by
+/// powers of two, so that no intermediate number overflows. A result that is too large for the
+/// number type, and derivatives that are not finite, are refused (`Error`, `not_finite`); one that
+/// is too small is rounded to 0.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -77,9 +79,10 @@ template <int d, class FT, int N> void require_dimension(const Coordinate_jet<FT
 
 /// \ingroup PkgGeometricContinuityLocal
 /// Returns the Gram determinants \f$ G_0 = 1, G_1, \dots, G_k \f$ of the first `k` derivatives,
-/// \f$ G_i = \det(x^{(a)} \cdot x^{(b)})_{a,b \le i} \f$: the squared volumes that they span. \f$ O(n k^3 + k^4) \f$ in
-/// dimension `n`
-/// \throws Error `negative_count` unless `k >= 0`, `jet_order_too_low` with fewer than `k` derivatives
+/// \f$ G_i = \det(x^{(a)} \cdot x^{(b)})_{a,b \le i} \f$: the squared volumes that they span.
+/// \f$ O(n k^3 + k^4) \f$ in dimension `n`
+/// \throws Error `negative_count` unless `k >= 0`, `jet_order_too_low` with fewer than `k`
+///   derivatives
 /// \throws Error `not_finite` when a floating-point result overflows
 template <class FT, int N> std::vector<FT> gram_determinants(const Coordinate_jet<FT, N>& jet, int k) {
   internal::check_count(k, "gram_determinants: number of derivatives");
@@ -97,9 +100,11 @@ template <class FT, int N> std::vector<FT> gram_determinants(const Coordinate_je
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the coordinates of the curvature vector \f$ K = \kappa e_2 = d_2^\perp / |d_1|^2 \f$ in any dimension; it points
-/// to the centre of curvature. Empty where the tangent is zero. Barsky and Beatty; Hagen, remark 5 after 2.1.
-/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `not_finite` when a floating-point result overflows
+/// Returns the coordinates of the curvature vector \f$ K = \kappa e_2 = d_2^\perp / |d_1|^2 \f$ in
+/// any dimension; it points to the centre of curvature. Empty where the tangent is zero. Barsky and
+/// Beatty; Hagen, remark 5 after 2.1.
+/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `not_finite` when a
+///   floating-point result overflows
 template <class FT, int N> std::optional<Coordinate_vector<FT, N>> curvature_vector(const Coordinate_jet<FT, N>& jet) {
   internal::require_order(jet, 2, "curvature_vector");
   const internal::Scaled_vector<FT, N> d1(jet[1], "curvature_vector"), d2(jet[2], "curvature_vector");
@@ -110,9 +115,11 @@ template <class FT, int N> std::optional<Coordinate_vector<FT, N>> curvature_vec
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the curvature vector \f$ K = \kappa e_2 = d_2^\perp / |d_1|^2 \f$ as a vector of the kernel, in any dimension; it
-/// points to the centre of curvature. Empty where the tangent is zero. Barsky and Beatty; Hagen, remark 5 after 2.1.
-/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `not_finite` when a floating-point result overflows
+/// Returns the curvature vector \f$ K = \kappa e_2 = d_2^\perp / |d_1|^2 \f$ as a vector of the
+/// kernel, in any dimension; it points to the centre of curvature. Empty where the tangent is zero.
+/// Barsky and Beatty; Hagen, remark 5 after 2.1.
+/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `not_finite` when a
+///   floating-point result overflows
 template <class Traits> std::optional<typename Traits::Vector> curvature_vector(const Curve_jet<Traits>& jet) {
   const Coordinate_jet<typename Traits::FT, dimension_v<Traits>>& coordinates = jet;
   const std::optional<Geometric_continuity::Coordinates<Traits>> k = curvature_vector(coordinates);
@@ -121,9 +128,10 @@ template <class Traits> std::optional<typename Traits::Vector> curvature_vector(
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the squared curvature \f$ \kappa^2 = G_2 / G_1^3 = |d_2^\perp|^2 / |d_1|^4 \f$ in any dimension. Empty where the
-/// tangent is zero. Hagen (1.11).
-/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `not_finite` when a floating-point result overflows
+/// Returns the squared curvature \f$ \kappa^2 = G_2 / G_1^3 = |d_2^\perp|^2 / |d_1|^4 \f$ in any
+/// dimension. Empty where the tangent is zero. Hagen (1.11).
+/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `not_finite` when a
+///   floating-point result overflows
 template <class FT, int N> std::optional<FT> curvature_squared(const Coordinate_jet<FT, N>& jet) {
   internal::require_order(jet, 2, "curvature_squared");
   const internal::Scaled_vector<FT, N> d1(jet[1], "curvature_squared"), d2(jet[2], "curvature_squared");
@@ -134,10 +142,10 @@ template <class FT, int N> std::optional<FT> curvature_squared(const Coordinate_
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the signed curvature \f$ \det(d_1, d_2) / |d_1|^3 \f$ of a planar curve, positive in a left turn. Empty where the
-/// tangent is zero. Hagen (1.9).
-/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `dimension_mismatch` unless in dimension 2,
-///   `not_finite` when a floating-point result overflows
+/// Returns the signed curvature \f$ \det(d_1, d_2) / |d_1|^3 \f$ of a planar curve, positive in a
+/// left turn. Empty where the tangent is zero. Hagen (1.9).
+/// \throws Error `jet_order_too_low` with fewer than 2 derivatives, `dimension_mismatch` unless in
+///   dimension 2, `not_finite` when a floating-point result overflows
 template <class FT, int N> std::optional<Signed_square<FT>> signed_curvature(const Coordinate_jet<FT, N>& jet) {
   internal::require_order(jet, 2, "signed_curvature");
   internal::require_dimension<2>(jet, "signed_curvature");
@@ -151,10 +159,10 @@ template <class FT, int N> std::optional<Signed_square<FT>> signed_curvature(con
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the torsion \f$ \tau = \det(d_1, d_2, d_3) / |d_1 \times d_2|^2 \f$ of a space curve. Empty where the curvature
-/// is zero or undefined. Hagen (1.12).
-/// \throws Error `jet_order_too_low` with fewer than 3 derivatives, `dimension_mismatch` unless in dimension 3,
-///   `not_finite` when a floating-point result overflows
+/// Returns the torsion \f$ \tau = \det(d_1, d_2, d_3) / |d_1 \times d_2|^2 \f$ of a space curve.
+/// Empty where the curvature is zero or undefined. Hagen (1.12).
+/// \throws Error `jet_order_too_low` with fewer than 3 derivatives, `dimension_mismatch` unless in
+///   dimension 3, `not_finite` when a floating-point result overflows
 template <class FT, int N> std::optional<FT> torsion(const Coordinate_jet<FT, N>& jet) {
   internal::require_order(jet, 3, "torsion");
   internal::require_dimension<3>(jet, "torsion");
@@ -168,10 +176,11 @@ template <class FT, int N> std::optional<FT> torsion(const Coordinate_jet<FT, N>
 
 /// \ingroup PkgGeometricContinuityLocal
 /// Returns the `n - 1` curvatures \f$ \kappa_1, \dots, \kappa_{n-1} \f$ of a curve in \f$ E^n \f$,
-/// \f$ \kappa_i^2 = G_{i-1} G_{i+1} / (G_i^2 G_1) \f$, by Gram-Schmidt orthogonalisation; all are nonnegative but the last,
-/// which has the sign of \f$ \det(d_1, \dots, d_n) \f$. Entries from the first `i` with \f$ G_i = 0 \f$ on are empty.
-/// \f$ O(n^3) \f$. Hagen (1.5).
-/// \throws Error `jet_order_too_low` with fewer than `n` derivatives, `not_finite` when a floating-point result overflows
+/// \f$ \kappa_i^2 = G_{i-1} G_{i+1} / (G_i^2 G_1) \f$, by Gram-Schmidt orthogonalisation; all are
+/// nonnegative but the last, which has the sign of \f$ \det(d_1, \dots, d_n) \f$. Entries from the
+/// first `i` with \f$ G_i = 0 \f$ on are empty. \f$ O(n^3) \f$. Hagen (1.5).
+/// \throws Error `jet_order_too_low` with fewer than `n` derivatives, `not_finite` when a
+///   floating-point result overflows
 template <class FT, int N>
 std::vector<std::optional<Signed_square<FT>>> frenet_curvatures(const Coordinate_jet<FT, N>& jet) {
   const int n = jet.dimension();
@@ -203,13 +212,15 @@ std::vector<std::optional<Signed_square<FT>>> frenet_curvatures(const Coordinate
 /// Computes the curvatures \f$ \kappa = |d_1 \times d_2| / |d_1|^3 \f$ and torsions
 /// \f$ \tau = \det(d_1, d_2, d_3) / |d_1 \times d_2|^2 \f$ of many jets in space, in one pass.
 ///
-/// Where a number is not defined it is set to 0: the curvature where \f$ d_1 = 0 \f$, the torsion where also
-/// \f$ d_1 \times d_2 = 0 \f$. Compile with `-fno-math-errno`, or the square root is not vectorised.
+/// Where a number is not defined it is set to 0: the curvature where \f$ d_1 = 0 \f$, the torsion
+/// where also \f$ d_1 \times d_2 = 0 \f$. Compile with `-fno-math-errno`, or the square root is not
+/// vectorised.
 ///
-/// In contrast to `curvature_squared()` and `torsion()`, derivatives are not scaled. In `double`, the largest coordinate of each
-/// of the three derivatives must be 0 or between \f$ 2^{-200} \f$ and \f$ 2^{200} \f$; beyond, products of up to four of
-/// them overflow or vanish, and the results are unspecified (too small, infinite, or not a number). It is the caller's duty to
-/// scale such jets, or to ask for them one by one.
+/// In contrast to `curvature_squared()` and `torsion()`, derivatives are not scaled. In `double`,
+/// the largest coordinate of each of the three derivatives must be 0 or between \f$ 2^{-200} \f$
+/// and \f$ 2^{200} \f$; beyond, products of up to four of them overflow or vanish, and the results
+/// are unspecified (too small, infinite, or not a number). It is the caller's duty to scale such
+/// jets, or to ask for them one by one.
 ///
 /// \param jets `n` jets of order at least 3
 /// \param curvature,torsion arrays for `n` numbers
@@ -236,8 +247,9 @@ std::size_t curvature_and_torsion(const Jet_arrays<FT, 3, k>& jets, FT* curvatur
         const FT g = x1[i] * x1[i] + y1[i] * y1[i] + z1[i] * z1[i]; // |d1|^2
         const FT nx = y1[i] * z2[i] - z1[i] * y2[i], ny = z1[i] * x2[i] - x1[i] * z2[i],
                  nz = x1[i] * y2[i] - y1[i] * x2[i];
-        const FT nn = nx * nx + ny * ny + nz * nz;                                  // |d1 x d2|^2
-        const FT g_or_1 = g > FT(0) ? g : FT(1), nn_or_1 = nn > FT(0) ? nn : FT(1); // the numerators are 0 as well
+        const FT nn = nx * nx + ny * ny + nz * nz; // |d1 x d2|^2
+        // the numerators are 0 as well
+        const FT g_or_1 = g > FT(0) ? g : FT(1), nn_or_1 = nn > FT(0) ? nn : FT(1);
         squares[i - first] = g_or_1;
         kappa[i] = nn / g_or_1;
         tau[i] = (nx * x3[i] + ny * y3[i] + nz * z3[i]) / nn_or_1;
@@ -254,7 +266,8 @@ std::size_t curvature_and_torsion(const Jet_arrays<FT, 3, k>& jets, FT* curvatur
 
 namespace internal {
 
-// The vector v with det(rows, v) = v.v that is orthogonal to the n-1 rows: the cofactors of the last row. O(n^4)
+// The vector v with det(rows, v) = v.v that is orthogonal to the n-1 rows: the cofactors of the
+// last row. O(n^4)
 template <class FT, int N>
 Coordinate_vector<FT, N> orthogonal_complement(const std::vector<Coordinate_vector<FT, N>>& rows) {
   const int n = static_cast<int>(rows.size()) + 1;
@@ -267,7 +280,8 @@ Coordinate_vector<FT, N> orthogonal_complement(const std::vector<Coordinate_vect
   return v;
 }
 
-// The Frenet frame of a curve with these first n-1 derivatives, empty where they are linearly dependent.
+// The Frenet frame of a curve with these first n-1 derivatives, empty where they are linearly
+// dependent.
 template <class FT, int N>
 std::optional<std::vector<Coordinate_vector<FT, N>>>
 frenet_vectors(const std::vector<Coordinate_vector<FT, N>>& derivatives) {
@@ -294,9 +308,10 @@ template <class FT, int N> Coordinate_vector<FT, N> scaled_within_range(const Co
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The Frenet frame of a curve in \f$ E^n \f$ as `n` orthogonal vectors \f$ e_1, \dots, e_n \f$ with positive
-/// orientation: \f$ e_i \f$ is the component of \f$ x^{(i)} \f$ orthogonal to the earlier ones for `i < n`, and
-/// \f$ e_n \f$ completes them, so that no root is needed. Hagen 1.2, 1.3.
+/// The Frenet frame of a curve in \f$ E^n \f$ as `n` orthogonal vectors \f$ e_1, \dots, e_n \f$
+/// with positive orientation: \f$ e_i \f$ is the component of \f$ x^{(i)} \f$ orthogonal to the
+/// earlier ones for `i < n`, and \f$ e_n \f$ completes them, so that no root is needed. Hagen 1.2,
+/// 1.3.
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> class Frenet_frame {
 public:
@@ -305,7 +320,8 @@ public:
   typedef typename Traits::Vector Vector;                        ///< the vectors of the kernel
   typedef Geometric_continuity::Coordinates<Traits> Coordinates; ///< their coordinates
 
-  /// Takes the coordinates of `n` vectors of dimension `n`. That they are orthogonal is not checked.
+  /// Takes the coordinates of `n` vectors of dimension `n`. They must be orthogonal; this is not
+  /// checked.
   /// \throws Error `dimension_mismatch` when a vector does not have the dimension `n`
   explicit Frenet_frame(std::vector<Coordinates> e) : e_(std::move(e)) {
     for (const Coordinates& v : e_)
@@ -318,15 +334,16 @@ public:
   /// Returns the dimension `n`, which is the number of vectors.
   int dimension() const { return static_cast<int>(e_.size()); }
 
-  /// Returns the vector \f$ e_i \f$: \f$ e_1 \f$ is the tangent, \f$ e_2 \f$ the principal normal, in space
-  /// \f$ e_3 \f$ the binormal. \pre `1 <= i <= dimension()`
+  /// Returns the vector \f$ e_i \f$: \f$ e_1 \f$ is the tangent, \f$ e_2 \f$ the principal normal,
+  /// in space \f$ e_3 \f$ the binormal. \pre `1 <= i <= dimension()`
   Vector vector(int i) const { return Geometric_continuity::to_vector<Traits>(e_[i - 1]); }
 
   /// Returns the coordinates of \f$ e_i \f$. \pre `1 <= i <= dimension()`
   const Coordinates& coordinates(int i) const { return e_[i - 1]; }
 
   /// Returns the frame with unit vectors; only for number types that have a square root.
-  /// \throws Error `zero_direction` when a vector is zero, `not_finite` when one is infinite or undefined
+  /// \throws Error `zero_direction` when a vector is zero, `not_finite` when one is infinite or
+  ///   undefined
   Frenet_frame normalized() const {
     std::vector<Coordinates> unit;
     for (const Coordinates& v : e_) {
@@ -350,9 +367,9 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the Frenet frame at a jet; empty where the first `n - 1` derivatives are linearly dependent. With floating-point
-/// numbers a power of two keeps \f$ e_n \f$, whose length is the volume that these derivatives span, within the range of
-/// the number type. \f$ O(n^4) \f$
+/// Returns the Frenet frame at a jet; empty where the first `n - 1` derivatives are linearly
+/// dependent. With floating-point numbers a power of two keeps \f$ e_n \f$, whose length is the
+/// volume that these derivatives span, within the range of the number type. \f$ O(n^4) \f$
 /// \throws Error `jet_order_too_low` with fewer than `n - 1` derivatives, and for an empty jet
 /// \throws Error `not_finite` when a derivative is infinite or undefined
 template <class Traits> std::optional<Frenet_frame<Traits>> frenet_frame(const Curve_jet<Traits>& jet) {
@@ -377,8 +394,9 @@ template <class Traits> std::optional<Frenet_frame<Traits>> frenet_frame(const C
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// The matrix `w` of the Frenet equations \f$ e_i' = \sum_j w_{ij} e_j \f$ for the \em orthonormal Frenet frame. It is skew
-/// and tridiagonal, with \f$ w_{i,i+1} = |X'| \kappa_i = -w_{i+1,i} \f$. Hagen (1.6), in the plane (1.8), in space (1.10).
+/// The matrix `w` of the Frenet equations \f$ e_i' = \sum_j w_{ij} e_j \f$ for the \em orthonormal
+/// Frenet frame. It is skew and tridiagonal, with \f$ w_{i,i+1} = |X'| \kappa_i = -w_{i+1,i} \f$.
+/// Hagen (1.6), in the plane (1.8), in space (1.10).
 /// \tparam FT a field number type
 template <class FT> class Frenet_matrix {
   std::vector<FT> w_; // w_{12}, ..., w_{n-1,n}
@@ -395,7 +413,8 @@ public:
   /// Returns the entry \f$ w_{ij} \f$. \pre `1 <= i <= dimension()`, `1 <= j <= dimension()`
   FT operator()(int i, int j) const { return j == i + 1 ? FT(w_[i - 1]) : j + 1 == i ? FT(-w_[j - 1]) : FT(0); }
 
-  /// Returns the derivatives \f$ e_1', \dots, e_n' \f$ of the orthonormal vectors \f$ e_1, \dots, e_n \f$. \f$ O(n^2) \f$
+  /// Returns the derivatives \f$ e_1', \dots, e_n' \f$ of the orthonormal vectors
+  /// \f$ e_1, \dots, e_n \f$. \f$ O(n^2) \f$
   /// \throws Error `dimension_mismatch` unless there are `n` vectors of dimension `n`
   template <int N>
   std::vector<Coordinate_vector<FT, N>> operator()(const std::vector<Coordinate_vector<FT, N>>& e) const {
@@ -419,9 +438,11 @@ public:
 };
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the matrix of the Frenet equations at a jet; empty where the first `n - 1` derivatives are linearly dependent. Only for
-/// number types that have a square root; `frenet_curvatures()` gives the squares of the curvatures in any field.
-/// \throws Error `jet_order_too_low` with fewer than `n` derivatives, `not_finite` when the square of a curvature overflows
+/// Returns the matrix of the Frenet equations at a jet; empty where the first `n - 1` derivatives
+/// are linearly dependent. Only for number types that have a square root; `frenet_curvatures()`
+/// gives the squares of the curvatures in any field.
+/// \throws Error `jet_order_too_low` with fewer than `n` derivatives, `not_finite` when the square
+///   of a curvature overflows
 template <class Traits> std::optional<Frenet_matrix<typename Traits::FT>> frenet_matrix(const Curve_jet<Traits>& jet) {
   typedef typename Traits::FT FT;
   std::vector<FT> kappa;
@@ -436,10 +457,11 @@ template <class Traits> std::optional<Frenet_matrix<typename Traits::FT>> frenet
 }
 
 /// \ingroup PkgGeometricContinuityLocal
-/// Returns the derivatives \f$ e_1', \dots, e_n' \f$, with respect to the parameter, of the orthonormal Frenet frame at a jet;
-/// empty where the first `n - 1` derivatives are linearly dependent. Only for number types that have a square root.
-/// Hagen (1.6).
-/// \throws Error `jet_order_too_low` with fewer than `n` derivatives, `not_finite` when the square of a curvature overflows
+/// Returns the derivatives \f$ e_1', \dots, e_n' \f$, with respect to the parameter, of the
+/// orthonormal Frenet frame at a jet; empty where the first `n - 1` derivatives are linearly
+/// dependent. Only for number types that have a square root. Hagen (1.6).
+/// \throws Error `jet_order_too_low` with fewer than `n` derivatives, `not_finite` when the square
+///   of a curvature overflows
 template <class Traits>
 std::optional<std::vector<typename Traits::Vector>> frenet_frame_derivatives(const Curve_jet<Traits>& jet) {
   typedef Geometric_continuity::Coordinates<Traits> Coordinates;

@@ -29,9 +29,9 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Triangles that stand for a surface: a range of points and a range of triangles that refer to them by their numbers, as
-/// the functions for polygon soups of \cgal take them. Seen from the side of \f$ S_u \times S_v \f$ the corners of each
-/// triangle run counterclockwise. See `tessellate()`.
+/// Triangles that stand for a surface: a range of points and a range of triangles that refer to
+/// them by their numbers, as the functions for polygon soups of \cgal take them. Seen from the side
+/// of \f$ S_u \times S_v \f$ the corners of each triangle run counterclockwise. See `tessellate()`.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits_> struct Tessellation {
@@ -54,11 +54,12 @@ template <class Traits_> struct Tessellation {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// How the triangles of a tessellation meet.
+/// The counts of edges at which the triangles of a tessellation meet.
 struct Mesh_edges {
-  std::size_t inner = 0;     ///< edges of two triangles, which pass them in opposite directions
-  std::size_t boundary = 0;  ///< edges of one triangle only
-  std::size_t irregular = 0; ///< edges of more than two triangles, or of two which pass them in one direction
+  std::size_t inner = 0;    ///< edges of two triangles, which pass them in opposite directions
+  std::size_t boundary = 0; ///< edges of one triangle only
+  /// edges of more than two triangles, or of two which pass them in one direction
+  std::size_t irregular = 0;
 
   /// Returns the number of all edges.
   std::size_t number_of_edges() const { return inner + boundary + irregular; }
@@ -77,7 +78,8 @@ struct Mesh_edges {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Counts the edges of triangles by how many triangles meet at them. \f$ O(n \log n) \f$ for `n` triangles
+/// Counts the edges of triangles by how many triangles meet at them. \f$ O(n \log n) \f$ for `n`
+/// triangles
 /// \tparam TriangleRange a forward range of triples of numbers of points
 template <class TriangleRange> Mesh_edges mesh_edges(const TriangleRange& triangles) {
   struct Use {
@@ -113,39 +115,47 @@ struct Patch_cells {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Bounds for the second derivatives of a Bézier patch that is taken on the unit square, and what follows for its
-/// distance from triangles: `tessellate()` chooses by them how many cells a patch needs. By the convex hull property the lengths of the derivatives are nowhere greater than
+/// Bounds for the second derivatives of a Bézier patch that is taken on the unit square, and what
+/// follows for its distance from triangles: `tessellate()` chooses by them how many cells a patch
+/// needs. By the convex hull property the lengths of the derivatives are nowhere greater than
 /// \f[ M_{uu} = p(p-1) \max |b_{i+2,j} - 2b_{i+1,j} + b_{ij}|, \quad
 ///   M_{uv} = pq \max |b_{i+1,j+1} - b_{i+1,j} - b_{i,j+1} + b_{ij}|, \quad
 ///   M_{vv} = q(q-1) \max |b_{i,j+2} - 2b_{i,j+1} + b_{ij}|. \f]
 ///
-/// <b>Claim.</b> Let the corners \f$ p_k \f$ of a triangle in the unit square differ by at most \f$ h_u \f$ in `u` and
-/// \f$ h_v \f$ in `v`, and let \f$ x = \sum \lambda_k p_k \f$ be in the triangle. Then
+/// <b>Claim.</b> Let the corners \f$ p_k \f$ of a triangle in the unit square differ by at most
+/// \f$ h_u \f$ in `u` and \f$ h_v \f$ in `v`, and let \f$ x = \sum \lambda_k p_k \f$ be in the
+/// triangle. Then
 /// \f[ \left| S(x) - \sum \lambda_k S(p_k) \right| \le \frac{1}{8} (M_{uu} h_u^2 + 2 M_{uv} h_u h_v + M_{vv} h_v^2). \f]
-/// <b>Proof.</b> Let \f$ p_k - x = (\delta_k, \epsilon_k) \f$, and let \f$ f \f$ be the component of \f$ S \f$ in a direction of
-/// length 1. The segments from \f$ x \f$ to \f$ p_k \f$ lie in the square, hence by Taylor's formula \f$ f(p_k) \f$ differs from
-/// \f$ f(x) + Df(x)(p_k - x) \f$ by at most \f$ \frac{1}{2} (M_{uu} \delta_k^2 + 2 M_{uv} |\delta_k \epsilon_k| + M_{vv}
-/// \epsilon_k^2) \f$. In the sum with the weights \f$ \lambda_k \f$ the linear terms cancel. What remains of \f$ u \f$ is the
-/// variance \f$ \sum \lambda_k \delta_k^2 \f$ of numbers in an interval of length \f$ h_u \f$, which is at most
-/// \f$ h_u^2 / 4 \f$; the same holds for \f$ v \f$; and by the inequality of Cauchy and Schwarz
-/// \f$ \sum \lambda_k |\delta_k \epsilon_k| \le h_u h_v / 4 \f$. \f$ \Box \f$
+/// <b>Proof.</b> Let \f$ p_k - x = (\delta_k, \epsilon_k) \f$, and let \f$ f \f$ be the component
+/// of \f$ S \f$ in a direction of length 1. The segments from \f$ x \f$ to \f$ p_k \f$ lie in the
+/// square, hence by Taylor's formula \f$ f(p_k) \f$ differs from \f$ f(x) + Df(x)(p_k - x) \f$ by
+/// at most
+/// \f$ \frac{1}{2} (M_{uu} \delta_k^2 + 2 M_{uv} |\delta_k \epsilon_k| + M_{vv} \epsilon_k^2) \f$.
+/// In the sum with the weights \f$ \lambda_k \f$ the linear terms cancel. The remaining part in
+/// \f$ u \f$ is the variance \f$ \sum \lambda_k \delta_k^2 \f$ of numbers in an interval of length
+/// \f$ h_u \f$, which is at most \f$ h_u^2 / 4 \f$; the same holds for \f$ v \f$; and by the
+/// inequality of Cauchy and Schwarz \f$ \sum \lambda_k |\delta_k \epsilon_k| \le h_u h_v / 4 \f$.
+/// \f$ \Box \f$
 ///
-/// For a rational patch \f$ S = P/w \f$ the claim holds with bounds of its derivatives. Let `c` be a control point, \f$ Q = P - c w \f$,
-/// \f$ R = \max |b_{ij} - c| \f$, `m` the least weight, and let bars denote the bounds above for \f$ Q \f$ and \f$ w \f$, of the
-/// first derivatives as well. From \f$ Q = w (S - c) \f$ by the product rule
+/// For a rational patch \f$ S = P/w \f$ the claim holds with bounds of its derivatives. Let `c` be
+/// a control point, \f$ Q = P - c w \f$, \f$ R = \max |b_{ij} - c| \f$, `m` the least weight, and
+/// let bars denote the bounds above for \f$ Q \f$ and \f$ w \f$, of the first derivatives as well.
+/// From \f$ Q = w (S - c) \f$ by the product rule
 /// \f[ |S_u| \le (\bar Q_u + \bar w_u R) / m, \quad
 ///   |S_{uu}| \le (\bar Q_{uu} + 2 \bar w_u |S_u| + \bar w_{uu} R) / m, \quad
 ///   |S_{uv}| \le (\bar Q_{uv} + \bar w_u |S_v| + \bar w_v |S_u| + \bar w_{uv} R) / m. \f]
-/// This is done for each of its `positive_parts()`, or for up to 64 parts of each of these where the weights differ much.
+/// This is done for each of its `positive_parts()`, or for up to 64 parts of each of these where
+/// the weights differ much.
 ///
-/// The bounds are floating-point numbers, rounded upwards when the field is exact. With floating-point control points the
-/// claim holds up to the rounding of differences and of evaluated points.
+/// The bounds are floating-point numbers, rounded upwards when the field is exact. With
+/// floating-point control points the claim holds up to the rounding of differences and of evaluated
+/// points.
 class Patch_flatness {
   double uu_ = 0, uv_ = 0, vv_ = 0;
 
 public:
-  /// Computes the bounds of a patch; they are infinite when second differences overflow. Linear in the number of control
-  /// points. It needs `CGAL::to_interval()`.
+  /// Computes the bounds of a patch; they are infinite when second differences overflow. Linear in
+  /// the number of control points. It needs `CGAL::to_interval()`.
   template <class Traits> explicit Patch_flatness(const Bezier_patch<Traits>& s) {
     const Derivatives d = derivatives<2>(s.degree_u(), s.degree_v(), columns(s));
     uu_ = upwards(d.uu);
@@ -156,7 +166,8 @@ public:
   /// Computes the bounds of a rational patch; they are infinite when a difference overflows.
   /// \throws Error `work_limit` as `Rational_bezier_patch::positive_parts()`
   template <class Traits> explicit Patch_flatness(const Rational_bezier_patch<Traits>& s) {
-    const auto parts_of = [](const auto& whole, const auto& part) { // how many of them there are, or a bit more
+    // how many of them there are, or a bit more
+    const auto parts_of = [](const auto& whole, const auto& part) {
       const std::pair<double, double> n =
           CGAL::to_interval(typename Traits::FT((whole.second - whole.first) / (part.second - part.first)));
       return n.second;
@@ -165,18 +176,21 @@ public:
       include_parts(part, parts_of(s.domain_u(), part.domain_u()), parts_of(s.domain_v(), part.domain_v()), 3);
   }
 
-  /// Returns a bound for the distance of the patch from its triangles, when it is cut into equal cells and each triangle
-  /// lies in a cell; infinite when it overflows.
-  /// \throws Error `negative_count` for a negative number of cells, `wrong_number_of_points` for no cells
+  /// Returns a bound for the distance of the patch from its triangles, when it is cut into equal
+  /// cells and each triangle lies in a cell; infinite when it overflows.
+  /// \throws Error `negative_count` for a negative number of cells, `wrong_number_of_points` for no
+  ///   cells
   double distance(const Patch_cells& cells) const {
     check_cells((std::min)(cells.u, cells.v));
     return bound(cells.u, cells.v);
   }
 
-  /// Returns the least number of cells whose numbers in `u` and in `v` are powers of two between `least` and `most` and
-  /// whose distance is not greater than `tolerance`; empty when there are none. \f$ O(\log (most / least)) \f$
-  /// \throws Error `unreachable_tolerance` unless the tolerance is positive, `not_finite` when it is infinite or not a
-  ///   number, `negative_count` for a negative number of cells, `wrong_number_of_points` for no cells
+  /// Returns the least number of cells whose numbers in `u` and in `v` are powers of two between
+  /// `least` and `most` and whose distance is not greater than `tolerance`; empty when there are
+  /// none. \f$ O(\log (most / least)) \f$
+  /// \throws Error `unreachable_tolerance` unless the tolerance is positive, `not_finite` when it
+  ///   is infinite or not a number, `negative_count` for a negative number of cells,
+  ///   `wrong_number_of_points` for no cells
   std::optional<Patch_cells> cells(double tolerance, int least, int most) const {
     check_tolerance(tolerance);
     check_cells((std::min)(least, most));
@@ -194,11 +208,12 @@ public:
     return best;
   }
 
-  /// Returns a number of cells below which, by the bounds, no choice of their numbers in `u` and in `v` reaches the
-  /// tolerance: \f$ \max(1, \sqrt{M_{uu} / 8t}, \sqrt{M_{vv} / 8t}, (\sqrt{M_{uu} M_{vv}} + M_{uv}) / 4t) \f$, by the inequality
-  /// between arithmetic and geometric mean. It is infinite when it overflows.
-  /// \throws Error `unreachable_tolerance` unless the tolerance is positive, `not_finite` when it is infinite or not a
-  ///   number
+  /// Returns a number of cells below which, by the bounds, no choice of their numbers in `u` and in
+  /// `v` reaches the tolerance:
+  /// \f$ \max(1, \sqrt{M_{uu} / 8t}, \sqrt{M_{vv} / 8t}, (\sqrt{M_{uu} M_{vv}} + M_{uv}) / 4t) \f$,
+  /// by the inequality between arithmetic and geometric mean. It is infinite when it overflows.
+  /// \throws Error `unreachable_tolerance` unless the tolerance is positive, `not_finite` when it
+  ///   is infinite or not a number
   double least_cells(double tolerance) const {
     check_tolerance(tolerance);
     const double root = std::sqrt(8 * tolerance), factor = 1 - 0x1p-40; // rounded downwards
@@ -242,7 +257,8 @@ private:
     return d;
   }
 
-  // Quarters of a part as long as the weights differ by more than a quarter: the bounds are the closer the less they differ.
+  // Quarters of a part as long as the weights differ by more than a quarter: the bounds are the
+  // closer the less they differ.
   template <class Traits> void include_parts(const Rational_bezier_patch<Traits>& s, double u, double v, int halvings) {
     typedef typename Traits::FT FT;
     const auto ends = std::minmax_element(s.weights().begin(), s.weights().end());

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// What an edge of a model is.
+/// The kinds of edges of a model.
 enum class Model_edge_kind {
   shared,   ///< two patches have it
   boundary, ///< only one patch has it
@@ -85,24 +85,27 @@ template <class FT> struct Model_knot_line {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// How many edges of a model have which continuity.
+/// The numbers of edges of a model that have each continuity.
 struct Model_summary {
-  std::size_t g2 = 0;                ///< shared edges that are \f$ G^2 \f$
-  std::size_t g1 = 0;                ///< shared edges that are \f$ G^1 \f$ but not \f$ G^2 \f$
-  std::size_t g0 = 0;                ///< shared edges that are not \f$ G^1 \f$
-  std::size_t vanishing_normals = 0; ///< those of `g0` whose only defect is that a normal vanishes somewhere
-  std::size_t creases = 0;           ///< those of `g0` where the tangent planes differ somewhere
-  std::size_t folds = 0;             ///< those of `g0` where both surfaces lie on one side somewhere, and no crease is
-  std::size_t boundary = 0;          ///< edges of one patch only
-  std::size_t collapsed = 0;         ///< edges that are single points
-  std::size_t non_manifold = 0; ///< pairs of patches at an edge that more than two patches have; counted above, too
+  std::size_t g2 = 0; ///< shared edges that are \f$ G^2 \f$
+  std::size_t g1 = 0; ///< shared edges that are \f$ G^1 \f$ but not \f$ G^2 \f$
+  std::size_t g0 = 0; ///< shared edges that are not \f$ G^1 \f$
+  /// those of `g0` whose only defect is that a normal vanishes somewhere
+  std::size_t vanishing_normals = 0;
+  std::size_t creases = 0; ///< those of `g0` where the tangent planes differ somewhere
+  /// those of `g0` where both surfaces lie on one side somewhere, and no crease is
+  std::size_t folds = 0;
+  std::size_t boundary = 0;  ///< edges of one patch only
+  std::size_t collapsed = 0; ///< edges that are single points
+  /// pairs of patches at an edge that more than two patches have; counted above, too
+  std::size_t non_manifold = 0;
   /// Knot lines inside B-spline surfaces that are \f$ G^2 \f$ though the knot is multiple.
   std::size_t knot_lines_g2 = 0;
   std::size_t knot_lines_g1 = 0; ///< knot lines that are \f$ G^1 \f$ but not \f$ G^2 \f$
   std::size_t knot_lines_g0 = 0; ///< knot lines that are not \f$ G^1 \f$
 
-  /// Writes the counts, e.g. `24 G2, 20 G1, 8 G0 (8 vanishing normals), 16 boundary, 8 collapsed`, and those of knot lines
-  /// if there are any.
+  /// Writes the counts, e.g. `24 G2, 20 G1, 8 G0 (8 vanishing normals), 16 boundary, 8 collapsed`,
+  /// and those of knot lines if there are any.
   friend std::ostream& operator<<(std::ostream& os, const Model_summary& s) {
     os << s.g2 << " G2, " << s.g1 << " G1, " << s.g0 << " G0";
     const char* separator = " (";
@@ -123,11 +126,13 @@ struct Model_summary {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// What was decided about all edges of a model, and about the knot lines of B-spline surfaces.
+/// The decisions about all edges of a model, and about the knot lines of B-spline surfaces.
 template <class FT> struct Model_continuity {
-  std::vector<Model_edge<FT>> edges;           ///< by the number of the first patch, then by its edge
-  std::vector<Model_knot_line<FT>> knot_lines; ///< by the number of the surface, see `knot_line_continuity()`
-  Model_summary summary;                       ///< of edges and knot lines
+  /// by the number of the first patch, then by its edge
+  std::vector<Model_edge<FT>> edges;
+  /// by the number of the surface, see `knot_line_continuity()`
+  std::vector<Model_knot_line<FT>> knot_lines;
+  Model_summary summary; ///< of edges and knot lines
 
   /// Returns whether all shared edges and all knot lines have at least this order.
   bool has_order(int g_order) const { return failing(g_order).empty() && failing_knot_lines(g_order).empty(); }
@@ -154,8 +159,8 @@ template <class FT> struct Model_continuity {
 
 namespace internal {
 
-// Calls work(i) for the numbers 0 <= i < n, on several cores with Parallel_tag. If some calls throw, the exception for the least
-// number leaves the function, as without cores.
+// Calls work(i) for the numbers 0 <= i < n, on several cores with Parallel_tag. If some calls
+// throw, the exception for the least number leaves the function, as without cores.
 template <class Concurrency_tag, class Work> void for_each_number(std::size_t n, const Work& work) {
   constexpr std::size_t grain = 16;
   std::atomic<std::size_t> failing(n); // the least number for which an exception was thrown
@@ -284,31 +289,37 @@ template <class PatchRange> using Surface_of = typename Surface_type<PatchRange>
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Finds all edges that the patches of a model share and decides the continuity along each of them, exactly and with every
-/// kernel, see `edge_continuity()`; and along the knot lines of B-spline surfaces, see `knot_line_continuity()`. Two edges
-/// are the same when the affine map of one domain to the other, in either direction, makes them the same curve, whatever their
-/// degrees and knots; nothing is merged within a tolerance, and an edge that meets only a part of another one is a boundary
-/// edge.
+/// Finds all edges that the patches of a model share and decides the continuity along each of them,
+/// exactly and with every kernel, see `edge_continuity()`; and along the knot lines of B-spline
+/// surfaces, see `knot_line_continuity()`. Two edges are the same when the affine map of one domain
+/// to the other, in either direction, makes them the same curve, whatever their degrees and knots;
+/// nothing is merged within a tolerance, and an edge that meets only a part of another one is a
+/// boundary edge.
 ///
-/// Each edge of each patch is in one row: collapsed edges, which are not compared; boundary edges; and shared edges with
-/// both patches, which may be the same. When more than two patches have one edge, say in the order of their numbers
-/// \f$ s_1, \dots, s_k \f$, there is one row for each pair \f$ s_i, s_{i+1} \f$, marked `non_manifold`, so that \f$ k-1 \f$
-/// rows and not \f$ k(k-1)/2 \f$ are decided.
+/// Each edge of each patch is in one row: collapsed edges, which are not compared; boundary edges;
+/// and shared edges with both patches, which may be the same. When more than two patches have one
+/// edge, say in the order of their numbers \f$ s_1, \dots, s_k \f$, there is one row for each pair
+/// \f$ s_i, s_{i+1} \f$, marked `non_manifold`, so that \f$ k-1 \f$ rows and not \f$ k(k-1)/2 \f$
+/// are decided.
 ///
-/// Each edge is recognised once, by sorting: \f$ O(n \log n) \f$ comparisons for `n` patches, of the control points as they are
-/// given, and of the quotients of weights, where edges with the same ends have one degree and the same knots. Then each shared
-/// edge is decided once, with integers of fixed length where `edge_continuity()` takes them. The limit of the work is that for each
-/// edge, to recognise and to decide it, and for each knot line.
+/// Each edge is recognised once, by sorting: \f$ O(n \log n) \f$ comparisons for `n` patches, of
+/// the control points as they are given, and of the quotients of weights, where edges with the same
+/// ends have one degree and the same knots. Then each shared edge is decided once, with integers of
+/// fixed length where `edge_continuity()` takes them. The limit of the work is that for each edge,
+/// to recognise and to decide it, and for each knot line.
 ///
-/// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: edges and knot lines are decided on
-///   several cores, with the same result, on number types that may be copied concurrently, see join_predicates.h
-/// \tparam PatchRange a forward range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
-///   `Rational_bspline_surface`, or one such surface, which may close up; polynomial surfaces can be converted to rational ones
+/// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`: edges
+///   and knot lines are decided on several cores, with the same result, on number types that may be
+///   copied concurrently, see join_predicates.h
+/// \tparam PatchRange a forward range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch`
+///   or `Rational_bspline_surface`, or one such surface, which may close up; polynomial surfaces
+///   can be converted to rational ones
 /// \param patches of the model, which must outlive the call
-/// \param report is called as `report(n)` with the number of shared edges and knot lines decided so far, after each,
-///   by one core at a time
+/// \param report is called as `report(n)` with the number of shared edges and knot lines decided so
+///   far, after each, by one core at a time
 /// \param angles whether the largest angles are wanted along creases, too
-/// \throws Error `dimension_mismatch` unless in dimension 3; `work_limit`, with the patch and the edge
+/// \throws Error `dimension_mismatch` unless in dimension 3; `work_limit`, with the patch and the
+///   edge
 template <class Concurrency_tag = Sequential_tag, class PatchRange, class Report>
 auto model_continuity(const PatchRange& patches, Report report, Crease_angles angles = Crease_angles::enclosed) {
   typedef internal::Surface_of<PatchRange> Patch;

@@ -193,11 +193,14 @@ typename Surface::FT set_back_parameter(const Surface& surface, Patch_edge edge,
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// What is to be rounded of a model.
+/// The edges of a model that are rounded, and how.
 struct Rounding_of_edges {
-  double set_back;             ///< the distance of the new edges from the old ones, see `set_back_parameter()`
-  double least_angle = 5;      ///< in degrees: edges stay where the largest angle between the normals is smaller
-  double greatest_angle = 180; ///< in degrees: edges stay, as they are meant, where the largest angle is greater
+  /// the distance of the new edges from the old ones, see `set_back_parameter()`
+  double set_back;
+  /// in degrees: edges stay where the largest angle between the normals is smaller
+  double least_angle = 5;
+  /// in degrees: edges stay, as they are meant, where the largest angle is greater
+  double greatest_angle = 180;
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -207,11 +210,12 @@ template <class Surface> struct Rounding_blend {
   typedef typename Surface::FT FT;                    ///< the field
   typedef Edge_field<typename Surface::Traits> Field; ///< in which is decided
 
-  std::size_t patch_a;                  ///< the number of the first surface, from 0 on
-  Patch_edge edge_a;                    ///< its edge, at `v = 0` of the blend
-  std::size_t patch_b;                  ///< the number of the second surface
-  Patch_edge edge_b;                    ///< its edge, at `v = 1` of the blend
-  Enclosure angle;                      ///< the largest angle that there was between the normals, in degrees
+  std::size_t patch_a; ///< the number of the first surface, from 0 on
+  Patch_edge edge_a;   ///< its edge, at `v = 0` of the blend
+  std::size_t patch_b; ///< the number of the second surface
+  Patch_edge edge_b;   ///< its edge, at `v = 1` of the blend
+  /// the largest angle that there was between the normals, in degrees
+  Enclosure angle;
   Surface surface;                      ///< the blend
   Spline_edge_continuity<Field> with_a; ///< along the new edge of the first surface
   Spline_edge_continuity<Field> with_b; ///< along the new edge of the second surface
@@ -220,8 +224,8 @@ template <class Surface> struct Rounding_blend {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// A corner of a model at which rounding leaves a hole: a rounded edge ends there, and more than two surfaces meet; but not where the edge goes
-/// on, and the blends meet.
+/// A corner of a model at which rounding leaves a hole: a rounded edge ends there, and more than
+/// two surfaces meet; but not where the edge goes on, and the blends meet.
 /// \tparam Traits the traits class of the surfaces
 template <class Traits> struct Open_corner {
   typename Traits::Point point;     ///< where the corner was
@@ -233,12 +237,16 @@ template <class Traits> struct Open_corner {
 /// A model with rounded edges.
 /// \tparam Surface the type of the surfaces
 template <class Surface> struct Rounded_model {
-  std::vector<Surface> surfaces;                              ///< those of the model, trimmed back, in their order
-  std::vector<Rounding_blend<Surface>> blends;                ///< in the order of `Model_continuity::edges`
+  /// those of the model, trimmed back, in their order
+  std::vector<Surface> surfaces;
+  /// in the order of `Model_continuity::edges`
+  std::vector<Rounding_blend<Surface>> blends;
   std::vector<Open_corner<typename Surface::Traits>> corners; ///< left open
-  std::size_t meant = 0;       ///< sharp edges that stay because their angle is too great
-  std::size_t slight = 0;      ///< edges that are not smooth and stay because their angle is too small
-  std::size_t not_rounded = 0; ///< edges with other defects: normals that vanish, or more than two surfaces
+  std::size_t meant = 0; ///< sharp edges that stay because their angle is too great
+  /// edges that are not smooth and stay because their angle is too small
+  std::size_t slight = 0;
+  /// edges with other defects: normals that vanish, or more than two surfaces
+  std::size_t not_rounded = 0;
 
   /// Returns whether all blends are \f$ G^2 \f$ along both edges.
   bool is_g2() const {
@@ -271,7 +279,8 @@ template <class Surface> class Model_rounding {
   std::vector<const Row*> rounded_;
   // the sides of blends, by where they start and end
   std::map<std::pair<Corner, Corner>, std::pair<std::size_t, Patch_edge>, Less> sides_;
-  std::vector<std::pair<std::size_t, std::size_t>> meeting_; // blends: the second one was given a side of the first one
+  // blends: the second one was given a side of the first one
+  std::vector<std::pair<std::size_t, std::size_t>> meeting_;
 
 public:
   Model_rounding(const std::vector<Surface>& given, const Rounding_of_edges& rounding)
@@ -341,7 +350,8 @@ private:
     });
   }
 
-  // Which goes on from blends that end where it does, if it can: with their derivatives across the side, or only with the same curve.
+  // Which goes on from blends that end where it does, if it can: with their derivatives across the
+  // side, or only with the same curve.
   template <class Strategy> Surface blend_with_sides(const Row& row, const Strategy& strategy) {
     const Surface &a = result_.surfaces[row.patch_a], &b = result_.surfaces[*row.patch_b];
     const bool reversed = row.continuity.reversed;
@@ -421,19 +431,24 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Rounds the sharp edges of a model: all surfaces are trimmed back from those of their edges that are rounded, and for each such edge a
-/// blend leads from the one new edge to the other, see `round_edge()`. With an exact kernel each blend is exactly \f$ G^2 \f$ with both
-/// surfaces along the whole new edges, which is decided for the result as it is.
+/// Rounds the sharp edges of a model: all surfaces are trimmed back from those of their edges that
+/// are rounded, and for each such edge a blend leads from the one new edge to the other, see
+/// `round_edge()`. With an exact kernel each blend is exactly \f$ G^2 \f$ with both surfaces along
+/// the whole new edges, which is decided for the result as it is.
 ///
-/// Edges are rounded that two surfaces share, see `model_continuity()`, along which they are not \f$ G^2 \f$, and where the largest angle
-/// between the normals is in the given interval. Where more than two surfaces meet at the end of a rounded edge, a hole is left open. Where an
-/// edge goes on, and both surfaces were trimmed back to one point, the next blend of degree 5 is given the side of the last one, see
-/// `surface_shape_with_sides()`, if this fits both surfaces: then they meet, with \f$ G^1 \f$ where that is possible.
-/// \param surfaces a range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`
-/// \param rounding what is to be rounded
+/// Edges are rounded that two surfaces share, see `model_continuity()`, along which they are not
+/// \f$ G^2 \f$, and where the largest angle between the normals is in the given interval. Where
+/// more than two surfaces meet at the end of a rounded edge, a hole is left open. Where an edge
+/// goes on, and both surfaces were trimmed back to one point, the next blend of degree 5 is given
+/// the side of the last one, see `surface_shape_with_sides()`, if this fits both surfaces: then
+/// they meet, with \f$ G^1 \f$ where that is possible.
+/// \param surfaces a range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`
+/// \param rounding the edges that are rounded
 /// \param strategy chooses the shapes, see `automatic_surface_shape()`
-/// \throws Error `parameter_outside_domain` where a surface has no room for the distance; `singular_frame`, and others of `round_edge()`,
-///   with the number of the surface and the edge; those of `model_continuity()`
+/// \throws Error `parameter_outside_domain` where a surface has no room for the distance;
+///   `singular_frame`, and others of `round_edge()`, with the number of the surface and the edge;
+///   those of `model_continuity()`
 template <class Surface, class Strategy = Minimal_energy<3>>
 Rounded_model<Surface> round_edges(const std::vector<Surface>& surfaces, const Rounding_of_edges& rounding,
                                    const Strategy& strategy = Strategy()) {

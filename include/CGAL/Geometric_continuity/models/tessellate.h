@@ -29,8 +29,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The largest number of triangles that `tessellate()` makes unless another number is given, so that a wrong tolerance cannot
-/// fill the memory: each takes about 60 bytes.
+/// The largest number of triangles that `tessellate()` makes unless another number is given, so
+/// that a wrong tolerance cannot fill the memory: each takes about 60 bytes.
 constexpr std::size_t max_tessellation_triangles = 1 << 22;
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -44,14 +44,15 @@ struct Uniform_grid {
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Each Bézier patch is cut into as few equal cells as suffice that it is nowhere farther from its triangles than the
-/// tolerance, by the proof in `Patch_flatness`. The numbers of cells in `u` and in `v` are powers of two.
+/// Each Bézier patch is cut into as few equal cells as suffice that it is nowhere farther from its
+/// triangles than the tolerance, by the proof in `Patch_flatness`. The numbers of cells in `u` and
+/// in `v` are powers of two.
 struct Chord_tolerance {
   double distance; ///< positive, in the unit of the coordinates
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// What `tessellate()` counts when it reports how far it is.
+/// The phases that `tessellate()` counts when it reports its progress.
 enum class Tessellation_stage {
   patches,  ///< the Bézier patches into which the surfaces have been cut
   triangles ///< the triangles that have been made
@@ -63,7 +64,7 @@ inline std::string surface_in_tessellation(std::size_t number) {
   return "tessellate: surface " + std::to_string(number);
 }
 
-// What is known of a Bezier patch before its edges are compared with those of others.
+// Returns the bounds of a Bezier patch before its edges are compared with those of others.
 template <class Patch> Patch_cells bounds_of_patch(const Uniform_grid& grid, const Patch&, std::size_t) {
   return {grid.n, grid.n};
 }
@@ -108,8 +109,9 @@ inline void check_mode(const Chord_tolerance& tolerance) {
     throw Error(Error_code::unreachable_tolerance, "tessellate: the tolerance must be positive");
 }
 
-// The Bezier patches of one or more surfaces, each with the number of its surface. Before a surface is cut into them, before
-// edges are compared and before the first point is computed, it is known that the triangles are not too many.
+// The Bezier patches of one or more surfaces, each with the number of its surface. Before a surface
+// is cut into them, before edges are compared and before the first point is computed, it is known
+// that the triangles are not too many.
 template <class Patch, class Mode> class Numbered_patches {
   typedef typename Patch::Traits Traits;
   typedef decltype(bounds_of_patch(std::declval<const Mode&>(), std::declval<const Patch&>(), 0)) Bounds;
@@ -177,39 +179,47 @@ using Patch_of = std::conditional_t<Is_rational<Surface>::value, Rational_bezier
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Tessellates a model: makes triangles from the patches or surfaces of a range, welded along their common edges.
+/// Tessellates a model: makes triangles from the patches or surfaces of a range, welded along their
+/// common edges.
 ///
-/// Edges are the same when `model_continuity()` says so: by exact comparison of their curves, in either direction and
-/// also if their degrees differ. A point on a common edge is computed once, so that there are no cracks, with rounded
-/// numbers neither. It has as many points as the patch with the most cells along it needs; the other patch takes them into
-/// the triangles of its outermost cells. A collapsed edge gives one point. The numbers of the triangles are those in the
-/// range, for the Bézier patches of a B-spline surface that of the surface.
+/// Edges are the same when `model_continuity()` says so: by exact comparison of their curves, in
+/// either direction and also if their degrees differ. A point on a common edge is computed once, so
+/// that there are no cracks, with rounded numbers neither. It has as many points as the patch with
+/// the most cells along it needs; the other patch takes them into the triangles of its outermost
+/// cells. A collapsed edge gives one point. The numbers of the triangles are those in the range,
+/// for the Bézier patches of a B-spline surface that of the surface.
 ///
-/// The corners of a triangle are listed counterclockwise as seen from the side to which \f$ S_u \times S_v \f$ points. Those of a closed
-/// part of the model, a solid, are listed counterclockwise as seen from outside, whatever the direction of its parameters: each part of
+/// The corners of a triangle are listed counterclockwise as seen from the side to which
+/// \f$ S_u \times S_v \f$ points. Those of a closed part of the model, a solid, are listed
+/// counterclockwise as seen from outside, whatever the direction of its parameters: each part of
 /// which all edges are shared by two patches of one orientation, and whose volume is not zero.
 ///
-/// The triangles are those of an oriented manifold if the patches are, with one exception: a patch of which two adjacent
-/// edges are the same curve. With `Uniform_grid` this needs `n >= 3` where patches close up or have two edges in common.
-/// With an exact kernel all points lie on the surface exactly.
+/// The triangles are those of an oriented manifold if the patches are, with one exception: a patch
+/// of which two adjacent edges are the same curve. With `Uniform_grid` this needs `n >= 3` where
+/// patches close up or have two edges in common. With an exact kernel all points lie on the surface
+/// exactly.
 ///
-/// \f$ O(n \log n) \f$ comparisons of edges of `n` patches, and \f$ O(p^2) \f$ operations for each point on a patch of
-/// degree `p`.
+/// \f$ O(n \log n) \f$ comparisons of edges of `n` patches, and \f$ O(p^2) \f$ operations for each
+/// point on a patch of degree `p`.
 ///
 /// \param surfaces the patches or surfaces
 /// \param mode how fine the triangles are
-/// \param max_triangles more triangles are refused. Their number is predicted, up to those at collapsed edges, from the
-///   numbers of cells, and from the knots even before a surface is cut into patches
-/// \param report is called as `report(stage, n)` with a `Tessellation_stage`: with the number of Bézier patches so far after each
-///   that has been cut, and then with the number of triangles so far after each whose triangles have been made
-/// \tparam SurfaceRange a forward range of `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
-///   `Rational_bspline_surface`
+/// \param max_triangles more triangles are refused. Their number is predicted, up to those at
+///   collapsed edges, from the numbers of cells, and from the knots even before a surface is cut
+///   into patches
+/// \param report is called as `report(stage, n)` with a `Tessellation_stage`: with the number of
+///   Bézier patches so far after each that has been cut, and then with the number of triangles so
+///   far after each whose triangles have been made
+/// \tparam SurfaceRange a forward range of `Bezier_patch`, `Bspline_surface`,
+///   `Rational_bezier_patch` or `Rational_bspline_surface`
 /// \tparam Mode `Uniform_grid` or `Chord_tolerance`
-/// \throws Error `unreachable_tolerance` for a tolerance that is not positive, or when the bounds in `Patch_flatness`
-///   overflow; `not_finite` for a tolerance that is infinite or not a number; `work_limit`, with the number of the surface,
-///   for more than `max_triangles` triangles, and for a grid or a tolerance that would need more than
-///   `max_cells_in_one_direction` cells in a direction of a patch; `negative_count` and `wrong_number_of_points` for a grid
-///   with a negative number of cells and with none; `dimension_mismatch` unless in dimension 3. No point is computed before
+/// \throws Error `unreachable_tolerance` for a tolerance that is not positive, or when the bounds
+///   in `Patch_flatness` overflow; `not_finite` for a tolerance that is infinite or not a number;
+///   `work_limit`, with the number of the surface, for more than `max_triangles` triangles, and for
+///   a grid or a tolerance that would need more than `max_cells_in_one_direction` cells in a
+///   direction of a patch; `negative_count` and `wrong_number_of_points` for a grid with a negative
+///   number of cells and with none; `dimension_mismatch` unless in dimension 3. No point is
+///   computed before
 template <class SurfaceRange, class Mode, class Report>
 auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_triangles, Report report)
     -> Tessellation<typename std::decay_t<decltype(*std::begin(surfaces))>::Traits> {
@@ -229,8 +239,10 @@ auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Tessellates a patch or a surface, Bézier patch by Bézier patch, as a model of one: welded also where it closes up.
-/// \tparam Surface `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`
+/// Tessellates a patch or a surface, Bézier patch by Bézier patch, as a model of one: welded also
+/// where it closes up.
+/// \tparam Surface `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`
 /// \throws Error as the function that tessellates a model
 template <class Surface, class Mode>
 Tessellation<typename Surface::Traits> tessellate(const Surface& surface, const Mode& mode,

@@ -22,19 +22,20 @@
 #include <utility>
 
 /// \file Enclosure.h
-/// Guaranteed enclosures of numbers, of square roots and of angles by floating-point numbers, also in degrees and percent: what
-/// is reported about joins and edges that are nearly smooth, and what a comparison with a bound proves: a `Verdict`. Nothing else in the
-/// package takes a root.
+/// Guaranteed enclosures of numbers, of square roots and of angles by floating-point numbers, also
+/// in degrees and percent. They are reported about joins and edges that are nearly smooth, and a
+/// comparison with a bound proves a `Verdict`. Nothing else in the package takes a root.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-// Short decimals that are bounds: a floating-point number rounded downwards or upwards. All its digits are written out, so
-// that neither the rounding mode nor the locale matters.
+// Short decimals that are bounds: a floating-point number rounded downwards or upwards. All its
+// digits are written out, so that neither the rounding mode nor the locale matters.
 
-// The number 0.d1 d2 d3... * 10^(exponent + 1) as text, without an exponent where that is short, as `%g` does.
+// The number 0.d1 d2 d3... * 10^(exponent + 1) as text, without an exponent where that is short, as
+// `%g` does.
 inline std::string decimal_text(const std::string& digits, int exponent, int precision) {
   const int n = static_cast<int>(digits.size());
   if (exponent < -4 || precision <= exponent) {
@@ -48,8 +49,8 @@ inline std::string decimal_text(const std::string& digits, int exponent, int pre
          digits.substr(static_cast<std::size_t>(exponent + 1));
 }
 
-// A decimal with the sign of x that is at most |x|, or at least |x| when it is rounded away from zero. It is the closest one
-// with `precision` significant digits, from 1 on.
+// A decimal with the sign of x that is at most |x|, or at least |x| when it is rounded away from
+// zero. It is the closest one with `precision` significant digits, from 1 on.
 inline std::string rounded_decimal(double x, bool away_from_zero, int precision) {
   constexpr int most = 767; // digits that a floating-point number can have
   if (std::isnan(x)) return "nan";
@@ -90,19 +91,22 @@ inline std::string decimal_above(double x, int precision) { return rounded_decim
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// A guaranteed enclosure of a real number by two floating-point numbers. For numbers that are neither tiny nor huge
-/// the functions that make enclosures give at most four units in the last place.
+/// A guaranteed enclosure of a real number by two floating-point numbers. For numbers that are
+/// neither tiny nor huge the functions that make enclosures give at most four units in the last
+/// place.
 struct Enclosure {
   double lower; ///< not larger than the number; finite
-  double upper; ///< not less than the number; infinite when the number is larger than all floating-point numbers
+  /// not less than the number; infinite when the number is larger than all floating-point numbers
+  double upper;
 
   /// Decides whether both ends are equal.
   friend bool operator==(const Enclosure& x, const Enclosure& y) { return x.lower == y.lower && x.upper == y.upper; }
   /// Decides whether an end is different.
   friend bool operator!=(const Enclosure& x, const Enclosure& y) { return !(x == y); }
 
-  /// Writes `[lower, upper]` rounded outwards: the decimals enclose the number, too. They have as many significant digits as
-  /// the stream has precision, whatever its locale and its flags. Writes the number alone when both decimals are the same.
+  /// Writes `[lower, upper]` rounded outwards: the decimals enclose the number, too. They have as
+  /// many significant digits as the stream has precision, whatever its locale and its flags. Writes
+  /// the number alone when both decimals are the same.
   friend std::ostream& operator<<(std::ostream& os, const Enclosure& x) {
     const int digits = static_cast<int>(os.precision());
     const std::string below = internal::decimal_below(x.lower, digits),
@@ -129,7 +133,8 @@ template <class FT> std::pair<double, double> nonnegative_interval(const FT& x, 
 
 // The angle in [0, pi], above pi/2 if it is obtuse, whose squared sine and cosine have this ratio.
 template <class FT> Enclosure angle_of_squares(const FT& sine_squared, const FT& cosine_squared, bool obtuse) {
-  const bool steep = cosine_squared < sine_squared; // the squared tangent, or cotangent, that is at most 1
+  // the squared tangent, or cotangent, that is at most 1
+  const bool steep = cosine_squared < sine_squared;
   const FT &dividend = steep ? cosine_squared : sine_squared, &divisor = steep ? sine_squared : cosine_squared;
   if (divisor == FT(0)) throw Error(Error_code::zero_direction, "angle_enclosure");
   const std::pair<double, double> i = nonnegative_interval(FT(dividend / divisor), "angle_enclosure");
@@ -139,7 +144,8 @@ template <class FT> Enclosure angle_of_squares(const FT& sine_squared, const FT&
   return falling ? Enclosure{second.below(), first.above()} : Enclosure{first.below(), second.above()};
 }
 
-// The product of two numbers that are not negative. In every rounding mode the rounded one is a neighbour of the exact one.
+// The product of two numbers that are not negative. In every rounding mode the rounded one is a
+// neighbour of the exact one.
 inline Enclosure nonnegative_product(const Enclosure& x, const Enclosure& y) {
   if (x.upper == 0) return {0, 0};
   return {(std::max)(0., next_below(x.lower * y.lower)), next_above(x.upper * y.upper)};
@@ -156,7 +162,8 @@ template <class FT> Enclosure enclosure(const FT& x) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns an enclosure of \f$ \sqrt{x} \f$ for `x >= 0`. \tparam FT a number type with `CGAL::to_interval()`
+/// Returns an enclosure of \f$ \sqrt{x} \f$ for `x >= 0`. \tparam FT a number type with
+/// `CGAL::to_interval()`
 /// \throws Error `parameter_outside_domain` for a negative number
 /// \throws Error `not_finite` for an infinite or undefined floating-point number
 template <class FT> Enclosure sqrt_enclosure(const FT& x) {
@@ -165,18 +172,20 @@ template <class FT> Enclosure sqrt_enclosure(const FT& x) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns an enclosure, in radians, of the angle in \f$ [0, \pi] \f$ whose cosine has the sign of `cosine` and whose
-/// sine and cosine have the squares \f$ s / (s + c^2) \f$ and \f$ c^2 / (s + c^2) \f$ with `s = sine_squared >= 0` and
-/// `c = cosine`. It is exact for parallel vectors of one direction. \tparam FT a field number type with
-/// `CGAL::to_interval()`
-/// \throws Error `zero_direction` when both are zero, `parameter_outside_domain` when `sine_squared` is negative
+/// Returns an enclosure, in radians, of the angle in \f$ [0, \pi] \f$ whose cosine has the sign of
+/// `cosine` and whose sine and cosine have the squares \f$ s / (s + c^2) \f$ and
+/// \f$ c^2 / (s + c^2) \f$ with `s = sine_squared >= 0` and `c = cosine`. It is exact for parallel
+/// vectors of one direction. \tparam FT a field number type with `CGAL::to_interval()`
+/// \throws Error `zero_direction` when both are zero, `parameter_outside_domain` when
+///   `sine_squared` is negative
 /// \throws Error `not_finite` for an infinite or undefined floating-point number
 template <class FT> Enclosure angle_enclosure(const FT& sine_squared, const FT& cosine) {
   return internal::angle_of_squares(sine_squared, FT(cosine * cosine), cosine < FT(0));
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns an enclosure, in degrees, of an angle in \f$ [0, \pi] \f$ that is given in radians. Its upper end is at most 180.
+/// Returns an enclosure, in degrees, of an angle in \f$ [0, \pi] \f$ that is given in radians. Its
+/// upper end is at most 180.
 inline Enclosure in_degrees(const Enclosure& angle) {
   // 180/pi = 57.2957795130823208... lies between these neighbours
   const Enclosure degrees = internal::nonnegative_product(angle, {57.29577951308232 - 0x1p-47, 57.29577951308232});
@@ -189,7 +198,8 @@ namespace internal {
 struct Radians_of_degree {
   Exact_rational lower, upper;
   Radians_of_degree() {
-    const Exact_rational billion(1e9), unit = Exact_rational(1) / (Exact_rational(1e20)); // both are exact
+    // both are exact
+    const Exact_rational billion(1e9), unit = Exact_rational(1) / (Exact_rational(1e20));
     lower = (Exact_rational(1745329251.) * billion + Exact_rational(994329576.)) * unit;
     upper = lower + unit;
   }
@@ -241,8 +251,8 @@ inline Verdict operator&&(Verdict x, Verdict y) {
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// A bound of a tolerance: a floating-point number, or a real number of which an enclosure is known, such as a decimal or an
-/// angle that is given in degrees, see `in_radians()`.
+/// A bound of a tolerance: a floating-point number, or a real number of which an enclosure is
+/// known, such as a decimal or an angle that is given in degrees, see `in_radians()`.
 class Bound {
   Enclosure value_;
 
@@ -259,8 +269,9 @@ public:
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns whether the number in an enclosure is at most `bound`. Neither answer can be wrong: the enclosure is compared with the
-/// lower end of the bound to prove it, and with the upper end to refute it.
+/// Returns whether the number in an enclosure is at most `bound`. Neither answer can be wrong: the
+/// enclosure is compared with the lower end of the bound to prove it, and with the upper end to
+/// refute it.
 inline Verdict at_most(const Enclosure& x, const Bound& bound) {
   return x.upper <= bound.lower() ? Verdict::proved : bound.upper() < x.lower ? Verdict::refuted : Verdict::undecided;
 }

@@ -23,16 +23,17 @@
 #include <vector>
 
 /// \file Exact_field.h
-/// The numbers in which the package decides, and questions about rational numbers: how long their parts are, whether a square root is one
-/// of them, and the angles whose sines are, those of quarter turns.
+/// The numbers in which the package decides, and questions about rational numbers: the lengths of
+/// their parts, rational square roots, and the angles with rational sines, which are the quarter
+/// turns.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityTraits
-/// The field in which numbers of type `FT` are decided exactly: `Exact_rational` for floating-point numbers, every
-/// other field itself. Without GMP and LEDA, and with Boost up to 1.78, it is `boost::multiprecision::cpp_rational` for
-/// floating-point numbers.
+/// The field in which numbers of type `FT` are decided exactly: `Exact_rational` for floating-point
+/// numbers, every other field itself. Without GMP and LEDA, and with Boost up to 1.78, it is
+/// `boost::multiprecision::cpp_rational` for floating-point numbers.
 template <class FT> struct Exact_field {
   /// The exact field.
   typedef typename internal::Exact_field_of<FT>::type type;
@@ -46,8 +47,9 @@ template <class NT> constexpr bool is_quotient<CGAL::Quotient<NT>> = true;
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns whether the numerator and the denominator of a number have at most `bits` bits. Numbers that are no fractions, such as those
-/// in floating point, do not grow: they always have. So have those of `CGAL::Quotient`, which may never be cancelled.
+/// Returns whether the numerator and the denominator of a number have at most `bits` bits. Numbers
+/// that are no fractions, such as those in floating point, do not grow, so the answer is always
+/// true. So it is for numbers of `CGAL::Quotient`, which may never be cancelled.
 template <int bits, class FT> bool has_short_parts(const FT& x) {
   typedef typename internal::Exact_number<FT>::type Exact;
   typedef CGAL::Fraction_traits<Exact> Fraction;
@@ -70,8 +72,9 @@ template <int bits, class FT> bool has_short_parts(const FT& x) {
 
 namespace internal {
 
-// A power of two that is at least the square root of n, and less than twice as large: the largest one whose square is
-// less than n, doubled. Its exponent is found bit by bit, with as many products as it has bits.
+// A power of two that is at least the square root of n, and less than twice as large: the largest
+// one whose square is less than n, doubled. Its exponent is found bit by bit, with as many products
+// as it has bits.
 template <class Integer> Integer power_of_two_above_root(const Integer& n) {
   std::vector<Integer> powers(1, Integer(2)); // 2, 4, 16, 256, ...
   while (Integer(powers.back() * powers.back()) < n) powers.push_back(Integer(powers.back() * powers.back()));
@@ -122,9 +125,10 @@ template <class FT> constexpr bool has_rational_roots() {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the square root of `x` when it is rational, and nothing otherwise, for instance for a negative `x`. The root
-/// of a floating-point number is rounded.
-/// \tparam FT a floating-point type, or a fraction by `CGAL::Fraction_traits`, also one that is evaluated on demand
+/// Returns the square root of `x` when it is rational, and nothing otherwise, for instance for a
+/// negative `x`. The root of a floating-point number is rounded.
+/// \tparam FT a floating-point type, or a fraction by `CGAL::Fraction_traits`, also one that is
+///   evaluated on demand
 /// \throws Error `not_finite` for an infinite or undefined floating-point number
 template <class FT> std::optional<FT> rational_square_root(const FT& x) {
   internal::check_finite(x, "rational_square_root");
@@ -140,7 +144,8 @@ template <class FT> std::optional<FT> rational_square_root(const FT& x) {
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// An angle in degrees as a number of quarter turns, whose sines and cosines are rational, and the rest.
+/// An angle in degrees as a number of quarter turns, whose sines and cosines are rational, and the
+/// rest.
 template <class FT> struct Quarter_turns {
   int count; ///< the quarter turns, from 0 to 3: full turns are left out
   FT rest;   ///< the exact rest in degrees, from -45 to 45 up to rounding
@@ -162,8 +167,8 @@ template <class FT> struct Quarter_turns {
 };
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns \f$ x + y \f$. Rational numbers whose numerators and denominators are below \f$ 2^{30} \f$, as those of most drawings are, are
-/// added as integers of the machine.
+/// Returns \f$ x + y \f$. Rational numbers whose numerators and denominators are below
+/// \f$ 2^{30} \f$, like the numbers of most drawings, are added as integers of the machine.
 template <class FT> FT short_sum(const FT& x, const FT& y) {
   typedef internal::Rational_parts<FT> Parts;
   if constexpr (Parts::value) {

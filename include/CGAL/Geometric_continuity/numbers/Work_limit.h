@@ -19,23 +19,26 @@
 #include <utility>
 
 /// \file Work_limit.h
-/// How much work a decision or a construction in multi-precision may be: the size of exact numbers is that of the input, without
-/// a bound.
+/// Limits of the work of a decision or a construction in multi-precision, because the size of exact
+/// numbers depends on the input, without a bound.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The work that is allowed for one object: a join, an edge, a knot line, the pieces of a spline. A step is about a nanosecond,
-/// the time of one or two multiplications of machine words. With integers of `w` words, a sum counts as \f$ 4 + w \f$ steps and
-/// a product as \f$ 8 + w^2 \f$; with fractions, a product and a sum as \f$ 450 w + 5 w^2 \f$, most of it for greatest common
-/// divisors; above 512 words \f$ 512 w \f$ stands for \f$ w^2 \f$, for fast multiplication. The limit is checked in the stages that
-/// work in multi-precision only; those of fixed length are short. A `Work_scope` sets it.
+/// The work that is allowed for one object: a join, an edge, a knot line, the pieces of a spline. A
+/// step is about a nanosecond, the time of one or two multiplications of machine words. With
+/// integers of `w` words, a sum counts as \f$ 4 + w \f$ steps and a product as \f$ 8 + w^2 \f$;
+/// with fractions, a product and a sum as \f$ 450 w + 5 w^2 \f$, most of it for greatest common
+/// divisors; above 512 words \f$ 512 w \f$ stands for \f$ w^2 \f$, for fast multiplication. The
+/// limit is only checked in the stages that work in multi-precision; stages of fixed length are
+/// short. A `Work_scope` sets it.
 class Work_limit {
   std::uint64_t steps_ = default_steps;
 
 public:
-  /// The default, which takes some seconds. Ordinary joins and edges need less than its thousandth part.
+  /// The default, which takes some seconds. Ordinary joins and edges need less than its thousandth
+  /// part.
   static constexpr std::uint64_t default_steps = internal::Per_object_limit::default_steps;
 
   /// Constructs the default.
@@ -62,12 +65,13 @@ public:
   // For `factor` times the limit.
   Work_meter(Work_limit limit, const char* place, double factor = 1)
       : limit_(limit), place_(place), allowed_(static_cast<double>(limit.steps()) * factor) {}
-  // That calls pause(), which lives as long.
+  // Makes a meter that calls pause(), which must live as long.
   Work_meter(Work_limit limit, const char* place, const std::function<void()>& pause) : Work_meter(limit, place) {
     pause_ = &pause;
   }
 
-  // That of the innermost Work_scope of this thread with a place, and that of the object that is at work: null if there is none.
+  // Returns the meter of the innermost Work_scope of this thread with a place, or the meter of the
+  // current object: null if there is none.
   static Work_meter*& scope() {
     static thread_local Work_meter* meter = nullptr;
     return meter;
@@ -77,8 +81,8 @@ public:
     return meter;
   }
 
-  // Takes note of as many sums, products or greatest common divisors of integers of so many words, or of as many products with
-  // sums of fractions.
+  // Takes note of as many sums, products or greatest common divisors of integers of so many words,
+  // or of as many products with sums of fractions.
   // \throws Error `work_limit`
   void charge_sums(double number, std::size_t words) { charge(number * sum_steps(words)); }
   void charge_products(double number, std::size_t words) { charge_products(number, words, words); }
@@ -102,8 +106,9 @@ public:
                    static_cast<double>((std::min)({words, other_words, fast}));
   }
 
-  // Returns whether a search that may be stopped at any time, and has taken `done` steps, may take so many more; then takes note of them.
-  // Each may take a quarter of the limit, and all together half of it more than the limit.
+  // Returns whether a search that may be stopped at any time, and has taken `done` steps, may take
+  // so many more; then takes note of them. Each may take a quarter of the limit, and all together
+  // half of it more than the limit.
   bool allows_search(double done, double steps) {
     if (!(done + steps <= allowed_ / 4 && search_steps_ + steps <= allowed_ / 2)) return false;
     if (scope_ && !scope_->allows_search(done, steps)) return false;
@@ -111,7 +116,8 @@ public:
     return true;
   }
 
-  // Between two steps of something long that is not charged: calls pause() of the scopes that have it.
+  // Between two steps of something long that is not charged: calls pause() of the scopes that have
+  // it.
   static void pause() {
     for (const Work_meter* meter = scope(); meter; meter = meter->scope_)
       if (meter->pause_) (*meter->pause_)();
@@ -167,11 +173,13 @@ inline Work_meter& work_meter() {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Limits the work of this thread, and of those that work for it on several cores, while an object of this class lives: either
-/// that on *each* object (a join, an edge, a knot line, a spline) or, with a place, that on *all* that is done, in addition to the
-/// limit of each. The latter also bounds what is no such object: jets of rational curves, blends, energies, segments that lead to a
-/// point, triangles; it holds for this thread only. With a function, such a scope also calls that again and again while something long is
-/// at work, on numbers of any kind, so that it can be interrupted: an exception of that function ends the work.
+/// Limits the work of this thread, and of the threads that work for it on several cores, while an
+/// object of this class lives. It limits either the work on *each* object (a join, an edge, a knot
+/// line, a spline) or, with a place, *all* work, in addition to the limit of each object. The
+/// latter also bounds work on other things: jets of rational curves, blends, energies, segments
+/// that lead to a point, triangles; it holds for this thread only. A scope with a function also
+/// calls the function again and again during long work, on numbers of any kind, so that the work
+/// can be interrupted: an exception of the function ends the work.
 /// \code{.cpp}
 /// const GC::Work_scope each(GC::Work_limit(1000000));             // for each join
 /// const auto join = GC::continuity(phi, psi);                     // may throw Error_code::work_limit, "continuity: more than ..."
@@ -188,11 +196,13 @@ class Work_scope {
 public:
   /// Limits the work on each object.
   explicit Work_scope(Work_limit each) : each_(each.steps()), all_(each, "") {}
-  /// Starts to count all work. The place is named by the errors and must live as long as the object.
+  /// Starts to count all work. The place is named by the errors and must live as long as the
+  /// object.
   Work_scope(Work_limit all, const char* place) : each_(internal::Per_object_limit::steps()), all_(all, place) {
     internal::Work_meter::scope() = &all_;
   }
-  /// Counts without a limit, and calls `pause()` about as often as every millisecond or more often, from this thread.
+  /// Counts without a limit, and calls `pause()` about as often as every millisecond or more often,
+  /// from this thread.
   Work_scope(const char* place, std::function<void()> pause)
       : pause_(std::move(pause)), each_(internal::Per_object_limit::steps()),
         all_(Work_limit((std::numeric_limits<std::uint64_t>::max)()), place, pause_) {
@@ -203,7 +213,8 @@ public:
   /// Goes back to the scope before.
   ~Work_scope() { internal::Work_meter::scope() = before_; }
 
-  /// Calls the functions of the scopes of this thread that have one, between two steps of long work that is not of this package.
+  /// Calls the functions of the scopes of this thread that have one, between two steps of long work
+  /// that is not of this package.
   static void pause() { internal::Work_meter::pause(); }
 
   /// Returns the limit of each object that holds at present.

@@ -14,7 +14,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// A point or a vector of the plane in whole units of a grid: the units of a font, or the last decimals of a drawing.
+/// A point or a vector of the plane in whole units of a grid: the units of a font, or the last
+/// decimals of a drawing.
 struct Grid_vector {
   std::int64_t x; ///< the first coordinate
   std::int64_t y; ///< the second coordinate
@@ -40,7 +41,8 @@ struct Grid_vector {
 inline std::int64_t dot(const Grid_vector& u, const Grid_vector& v) { return u.x * v.x + u.y * v.y; }
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns \f$ u_x v_y - u_y v_x \f$; the coordinates are at most \f$ 2^{30} \f$, so that it is exact.
+/// Returns \f$ u_x v_y - u_y v_x \f$; the coordinates are at most \f$ 2^{30} \f$, so that it is
+/// exact.
 inline std::int64_t cross(const Grid_vector& u, const Grid_vector& v) { return u.x * v.y - u.y * v.x; }
 
 /// \ingroup PkgGeometricContinuityExtensions

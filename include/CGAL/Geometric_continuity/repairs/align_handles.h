@@ -18,31 +18,35 @@
 #include <utility>
 
 /// \file align_handles.h
-/// Handles of a drawing or a letter are moved on their grid: a kink between two curves becomes exactly smooth, or curvatures
-/// agree.
+/// Handles of a drawing or a letter are moved on their grid: a kink between two curves becomes
+/// exactly smooth, or curvatures agree.
 ///
-/// `align_handles()`: a node and a handle on each side, with the vectors \f$ a = N - A \f$ and \f$ b = B - N \f$. The join is G1 if
-/// and only if \f$ a = m d, b = n d \f$ for a whole vector `d` and whole numbers \f$ m, n \ge 1 \f$.
+/// `align_handles()`: a node and a handle on each side, with the vectors \f$ a = N - A \f$ and
+/// \f$ b = B - N \f$. The join is G1 if and only if \f$ a = m d, b = n d \f$ for a whole vector `d`
+/// and whole numbers \f$ m, n \ge 1 \f$.
 ///
-/// `harmonise_handles()`: the curvatures at a node with parallel handles agree when the lengths of the handles change on their
-/// grid. With the handles \f$ m d \f$ and \f$ n d \f$ of curves of degrees `j` and `k`, and with \f$ u, v \f$ from the control
-/// point before the handle to the node and from the node to the one behind the handle, the curvatures are \f$ \frac{j-1}{j}
-/// \frac{u \times d}{m^2 |d|^3} \f$ and \f$ \frac{k-1}{k} \frac{d \times v}{n^2 |d|^3} \f$: the control points next to the
-/// handles do not depend on them.
+/// `harmonise_handles()`: the curvatures at a node with parallel handles agree when the lengths of
+/// the handles change on their grid. With the handles \f$ m d \f$ and \f$ n d \f$ of curves of
+/// degrees `j` and `k`, and with \f$ u, v \f$ from the control point before the handle to the node
+/// and from the node to the one behind the handle, the curvatures are
+/// \f$ \frac{j-1}{j} \frac{u \times d}{m^2 |d|^3} \f$ and
+/// \f$ \frac{k-1}{k} \frac{d \times v}{n^2 |d|^3} \f$: the control points next to the handles do
+/// not depend on them.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// The handles of a node, as vectors, after they have been moved: from the handle on the left to the node, and from there to the
-/// handle on the right.
+/// The handles of a node, as vectors, after they have been moved: from the handle on the left to
+/// the node, and from there to the handle on the right.
 struct Aligned_handles {
   Grid_vector left;  ///< \f$ m d \f$
   Grid_vector right; ///< \f$ n d \f$
 };
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// The largest coordinate of a handle, as a vector, that `align_handles()` takes: \f$ 2^{28} \f$, so that all its products are exact.
+/// The largest coordinate of a handle, as a vector, that `align_handles()` takes: \f$ 2^{28} \f$,
+/// so that all its products are exact.
 constexpr std::int64_t max_handle_coordinate = std::int64_t(1) << 28;
 
 namespace internal {
@@ -68,18 +72,20 @@ struct Octant {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns handles of one direction, as vectors, as near as possible to those given: among all pairs of parallel whole vectors of one
-/// direction, the larger of both moves is the least, and of those pairs the smaller move is the least. That is proved, see
-/// the comments of the search; no rounding decides. For handles of length `L` in a general direction the moves are about
+/// Returns handles of one direction, as vectors, as near as possible to those given: among all
+/// pairs of parallel whole vectors of one direction, the larger of both moves is the least, and of
+/// those pairs the smaller move is the least. This is proved, see the comments of the search; no
+/// rounding decides. For handles of length `L` in a general direction the moves are about
 /// \f$ L^{1/3} \f$ units, even where the kink is much smaller.
 ///
-/// The search takes about \f$ \sqrt{L} \f$ steps, where `L` is the length of the shorter handle, and looks no farther than
-/// \f$ \sqrt{\mathrm{bound}} \f$ units, with `bound = max_squared_move`. For handles of letters that is a few
-/// microseconds; for the longest ones, some milliseconds.
+/// The search takes about \f$ \sqrt{L} \f$ steps, where `L` is the length of the shorter handle,
+/// and looks no farther than \f$ \sqrt{\mathrm{bound}} \f$ units, with `bound = max_squared_move`.
+/// For handles of letters that is a few microseconds; for the longest ones, some milliseconds.
 ///
-/// Empty for handles that form an angle of more than 45 degrees, which is no kink, and where a handle would have to move
-/// farther than the bound.
-/// \throws Error `zero_tangent` for a handle of no length, `work_limit` for one with a coordinate of more than `max_handle_coordinate`
+/// Empty for handles that form an angle of more than 45 degrees, which is no kink, and where a
+/// handle would have to move farther than the bound.
+/// \throws Error `zero_tangent` for a handle of no length, `work_limit` for one with a coordinate
+///   of more than `max_handle_coordinate`
 inline std::optional<Aligned_handles>
 align_handles(const Grid_vector& left, const Grid_vector& right,
               std::int64_t max_squared_move = (std::numeric_limits<std::int64_t>::max)()) {
@@ -99,10 +105,11 @@ align_handles(const Grid_vector& left, const Grid_vector& right,
 }
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns the handle nearest to the one given that has the direction of a vector which must stay as it is: that of a line,
-/// or of a handle that belongs to another node, too. It is a multiple of the primitive vector of that direction.
-/// \throws Error `zero_tangent` for a handle or a direction of no length, `work_limit` for one with a coordinate of more than
-///   `max_handle_coordinate`
+/// Returns the handle nearest to the one given that has the direction of a vector which must stay
+/// as it is: that of a line, or of a handle that belongs to another node, too. It is a multiple of
+/// the primitive vector of that direction.
+/// \throws Error `zero_tangent` for a handle or a direction of no length, `work_limit` for one with
+///   a coordinate of more than `max_handle_coordinate`
 inline Grid_vector align_handle(const Grid_vector& handle, const Grid_vector& direction) {
   internal::check_handle(handle, "align_handle: the handle");
   internal::check_handle(direction, "align_handle: the direction");
@@ -114,9 +121,10 @@ inline Grid_vector align_handle(const Grid_vector& handle, const Grid_vector& di
 /// One side of a node: the curve that ends or starts there.
 struct Handle_side {
   Grid_vector handle; ///< from the handle to the node, or from the node to the handle
-  Grid_vector second; ///< from the control point next to the handle to the node, or from the node to that control point
-  int degree;         ///< of the curve, at least 2
-  bool movable;       ///< whether the handle may move
+  /// from the control point next to the handle to the node, or from the node to that control point
+  Grid_vector second;
+  int degree;   ///< of the curve, at least 2
+  bool movable; ///< whether the handle may move
 };
 
 /// \ingroup PkgGeometricContinuityExtensions
@@ -136,7 +144,8 @@ inline std::optional<std::int64_t> exact_root(std::int64_t x) {
   return r;
 }
 
-// Lengths m, n >= 1 for which p / m^2 = q / n^2, or nearly so, with p, q > 0, as near as possible to the given ones.
+// Lengths m, n >= 1 for which p / m^2 = q / n^2, or nearly so, with p, q > 0, as near as possible
+// to the given ones.
 struct Handle_lengths {
   std::int64_t m, n;
   bool left_movable, right_movable;
@@ -194,15 +203,19 @@ inline void check_side(const Handle_side& side, const char* place) {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Returns handles of the direction that the given ones have, with such lengths that the curvatures of both curves at the node agree:
-/// exactly, if the grid has such lengths for which no handle moves by more than \f$ \sqrt{\mathrm{bound}} \f$ units, with
-/// `bound = max_squared_move`; otherwise those of the least jump of the curvature within three steps of the nearest real
-/// lengths, which may be further away than that. `is_g2_join()` decides if the join is G2, and `deviation()` how far it is
-/// from that. Each handle that moves also changes the curvature at the other end of its curve, if that is a cubic.
+/// Returns handles of the direction that the given ones have, with such lengths that the curvatures
+/// of both curves at the node agree: exactly, if the grid has such lengths for which no handle
+/// moves by more than \f$ \sqrt{\mathrm{bound}} \f$ units, with `bound = max_squared_move`;
+/// otherwise those of the least jump of the curvature within three steps of the nearest real
+/// lengths, which may be further away than that. `is_g2_join()` decides if the join is G2, and
+/// `deviation()` how far it is from that. Each handle that moves also changes the curvature at the
+/// other end of its curve, if that is a cubic.
 ///
-/// Empty when no lengths make the curvatures agree: they have different signs, or one of them is zero.
-/// \throws Error `zero_tangent` for a handle of no length, `zero_direction` for handles that have not one direction, `work_limit` for
-///   coordinates of more than `max_harmonised_coordinate`, `wrong_number_of_points` for degrees that are not from 2 to 32
+/// Empty when no lengths make the curvatures agree: they have different signs, or one of them is
+/// zero.
+/// \throws Error `zero_tangent` for a handle of no length, `zero_direction` for handles that have
+///   not one direction, `work_limit` for coordinates of more than `max_harmonised_coordinate`,
+///   `wrong_number_of_points` for degrees that are not from 2 to 32
 inline std::optional<Aligned_handles> harmonise_handles(const Handle_side& left, const Handle_side& right,
                                                         std::int64_t max_squared_move) {
   internal::check_side(left, "harmonise_handles: on the left");

@@ -29,15 +29,16 @@
 #include <vector>
 
 /// \file round_corners.h
-/// A corner in which two curves meet is cut off at a given distance on both sides, and a blend is put in its place: one corner,
-/// or all corners of a chain of curves or of a closed outline.
+/// A corner in which two curves meet is cut off at a given distance on both sides, and a blend is
+/// put in its place: one corner, or all corners of a chain of curves or of a closed outline.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityExtensions
 /// A rounded corner: three curves, one after the other.
-/// \tparam Left, Right `Bezier_curve` or `Rational_bezier_curve`, as given \tparam Blend what `blend()` returns for the strategy
+/// \tparam Left, Right `Bezier_curve` or `Rational_bezier_curve`, as given \tparam Blend what
+///   `blend()` returns for the strategy
 template <class Left, class Right, class Blend> struct Rounded_corner {
   typedef typename Left::FT FT; ///< the field
 
@@ -71,7 +72,8 @@ template <class FT> void check_distance(const FT& distance, const std::string& p
     throw Error(Error_code::parameter_outside_domain, place + ": the distance is not positive");
 }
 
-// Returns whether two curves with opposite tangents end and start on one line, as far as a blend reads them.
+// Returns whether two curves with opposite tangents end and start on one line, as far as a blend
+// reads them.
 template <class Field, class Left, class Right> bool turn_back(const Left& left, const Right& right, int order) {
   typedef Coordinate_vector<Field, Left::N> Vector;
   const Coordinate_jet<Field, Left::N> phi = end_jet<Field>(left, order), psi = start_jet<Field>(right, order);
@@ -82,8 +84,9 @@ template <class Field, class Left, class Right> bool turn_back(const Left& left,
   return on_line;
 }
 
-// The same curve, at the speed 1 where it has this first derivative, if its speed there is rational. A strategy may round, and then the blend
-// of two lines would depend on how fast they are run through.
+// Returns the curve at the speed 1 where it has this first derivative, if its speed there is
+// rational. A strategy may round, and then the blend of two lines would depend on how fast they are
+// run through.
 template <class Curve, class Vector> Curve at_unit_speed(const Curve& curve, const Vector& derivative) {
   typedef typename Curve::FT FT;
   if constexpr (has_rational_roots<FT>())
@@ -112,29 +115,37 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Rounds the corner in which the curve `left` ends and the curve `right` starts: cuts off of both what is nearer to it
-/// than `distance`, along the curve, and puts a blend into the gap. The corner may be a join of any kind, even a smooth one.
-/// Segmented curves and B-splines are rounded by `round_corners()`.
+/// Rounds the corner in which the curve `left` ends and the curve `right` starts: cuts the parts of
+/// both off that are nearer to it than `distance`, along the curve, and puts a blend into the gap.
+/// The corner may be a join of any kind, even a smooth one. Segmented curves and B-splines are
+/// rounded by `round_corners()`.
 ///
-/// A line is cut at `distance` exactly where an exact kernel is given and its length is rational; of other lines the parameter is as near
-/// to that as a floating-point number can be, and lines of equal length are cut alike. Along other curves the arc length between the corner
-/// and the cut is `distance` with a relative error of at most 1/1000; in exchange their cuts have parameters with few binary digits.
-/// They are searched in floating-point numbers. The curves are cut, and blended, in the field of the kernel: with an exact kernel both parts
-/// are exactly parts of the given curves, on parts of their domains, and the joins are exactly as the strategy promises, \f$ G^2 \f$ with `Fair`.
+/// A line is cut at `distance` exactly where an exact kernel is given and its length is rational;
+/// of other lines the parameter is as near to that as a floating-point number can be, and lines of
+/// equal length are cut alike. Along other curves the arc length between the corner and the cut is
+/// `distance` with a relative error of at most 1/1000; in exchange their cuts have parameters with
+/// few binary digits. They are searched in floating-point numbers. The curves are cut, and blended,
+/// in the field of the kernel: with an exact kernel both parts are exactly parts of the given
+/// curves, on parts of their domains, and the joins are exactly as the strategy promises,
+/// \f$ G^2 \f$ with `Fair`.
 ///
-/// Cutting takes \f$ O(m^2) \f$ operations for degree `m`, besides those in floating-point numbers, of which there are more
-/// the more a curve bends.
+/// Cutting takes \f$ O(m^2) \f$ operations for degree `m`, besides those in floating-point numbers,
+/// of which there are more the more a curve bends.
 ///
 /// \param distance positive, and less than the length of each curve
 /// \tparam Left, Right `Bezier_curve` or `Rational_bezier_curve`, with one traits class
 /// \tparam Strategy a model of `BlendStrategy` that is called without shape parameters
 /// \returns a `Rounded_corner`
-/// \throws Error `not_finite` when the distance, or a curve as numbers of type `double`, is infinite or undefined
+/// \throws Error `not_finite` when the distance, or a curve as numbers of type `double`, is
+///   infinite or undefined
 /// \throws Error `curves_do_not_meet` unless `left` ends in the point where `right` starts
-/// \throws Error `parameter_outside_domain` when the distance is not positive, or not less than the length of a curve
-/// \throws Error `zero_tangent` when a first derivative is zero at a cut, and when the curves meet in a cusp and both
-///   lie on one line; `zero_direction` when both cuts lie in one point, e.g. where one curve is the other one reversed
-/// \throws Error `dimension_mismatch`, `not_representable` when a cut has no parameter of type `double`
+/// \throws Error `parameter_outside_domain` when the distance is not positive, or not less than the
+///   length of a curve
+/// \throws Error `zero_tangent` when a first derivative is zero at a cut, and when the curves meet
+///   in a cusp and both lie on one line; `zero_direction` when both cuts lie in one point, e.g.
+///   where one curve is the other one reversed
+/// \throws Error `dimension_mismatch`, `not_representable` when a cut has no parameter of type
+///   `double`
 template <class Left, class Right, class Strategy = Fair>
 auto round_corner(const Left& left, const Right& right, const internal::Convertible_number<typename Left::FT>& distance,
                   const Strategy& strategy = Strategy()) {
@@ -154,8 +165,10 @@ auto round_corner(const Left& left, const Right& right, const internal::Converti
 /// \ingroup PkgGeometricContinuityExtensions
 /// Where a corner of a chain was, and what has become of it.
 template <class FT> struct Rounded_join {
-  std::size_t join;  ///< the corner is the join after this Bézier curve of the given chain, counted from 0 on
-  FT distance;       ///< from the corner to both cuts, along the curves, as `round_corner()` is asked for it
+  /// the corner is the join after this Bézier curve of the given chain, counted from 0 on
+  std::size_t join;
+  /// from the corner to both cuts, along the curves, as `round_corner()` is asked for it
+  FT distance;
   FT left_cut;       ///< the parameter where the curve before the corner is cut
   FT right_cut;      ///< the parameter where the curve after the corner is cut
   std::size_t blend; ///< the number of the blend in the rounded chain
@@ -163,10 +176,13 @@ template <class FT> struct Rounded_join {
 
 /// \ingroup PkgGeometricContinuityExtensions
 /// A chain of curves whose corners are rounded.
-/// \tparam Curve `Bezier_curve<Traits>`, or `Rational_bezier_curve<Traits>` if the given curves are rational
+/// \tparam Curve `Bezier_curve<Traits>`, or `Rational_bezier_curve<Traits>` if the given curves are
+///   rational
 template <class Curve> struct Rounded_chain {
-  std::vector<Curve> curves;                             ///< the chain: curves, or parts of them, and blends
-  std::vector<Rounded_join<typename Curve::FT>> corners; ///< the corners that were rounded, in their order
+  /// the chain: curves, or parts of them, and blends
+  std::vector<Curve> curves;
+  /// the corners that were rounded, in their order
+  std::vector<Rounded_join<typename Curve::FT>> corners;
 };
 
 namespace internal {
@@ -178,7 +194,8 @@ Curve part_between(const Curve& curve, const typename Curve::FT& a, const typena
   return curve.domain().first < a ? before.split(a).second : before;
 }
 
-// The continuity at the joins of the Bezier curves that a curve is made of, decided on the curve as it is given.
+// The continuity at the joins of the Bezier curves that a curve is made of, decided on the curve as
+// it is given.
 template <class Traits, int Degree>
 std::vector<Join_continuity<Predicate_FT<Traits>>> inner_joins(const Bezier_curve<Traits, Degree>&, int) {
   return {};
@@ -229,28 +246,34 @@ void add_bezier_pieces(const Rational_bspline_curve<Traits>& curve,
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
-/// Rounds the corners of a chain of curves, each of which starts where the one before it ends. Segmented curves and B-splines
-/// are chains of Bézier curves themselves, and their inner joins and knots are joins like all others. Corners are the joins
-/// whose \f$ G \f$ order is less than `order`: with 1 kinks and cusps, with 2 jumps of the curvature too. All other joins,
-/// and the control points of Bézier curves without corners, stay as they are.
+/// Rounds the corners of a chain of curves, each of which starts where the one before it ends.
+/// Segmented curves and B-splines are chains of Bézier curves themselves, and their inner joins and
+/// knots are joins like all others. Corners are the joins whose \f$ G \f$ order is less than
+/// `order`: with 1 kinks and cusps, with 2 jumps of the curvature too. All other joins, and the
+/// control points of Bézier curves without corners, stay as they are.
 ///
-/// A corner is cut off at `distance` on both sides, as `round_corner()` does, or nearer, so that a quarter of each curve
-/// remains: at most at 3/4 of the length of a Bézier curve with one corner, and at 3/8 of the length of one with two. Both cuts of
-/// a corner have the same distance.
+/// A corner is cut off at `distance` on both sides, as `round_corner()` does, or nearer, so that a
+/// quarter of each curve remains: at most at 3/4 of the length of a Bézier curve with one corner,
+/// and at 3/8 of the length of one with two. Both cuts of a corner have the same distance.
 ///
-/// One call of `continuity()` or `knot_continuity()` for each join, and what `round_corner()` takes for each corner.
+/// One call of `continuity()` or `knot_continuity()` for each join, and what `round_corner()` takes
+/// for each corner.
 ///
-/// \param first,last the curves, of type `Bezier_curve`, `Composite_bezier_curve`, `Bspline_curve`, `Rational_bezier_curve` or
-///   `Rational_bspline_curve`
+/// \param first,last the curves, of type `Bezier_curve`, `Composite_bezier_curve`, `Bspline_curve`,
+///   `Rational_bezier_curve` or `Rational_bspline_curve`
 /// \param distance positive
-/// \param closure whether the end of the last curve and the start of the first are a join too, which may be a corner
+/// \param closure whether the end of the last curve and the start of the first are a join too,
+///   which may be a corner
 /// \param order the \f$ G \f$ order that joins need in order to stay
 /// \param strategy a model of `BlendStrategy` that is called without shape parameters
-/// \throws Error `negative_count` for a negative order, `not_finite` when the distance, or a curve as numbers of type
-///   `double`, is infinite or undefined
-/// \throws Error `curves_do_not_meet` when there is a gap, with the number of the Bézier curve before it
-/// \throws Error `parameter_outside_domain` when the distance is not positive, or a curve at a corner has length zero
-/// \throws Error `zero_tangent`, `zero_direction`, `dimension_mismatch`, `not_representable` as `round_corner()` does
+/// \throws Error `negative_count` for a negative order, `not_finite` when the distance, or a curve
+///   as numbers of type `double`, is infinite or undefined
+/// \throws Error `curves_do_not_meet` when there is a gap, with the number of the Bézier curve
+///   before it
+/// \throws Error `parameter_outside_domain` when the distance is not positive, or a curve at a
+///   corner has length zero
+/// \throws Error `zero_tangent`, `zero_direction`, `dimension_mismatch`, `not_representable` as
+///   `round_corner()` does
 template <class ForwardIterator, class Strategy = Fair>
 Rounded_chain<internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type>> round_corners(
     ForwardIterator first, ForwardIterator last,

@@ -23,22 +23,26 @@
 #include <vector>
 
 /// \file Bspline_function.h
-/// Splines \f$ \sum_i c_i N_i^p(u) \f$ over a `Knot_vector`, by field arithmetic only: values, blossoms and derivatives,
-/// insertion and removal of knots, Bézier pieces, degree elevation and products, and spline functions as values, knots and coefficients
-/// together. In the functions the coefficients
-/// \f$ c_0, \dots, c_{n-1} \f$ are in a random-access container `c`; they are numbers or `Coordinate_vector`s.
+/// Splines \f$ \sum_i c_i N_i^p(u) \f$ over a `Knot_vector`, by field arithmetic only: values,
+/// blossoms and derivatives, insertion and removal of knots, Bézier pieces, degree elevation and
+/// products, and spline functions as values, knots and coefficients together. In the functions the
+/// coefficients
+/// \f$ c_0, \dots, c_{n-1} \f$ are in a random-access container `c`; they are numbers or
+/// `Coordinate_vector`s.
 ///
-/// On the span `k` the spline is a polynomial \f$ f_k \f$. Its \em blossom \f$ f_k[t_1, \dots, t_p] \f$ is the function
-/// that is symmetric, affine in each argument, and equal to \f$ f_k(t) \f$ at \f$ [t, \dots, t] \f$. Everything rests
-/// on \f$ c_i = f_k[u_{i+1}, \dots, u_{i+p}] \f$. Products are Bernstein products on the spans, and then one blossom value for
-/// each coefficient over the knots of the result. No linear system is solved.
+/// On the span `k` the spline is a polynomial \f$ f_k \f$. Its \em blossom
+/// \f$ f_k[t_1, \dots, t_p] \f$ is the function that is symmetric, affine in each argument, and
+/// equal to \f$ f_k(t) \f$ at \f$ [t, \dots, t] \f$. Everything rests on
+/// \f$ c_i = f_k[u_{i+1}, \dots, u_{i+p}] \f$. Products are Bernstein products on the spans, and
+/// then one blossom value for each coefficient over the knots of the result. No linear system is
+/// solved.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the values of all `n` basis functions \f$ N_i^p(u) \f$: right-continuous, and continuous from the left at
-/// the end of the domain. \f$ O(n + p^2) \f$
+/// Returns the values of all `n` basis functions \f$ N_i^p(u) \f$: right-continuous, and continuous
+/// from the left at the end of the domain. \f$ O(n + p^2) \f$
 /// \throws Error `parameter_outside_domain`
 template <class FT> std::vector<FT> bspline_basis(const Knot_vector<FT>& knots, const FT& u) {
   const int p = knots.degree(), k = knots.span(u);
@@ -50,10 +54,11 @@ template <class FT> std::vector<FT> bspline_basis(const Knot_vector<FT>& knots, 
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the derivatives of order 0 to `order >= 0` at `u` of the polynomial on the span `k`: from the right or from
-/// the left at a knot, according to `Knot_vector::span()` and `Knot_vector::left_span()`. \f$ O(p^2 + p\,order^2) \f$
-/// \throws Error `wrong_number_of_points` unless there are `n` coefficients, `negative_count` when `order` is negative,
-///   `parameter_outside_domain` unless `k` is a span
+/// Returns the derivatives of order 0 to `order >= 0` at `u` of the polynomial on the span `k`:
+/// from the right or from the left at a knot, according to `Knot_vector::span()` and
+/// `Knot_vector::left_span()`. \f$ O(p^2 + p\,order^2) \f$
+/// \throws Error `wrong_number_of_points` unless there are `n` coefficients, `negative_count` when
+///   `order` is negative, `parameter_outside_domain` unless `k` is a span
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_derivatives(const Knot_vector<FT>& knots, const Coefficients& c,
                                                                    int k, const FT& u, int order) {
@@ -66,7 +71,8 @@ std::vector<typename Coefficients::value_type> bspline_derivatives(const Knot_ve
 /// \ingroup PkgGeometricContinuityAlgebra
 /// Returns the value at `u`, from the right at a knot and from the left at the end of the domain.
 /// \f$ O(\log n + p^2) \f$
-/// \throws Error `parameter_outside_domain`, `wrong_number_of_points` unless there are `n` coefficients
+/// \throws Error `parameter_outside_domain`, `wrong_number_of_points` unless there are `n`
+///   coefficients
 template <class FT, class Coefficients>
 typename Coefficients::value_type bspline_value(const Knot_vector<FT>& knots, const Coefficients& c, const FT& u) {
   internal::check_number_of_coefficients(knots, c, "bspline_value");
@@ -75,8 +81,8 @@ typename Coefficients::value_type bspline_value(const Knot_vector<FT>& knots, co
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the blossom \f$ f_k[t_1, \dots, t_p] \f$ of the polynomial on the span `k`, at `p` arguments in any order.
-/// \f$ O(p^2) \f$
+/// Returns the blossom \f$ f_k[t_1, \dots, t_p] \f$ of the polynomial on the span `k`, at `p`
+/// arguments in any order. \f$ O(p^2) \f$
 /// \throws Error `wrong_number_of_points` unless there are `n` coefficients and `p` arguments,
 ///   `parameter_outside_domain` unless `k` is a span
 template <class FT, class Coefficients>
@@ -94,12 +100,15 @@ typename Coefficients::value_type bspline_blossom(const Knot_vector<FT>& knots, 
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients of a spline over finer knots. A coefficient with `r` new knots between its old ones is a
-/// convex combination of `r + 1` old coefficients. \f$ O(n p^2) \f$. Boehm, Goldman; the Oslo algorithm
-/// \param finer has the same degree and domain and every knot inside it at least as often; outside, it has the same
+/// Returns the coefficients of a spline over finer knots. A coefficient with `r` new knots between
+/// its old ones is a convex combination of `r + 1` old coefficients. \f$ O(n p^2) \f$. Boehm,
+/// Goldman; the Oslo algorithm
+/// \param finer has the same degree and domain and every knot inside it at least as often; outside,
+///   it has the same
 ///        knots, or it is clamped
-/// \throws Error `wrong_number_of_points` when the degrees differ and unless there are `n` coefficients,
-///   `parameter_outside_domain` when the domains differ, `knot_multiplicity` when a knot is missing
+/// \throws Error `wrong_number_of_points` when the degrees differ and unless there are `n`
+///   coefficients, `parameter_outside_domain` when the domains differ, `knot_multiplicity` when a
+///   knot is missing
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_refine(const Knot_vector<FT>& knots, const Coefficients& c,
                                                               const Knot_vector<FT>& finer) {
@@ -120,10 +129,11 @@ std::vector<typename Coefficients::value_type> bspline_refine(const Knot_vector<
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients of a spline over `knots.insert(u, times)`, `times >= 0`. \f$ O(n + p\,times) \f$ operations.
-/// Boehm
-/// \throws Error `negative_count`, `parameter_outside_domain`, `knot_multiplicity` when `u` would be repeated more than
-///   `p + 1` times, `wrong_number_of_points` unless there are `n` coefficients
+/// Returns the coefficients of a spline over `knots.insert(u, times)`, `times >= 0`.
+/// \f$ O(n + p\,times) \f$ operations. Boehm
+/// \throws Error `negative_count`, `parameter_outside_domain`, `knot_multiplicity` when `u` would
+///   be repeated more than `p + 1` times, `wrong_number_of_points` unless there are `n`
+///   coefficients
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_insert(const Knot_vector<FT>& knots, const Coefficients& c,
                                                               const FT& u, int times = 1) {
@@ -133,9 +143,10 @@ std::vector<typename Coefficients::value_type> bspline_insert(const Knot_vector<
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the Bernstein coefficients of the polynomials on the spans of the domain, `p + 1` for each span, one after
-/// the other: the coefficients over `knots.bezier(p)`. \f$ O(p^2) \f$ for each span and coordinate, with rational numbers
-/// additions of integers: these have the common denominator of a span.
+/// Returns the Bernstein coefficients of the polynomials on the spans of the domain, `p + 1` for
+/// each span, one after the other: the coefficients over `knots.bezier(p)`. \f$ O(p^2) \f$ for each
+/// span and coordinate, with rational numbers additions of integers: these have the common
+/// denominator of a span.
 /// \param knots, c the spline
 /// \throws Error `wrong_number_of_points` unless there are `n` coefficients, `work_limit`
 template <class FT, class Coefficients>
@@ -146,12 +157,14 @@ std::vector<typename Coefficients::value_type> bspline_bezier(const Knot_vector<
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients of the spline over `knots` from the Bernstein coefficients of its polynomials, the inverse
-/// of `bspline_bezier()`: each coefficient is one value of the blossom of one polynomial. \f$ O(n p^2) \f$ With rounded
-/// numbers, knots far outside the domain magnify the roundings: their coefficients are extrapolations.
+/// Returns the coefficients of the spline over `knots` from the Bernstein coefficients of its
+/// polynomials, the inverse of `bspline_bezier()`: each coefficient is one value of the blossom of
+/// one polynomial. \f$ O(n p^2) \f$ With rounded numbers, knots far outside the domain magnify the
+/// roundings: their coefficients are extrapolations.
 ///
-/// That the polynomials join as smoothly at each knot of multiplicity `m` as `knots` says, \f$ C^{p-m} \f$, is the
-/// caller's duty: otherwise there is no such spline, and each coefficient belongs to one of the polynomials.
+/// The caller must ensure that the polynomials join as smoothly at each knot of multiplicity `m` as
+/// `knots` says, \f$ C^{p-m} \f$. Otherwise there is no such spline, and each coefficient belongs
+/// to one of the polynomials.
 /// \throws Error `wrong_number_of_points` unless there are `p + 1` coefficients for each span
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_from_bezier(const Knot_vector<FT>& knots,
@@ -162,9 +175,10 @@ std::vector<typename Coefficients::value_type> bspline_from_bezier(const Knot_ve
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Decides the order of continuity at a parameter inside the domain: the largest \f$ s \le p \f$ such that all
-/// derivatives up to order `s` agree from both sides, -1 at a jump. It is `p` where both sides are one polynomial.
-/// Decided exactly: floating-point numbers are taken as the rational numbers they are. \f$ O(p^3) \f$
+/// Decides the order of continuity at a parameter inside the domain: the largest \f$ s \le p \f$
+/// such that all derivatives up to order `s` agree from both sides, -1 at a jump. It is `p` where
+/// both sides are one polynomial. Decided exactly: floating-point numbers are taken as the rational
+/// numbers they are. \f$ O(p^3) \f$
 /// \throws Error `parameter_outside_domain` also at the ends of the domain,
 ///   `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
@@ -185,10 +199,11 @@ int bspline_smoothness(const Knot_vector<FT>& knots, const Coefficients& c, cons
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients over the knots without `times >= 0` copies of the inner knot `u`, or nothing when that
-/// would change the spline. The decision is that of `bspline_smoothness()`. \f$ O(n + p^3) \f$ operations
-/// \throws Error `negative_count` when `times` is negative, `parameter_outside_domain` unless `u` is inside the domain,
-///   `wrong_number_of_points` unless there are `n` coefficients
+/// Returns the coefficients over the knots without `times >= 0` copies of the inner knot `u`, or
+/// nothing when that would change the spline. The decision is that of `bspline_smoothness()`.
+/// \f$ O(n + p^3) \f$ operations
+/// \throws Error `negative_count` when `times` is negative, `parameter_outside_domain` unless `u`
+///   is inside the domain, `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 std::optional<std::vector<typename Coefficients::value_type>>
 bspline_remove(const Knot_vector<FT>& knots, const Coefficients& c, const FT& u, int times = 1) {
@@ -199,8 +214,9 @@ bspline_remove(const Knot_vector<FT>& knots, const Coefficients& c, const FT& u,
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the knots without those inner copies that the spline does not need, by `bspline_smoothness()`.
-/// `Bspline_function::remove_superfluous_knots()` is the function over them. \f$ O(n p^3) \f$
+/// Returns the knots without those inner copies that the spline does not need, by
+/// `bspline_smoothness()`. `Bspline_function::remove_superfluous_knots()` is the function over
+/// them. \f$ O(n p^3) \f$
 /// \throws Error `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 Knot_vector<FT> minimal_knots(const Knot_vector<FT>& knots, const Coefficients& c) {
@@ -211,8 +227,9 @@ Knot_vector<FT> minimal_knots(const Knot_vector<FT>& knots, const Coefficients& 
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the knots of the derivative: without the first and the last, in degree `p - 1`. A knot where the splines may
-/// jump loses one of its `p + 1` copies as well; jumps are not differentiated. In degree 0 the vector itself.
+/// Returns the knots of the derivative: without the first and the last, in degree `p - 1`. A knot
+/// where the splines may jump loses one of its `p + 1` copies as well; jumps are not
+/// differentiated. In degree 0 the vector itself.
 template <class FT> Knot_vector<FT> derivative_knots(const Knot_vector<FT>& knots) {
   const int p = knots.degree(), n = knots.number_of_coefficients();
   if (p == 0) return knots;
@@ -223,8 +240,8 @@ template <class FT> Knot_vector<FT> derivative_knots(const Knot_vector<FT>& knot
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients \f$ p \frac{c_i - c_{i-1}}{u_{i+p} - u_i} \f$ of the derivative over `derivative_knots()`;
-/// zeros in degree 0. \f$ O(n) \f$
+/// Returns the coefficients \f$ p \frac{c_i - c_{i-1}}{u_{i+p} - u_i} \f$ of the derivative over
+/// `derivative_knots()`; zeros in degree 0. \f$ O(n) \f$
 /// \throws Error `wrong_number_of_points` unless there are `n` coefficients
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_derivative(const Knot_vector<FT>& knots, const Coefficients& c) {
@@ -239,25 +256,27 @@ std::vector<typename Coefficients::value_type> bspline_derivative(const Knot_vec
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the knots of the product of splines of the degrees `p` and `q` over `f` and `g`: clamped, of degree `p + q`,
-/// with the multiplicity \f$ \max(m_f + q \text{ if } m_f > 0,\ m_g + p \text{ if } m_g > 0) \f$ for an inner knot of
-/// the multiplicities \f$ m_f, m_g \f$, which is the smallest that holds all products. Che et al.
+/// Returns the knots of the product of splines of the degrees `p` and `q` over `f` and `g`:
+/// clamped, of degree `p + q`, with the multiplicity
+/// \f$ \max(m_f + q \text{ if } m_f > 0,\ m_g + p \text{ if } m_g > 0) \f$ for an inner knot of the
+/// multiplicities \f$ m_f, m_g \f$, which is the smallest that holds all products. Che et al.
 /// \throws Error `parameter_outside_domain` when the domains differ
 template <class FT> Knot_vector<FT> product_knots(const Knot_vector<FT>& f, const Knot_vector<FT>& g) {
   return internal::distinct_product_knots(f, g).knot_vector();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients over `product_knots()` of the product of a spline `f` of degree `p` with numbers and a
-/// spline `g` of degree `q` with numbers or vectors as coefficients. The knots need not be equal nor clamped, and may
-/// have any multiplicity.
+/// Returns the coefficients over `product_knots()` of the product of a spline `f` of degree `p`
+/// with numbers and a spline `g` of degree `q` with numbers or vectors as coefficients. The knots
+/// need not be equal nor clamped, and may have any multiplicity.
 ///
 /// With \f$ P_k = f_k g_k \f$ in Bernstein form on each span, the coefficients are
-/// \f$ P_k[t_{j+1}, \dots, t_{j+p+q}] \f$. Most of them are Bernstein coefficients as they are; of splines of equal
-/// degree with simple knots, one for each knot needs arithmetic.
+/// \f$ P_k[t_{j+1}, \dots, t_{j+p+q}] \f$. Most of them are Bernstein coefficients as they are; of
+/// splines of equal degree with simple knots, one for each knot needs arithmetic.
 ///
-/// \f$ O(p^2 + q^2 + pq) \f$ field operations for each coordinate and span, and \f$ O((p+q)^2) \f$ for each coefficient
-/// that straddles a knot. Degrees up to 3 on floating-point numbers are unrolled.
+/// \f$ O(p^2 + q^2 + pq) \f$ field operations for each coordinate and span, and \f$ O((p+q)^2) \f$
+/// for each coefficient that straddles a knot. Degrees up to 3 on floating-point numbers are
+/// unrolled.
 /// \throws Error `parameter_outside_domain` when the domains differ,
 ///   `wrong_number_of_points` unless the numbers of coefficients fit the knots
 template <class FT, class Scalars, class Coefficients>
@@ -269,17 +288,18 @@ std::vector<typename Coefficients::value_type> bspline_product(const Knot_vector
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the knots of the same splines in a degree raised by `times >= 0`: clamped, every inner knot repeated `times`
-/// more.
+/// Returns the knots of the same splines in a degree raised by `times >= 0`: clamped, every inner
+/// knot repeated `times` more.
 /// \throws Error `negative_count` when `times` is negative
 template <class FT> Knot_vector<FT> elevated_knots(const Knot_vector<FT>& knots, int times = 1) {
   return internal::distinct_elevated_knots(knots, times).knot_vector();
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// Returns the coefficients over `elevated_knots()`: those of the product with the constant 1 of degree `times >= 0`.
-/// The operations are those of `bspline_product()`.
-/// \throws Error `negative_count` when `times` is negative, `wrong_number_of_points` unless there are `n` coefficients
+/// Returns the coefficients over `elevated_knots()`: those of the product with the constant 1 of
+/// degree `times >= 0`. The operations are those of `bspline_product()`.
+/// \throws Error `negative_count` when `times` is negative, `wrong_number_of_points` unless there
+///   are `n` coefficients
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> bspline_elevate(const Knot_vector<FT>& knots, const Coefficients& c,
                                                                int times = 1) {
@@ -288,8 +308,8 @@ std::vector<typename Coefficients::value_type> bspline_elevate(const Knot_vector
 }
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// A spline function \f$ \sum_i c_i N_i^p(u) \f$ over a `Knot_vector`, with numbers or vectors as values: the
-/// algorithms of this header with knots and coefficients kept together.
+/// A spline function \f$ \sum_i c_i N_i^p(u) \f$ over a `Knot_vector`, with numbers or vectors as
+/// values: the algorithms of this header with knots and coefficients kept together.
 ///
 /// It is a value: operations return new functions. With exact numbers they are exact.
 ///
@@ -333,13 +353,15 @@ public:
   /// Returns the value at `u`, from the right at a knot. \f$ O(\log n + p^2) \f$
   Value operator()(const FT& u) const { return bspline_value<FT>(knots_, c_, u); }
 
-  /// Returns the derivatives of order 0 to `k >= 0` at `u` from the right; at the end of the domain from the left.
-  /// \f$ O(\log n + p^2 + p\,k^2) \f$ \throws Error also `negative_count` when `k` is negative
+  /// Returns the derivatives of order 0 to `k >= 0` at `u` from the right; at the end of the domain
+  /// from the left. \f$ O(\log n + p^2 + p\,k^2) \f$ \throws Error also `negative_count` when `k`
+  /// is negative
   std::vector<Value> right_derivatives(const FT& u, int k) const {
     return bspline_derivatives<FT>(knots_, c_, knots_.span(u), u, k);
   }
-  /// Returns the derivatives of order 0 to `k >= 0` at `u` from the left; at the start of the domain from the right.
-  /// \f$ O(\log n + p^2 + p\,k^2) \f$ \throws Error also `negative_count` when `k` is negative
+  /// Returns the derivatives of order 0 to `k >= 0` at `u` from the left; at the start of the
+  /// domain from the right. \f$ O(\log n + p^2 + p\,k^2) \f$ \throws Error also `negative_count`
+  /// when `k` is negative
   std::vector<Value> left_derivatives(const FT& u, int k) const {
     return bspline_derivatives<FT>(knots_, c_, knots_.left_span(u), u, k);
   }
@@ -354,17 +376,20 @@ public:
   /// Returns the derivative, see `bspline_derivative()`.
   Bspline_function derivative() const { return {derivative_knots(knots_), bspline_derivative<FT>(knots_, c_)}; }
 
-  /// Returns the same function with `times >= 0` more copies of the knot `u`, see `bspline_insert()`.
+  /// Returns the same function with `times >= 0` more copies of the knot `u`, see
+  /// `bspline_insert()`.
   /// \throws Error as `bspline_insert()`
   Bspline_function insert(const FT& u, int times = 1) const {
     return {knots_.insert(u, times), internal::insert_knot(knots_, c_, u, times)};
   }
-  /// Returns the same function over finer knots, see `bspline_refine()`. \throws Error as `bspline_refine()`
+  /// Returns the same function over finer knots, see `bspline_refine()`. \throws Error as
+  /// `bspline_refine()`
   Bspline_function refine(const Knot_vector<FT>& finer) const { return {finer, bspline_refine<FT>(knots_, c_, finer)}; }
   /// Returns the same function without the knots outside the domain.
   Bspline_function clamp() const { return refine(knots_.clamp()); }
 
-  /// Returns the same function with `times >= 0` copies of the inner knot `u` less, or nothing, see `bspline_remove()`.
+  /// Returns the same function with `times >= 0` copies of the inner knot `u` less, or nothing, see
+  /// `bspline_remove()`.
   /// \throws Error as `bspline_remove()`
   std::optional<Bspline_function> remove(const FT& u, int times = 1) const {
     std::optional<std::vector<Value>> c = bspline_remove<FT>(knots_, c_, u, times);
@@ -377,7 +402,8 @@ public:
     return {knots, internal::change_knots<FT>(knots_, c_, knots)};
   }
 
-  /// Returns the same function with the degree raised by `times >= 0`, clamped, see `bspline_elevate()`.
+  /// Returns the same function with the degree raised by `times >= 0`, clamped, see
+  /// `bspline_elevate()`.
   /// \throws Error `negative_count` when `times` is negative
   Bspline_function elevate(int times = 1) const {
     const internal::Distinct_knots<FT> knots = internal::distinct_elevated_knots(knots_, times);
@@ -389,7 +415,8 @@ public:
 
   /// @}
 
-  /// Returns the product, see `bspline_product()`. \throws Error `parameter_outside_domain` when the domains differ
+  /// Returns the product, see `bspline_product()`. \throws Error `parameter_outside_domain` when
+  /// the domains differ
   friend Bspline_function operator*(const Bspline_function<FT>& f, const Bspline_function& g) {
     const internal::Distinct_knots<FT> knots = internal::distinct_product_knots(f.knots(), g.knots());
     return {knots.knot_vector(),

@@ -33,11 +33,12 @@ template <class FT> struct Distinct_knots;
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityAlgebra
-/// The degree `p` and the knots \f$ u_0 \le \dots \le u_{n+p} \f$ of splines with `n` coefficients. Repeated knots are
-/// listed as often as they are repeated. The domain is \f$ [u_p, u_n] \f$.
+/// The degree `p` and the knots \f$ u_0 \le \dots \le u_{n+p} \f$ of splines with `n` coefficients.
+/// Repeated knots are listed as often as they are repeated. The domain is \f$ [u_p, u_n] \f$.
 ///
-/// A knot of multiplicity `m` inside the domain lets splines be \f$ C^{p-m} \f$ there; with `m = p + 1` they may jump.
-/// The vector is \em clamped when both ends of the domain have multiplicity `p + 1`; it need not be.
+/// A knot of multiplicity `m` inside the domain lets splines be \f$ C^{p-m} \f$ there; with
+/// `m = p + 1` they may jump. The vector is \em clamped when both ends of the domain have
+/// multiplicity `p + 1`; it need not be.
 ///
 /// The vector is a value: operations return new vectors, in \f$ O(n + p) \f$.
 /// \tparam FT a field number type
@@ -61,9 +62,10 @@ private:
 
 public:
   /// Constructs a vector from the degree `p >= 0` and all knots.
-  /// \throws Error `wrong_number_of_points` for a negative degree, and for fewer than `2 p + 2` knots
-  /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when the distance of the first
-  ///   and the last knot overflows
+  /// \throws Error `wrong_number_of_points` for a negative degree, and for fewer than `2 p + 2`
+  ///   knots
+  /// \throws Error `not_finite` for an infinite or undefined floating-point number, and when the
+  ///   distance of the first and the last knot overflows
   /// \throws Error `empty_domain` when the knots decrease somewhere, and unless \f$ u_p < u_n \f$
   /// \throws Error `knot_multiplicity` when a knot is repeated more than `p + 1` times
   Knot_vector(int degree, std::vector<FT> knots) : p_(degree), u_(std::move(knots)) { check(); }
@@ -72,7 +74,8 @@ public:
   Knot_vector(int degree, std::initializer_list<FT> knots) : p_(degree), u_(knots) { check(); }
 
   /// Constructs the clamped vector on [a, b] with these knots inside, in increasing order.
-  /// \throws Error `negative_count` for a negative multiplicity, and as the constructor from all knots
+  /// \throws Error `negative_count` for a negative multiplicity, and as the constructor from all
+  ///   knots
   Knot_vector(int degree, const FT& a, const FT& b, const std::vector<Knot>& inner_knots = {}) : p_(degree) {
     internal::check_degree(p_);
     append(a, p_ + 1);
@@ -81,7 +84,8 @@ public:
     check();
   }
 
-  // Knots without a degree before them, also in braces: one error of the compiler instead of a list of all constructors.
+  // Knots without a degree before them, also in braces: one error of the compiler instead of a list
+  // of all constructors.
   template <class Knots = std::vector<FT>,
             class = std::enable_if_t<std::is_convertible_v<const Knots&, std::vector<FT>>>, class... After>
   explicit Knot_vector(const Knots&, const After&...) {
@@ -111,7 +115,8 @@ public:
   std::pair<FT, FT> domain() const { return {start(), finish()}; }
   /// Decides whether both vectors have the same domain.
   bool has_domain_of(const Knot_vector& other) const { return start() == other.start() && finish() == other.finish(); }
-  /// Decides whether both ends of the domain have multiplicity `p + 1`, so that there is no knot outside.
+  /// Decides whether both ends of the domain have multiplicity `p + 1`, so that there is no knot
+  /// outside.
   bool is_clamped() const { return u_.front() == start() && u_.back() == finish(); }
 
   /// Returns how often `u` is a knot. \f$ O(\log n + p) \f$
@@ -119,8 +124,8 @@ public:
     const auto range = std::equal_range(u_.begin(), u_.end(), u);
     return static_cast<int>(range.second - range.first);
   }
-  /// Returns the knots of the domain, in increasing order, with their multiplicities in the whole vector.
-  /// \f$ O(n + p) \f$
+  /// Returns the knots of the domain, in increasing order, with their multiplicities in the whole
+  /// vector. \f$ O(n + p) \f$
   std::vector<Knot> distinct_knots() const {
     std::vector<Knot> knots;
     for (const FT& u : u_)
@@ -130,14 +135,16 @@ public:
       }
     return knots;
   }
-  /// Returns the knots inside the domain, in increasing order, with their multiplicities. \f$ O(n + p) \f$
+  /// Returns the knots inside the domain, in increasing order, with their multiplicities.
+  /// \f$ O(n + p) \f$
   std::vector<Knot> inner_knots() const {
     std::vector<Knot> knots = distinct_knots();
     return std::vector<Knot>(knots.begin() + 1, knots.end() - 1);
   }
 
-  /// Returns the Greville abscissa \f$ (u_{i+1} + \dots + u_{i+p})/p \f$, `0 <= i < n`: the coefficients of the
-  /// function `u`. In degree 0 the middle between \f$ u_i \f$ and \f$ u_{i+1} \f$. \f$ O(p) \f$
+  /// Returns the Greville abscissa \f$ (u_{i+1} + \dots + u_{i+p})/p \f$, `0 <= i < n`: the
+  /// coefficients of the function `u`. In degree 0 the middle between \f$ u_i \f$ and
+  /// \f$ u_{i+1} \f$. \f$ O(p) \f$
   /// \throws Error `parameter_outside_domain` unless `0 <= i < n`
   FT greville_abscissa(int i) const {
     if (i < 0 || number_of_coefficients() <= i)
@@ -153,7 +160,8 @@ public:
 
   /// @}
   /// \name Spans
-  /// The span `k` is the interval \f$ [u_k, u_{k+1}] \f$, where it is not empty and inside the domain.
+  /// The span `k` is the interval \f$ [u_k, u_{k+1}] \f$, where it is not empty and inside the
+  /// domain.
   /// @{
 
   /// Returns all spans, in increasing order. \f$ O(n) \f$
@@ -174,7 +182,8 @@ public:
   /// Decides whether `u` is in the domain; an undefined number is not.
   bool contains(const FT& u) const { return (start() < u || start() == u) && (u < finish() || u == finish()); }
 
-  /// Returns the span with \f$ u_k \le u < u_{k+1} \f$, the last one at the end of the domain. \f$ O(\log n) \f$
+  /// Returns the span with \f$ u_k \le u < u_{k+1} \f$, the last one at the end of the domain.
+  /// \f$ O(\log n) \f$
   /// \throws Error `parameter_outside_domain`
   int span(const FT& u) const {
     check_parameter(u);
@@ -184,7 +193,8 @@ public:
            1;
   }
 
-  /// Returns the span with \f$ u_k < u \le u_{k+1} \f$, the first one at the start of the domain. \f$ O(\log n) \f$
+  /// Returns the span with \f$ u_k < u \le u_{k+1} \f$, the first one at the start of the domain.
+  /// \f$ O(\log n) \f$
   /// \throws Error `parameter_outside_domain`
   int left_span(const FT& u) const {
     check_parameter(u);
@@ -199,8 +209,8 @@ public:
   /// @{
 
   /// Returns the vector with `times >= 0` more copies of the knot `u`.
-  /// \throws Error `negative_count` when `times` is negative, `parameter_outside_domain`, and `knot_multiplicity` when
-  ///   `u` would be repeated too often
+  /// \throws Error `negative_count` when `times` is negative, `parameter_outside_domain`, and
+  ///   `knot_multiplicity` when `u` would be repeated too often
   Knot_vector insert(const FT& u, int times = 1) const {
     check_times(times);
     check_parameter(u);
@@ -214,7 +224,8 @@ public:
   }
 
   /// Returns the vector with `times >= 0` copies less of the knot `u`, which is inside the domain.
-  /// \throws Error `negative_count` when `times` is negative, `knot_multiplicity` when there are not as many
+  /// \throws Error `negative_count` when `times` is negative, `knot_multiplicity` when there are
+  ///   not as many
   Knot_vector remove(const FT& u, int times = 1) const {
     check_times(times);
     std::vector<Knot> knots = inner_knots();
@@ -236,10 +247,12 @@ public:
     return r;
   }
 
-  /// Returns the vector without the knots outside the domain, and with its ends repeated `p + 1` times.
+  /// Returns the vector without the knots outside the domain, and with its ends repeated `p + 1`
+  /// times.
   Knot_vector clamp() const { return Knot_vector(p_, start(), finish(), inner_knots()); }
 
-  /// Returns the clamped vector on [a, b], to which the domain is mapped. \throws Error `empty_domain` unless `a < b`
+  /// Returns the clamped vector on [a, b], to which the domain is mapped. \throws Error
+  /// `empty_domain` unless `a < b`
   Knot_vector on_domain(const FT& a, const FT& b) const {
     if (a == start() && b == finish()) return clamp();
     const FT factor = FT(FT(b - a) / FT(finish() - start()));
@@ -248,8 +261,8 @@ public:
     return Knot_vector(p_, a, b, knots);
   }
 
-  /// Returns the clamped vector of another degree with every knot of the domain repeated `degree + 1` times: the
-  /// coefficients are those of one Bernstein polynomial for each span.
+  /// Returns the clamped vector of another degree with every knot of the domain repeated
+  /// `degree + 1` times: the coefficients are those of one Bernstein polynomial for each span.
   /// \throws Error `wrong_number_of_points` for a negative degree
   Knot_vector bezier(int degree) const {
     internal::check_degree(degree);
@@ -259,7 +272,8 @@ public:
   }
 
   /// Returns the smallest clamped vector with the inner knots of both.
-  /// \throws Error `wrong_number_of_points` when the degrees differ, `parameter_outside_domain` when the domains differ
+  /// \throws Error `wrong_number_of_points` when the degrees differ, `parameter_outside_domain`
+  ///   when the domains differ
   friend Knot_vector merge(const Knot_vector& x, const Knot_vector& y) {
     if (x.p_ != y.p_) throw Error(Error_code::wrong_number_of_points, "merge: knot vectors of different degrees");
     if (!x.has_domain_of(y)) throw Error(Error_code::parameter_outside_domain, "merge: the domains differ");
@@ -269,8 +283,9 @@ public:
     return Knot_vector(x.p_, std::move(knots));
   }
 
-  /// Returns the knots of the reversed splines, on the same domain: `u` becomes \f$ u_p + (u_n - u) \f$. With
-  /// rounded numbers this rounds all knots but the ends of the domain.
+  /// Returns the knots of the reversed splines, on the same domain: `u` becomes
+  /// \f$ u_p + (u_n - u) \f$. With rounded numbers this rounds all knots but the ends of the
+  /// domain.
   /// \throws Error `knot_multiplicity` when too many knots become equal by rounding
   Knot_vector reverse() const {
     std::vector<FT> knots;

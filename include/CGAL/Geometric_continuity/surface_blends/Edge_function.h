@@ -19,14 +19,15 @@
 #include <vector>
 
 /// \file Edge_function.h
-/// A number, a polynomial or a spline that depends on the parameter along an edge: what is free in the shape of a blend surface.
+/// A number, a polynomial or a spline that depends on the parameter along an edge: the free
+/// functions in the shape of a blend surface.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// A function of the parameter along an edge, whose domain is mapped to [0, 1]: a spline, of which numbers and polynomials are the ones
-/// without inner knots.
+/// A function of the parameter along an edge, whose domain is mapped to [0, 1]: a spline, of which
+/// numbers and polynomials are the ones without inner knots.
 /// \tparam FT a field number type
 template <class FT_> class Edge_function {
 public:
@@ -54,7 +55,8 @@ public:
   const Knot_vector<FT>& knots() const { return f_.knots(); }
   /// Returns the number of coefficients \f$ c_i \f$ of the spline over the knots.
   int number_of_coefficients() const { return f_.knots().number_of_coefficients(); }
-  /// Returns \f$ c_i \f$; of a number there is only \f$ c_0 \f$, of a polynomial these are Bernstein coefficients.
+  /// Returns \f$ c_i \f$; of a number there is only \f$ c_0 \f$, of a polynomial these are
+  /// Bernstein coefficients.
   const FT& operator[](int i) const { return f_[i]; }
   /// Returns the value at `t` in [0, 1]. \throws Error `parameter_outside_domain`
   FT operator()(const FT& t) const { return f_(t); }
@@ -65,7 +67,8 @@ public:
   /// Decides whether the function is a number.
   bool is_number() const { return f_.coefficients().size() == 1; }
 
-  /// Decides whether the function is positive on [0, 1], on both sides of each knot; exactly, also of floating-point numbers.
+  /// Decides whether the function is positive on [0, 1], on both sides of each knot; exactly, also
+  /// of floating-point numbers.
   bool is_positive() const { return is_number() ? bool(FT(0) < f_.coefficients()[0]) : is_positive_function(); }
 
   /// Returns the product.
@@ -82,7 +85,8 @@ public:
   /// Decides whether a knot or a coefficient is different.
   friend bool operator!=(const Edge_function& f, const Edge_function& g) { return !(f == g); }
 
-  /// Writes the coefficients, separated by spaces, and then ` over ` and the inner knots if there are any.
+  /// Writes the coefficients, separated by spaces, and then ` over ` and the inner knots if there
+  /// are any.
   friend std::ostream& operator<<(std::ostream& os, const Edge_function& f) {
     for (int i = 0; i < f.number_of_coefficients(); ++i) os << (i == 0 ? "" : " ") << f[i];
     const char* separator = " over ";
@@ -92,10 +96,11 @@ public:
   }
 
 private:
-  // Of a function that is no number.
+  // Is a function that is no number positive?
   bool is_positive_function() const {
     const std::vector<FT>& c = f_.coefficients();
-    if (std::all_of(c.begin(), c.end(), [](const FT& x) { return FT(0) < x; })) return true; // mostly
+    // mostly
+    if (std::all_of(c.begin(), c.end(), [](const FT& x) { return FT(0) < x; })) return true;
     const internal::Work_on_part work("Edge_function::is_positive");
     const std::vector<FT> pieces = internal::bernstein_pieces(f_.knots(), f_.coefficients());
     const std::ptrdiff_t n = degree() + 1;

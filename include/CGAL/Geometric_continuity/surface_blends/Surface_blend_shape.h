@@ -22,23 +22,25 @@
 #include <vector>
 
 /// \file Surface_blend_shape.h
-/// The functions along its edges that \f$ G^2 \f$ leaves free of a blend surface, the types of such surfaces, and the shape for which the
-/// caller gives none, by the strategies for blends of curves.
+/// The functions along its edges that \f$ G^2 \f$ leaves free of a blend surface, the types of such
+/// surfaces, and the shape for which the caller gives none, by the strategies for blends of curves.
 ///
 /// The curves `u` = const at some parameters \f$ u_1, \dots, u_m \f$ together are one curve
-/// \f$ v \mapsto (S(u_1, v), \dots, S(u_m, v)) \f$ in a space of `3 m` dimensions. With constants \f$ \beta, \delta \f$ it is a blend of the
-/// curves that both surfaces make in the same way, of the family of blends of curves: \f$ \delta = (20 s - t)\,\beta \f$, with the part
-/// `t` of the second derivative along the tangent. So each strategy for curves is one for surfaces. Lengths and energies are the sums
-/// of squares over the curves. In degree 7 \f$ \delta = \beta_2 \f$ and \f$ \delta_3 = \beta_3 \f$ of a septic blend with
-/// \f$ \mu = 3 \beta\beta_2 \f$.
+/// \f$ v \mapsto (S(u_1, v), \dots, S(u_m, v)) \f$ in a space of `3 m` dimensions. With constants
+/// \f$ \beta, \delta \f$ it is a blend of the curves that both surfaces make in the same way, of
+/// the family of blends of curves: \f$ \delta = (20 s - t)\,\beta \f$, with the part `t` of the
+/// second derivative along the tangent. So each strategy for curves is one for surfaces. Lengths
+/// and energies are the sums of squares over the curves. In degree 7 \f$ \delta = \beta_2 \f$ and
+/// \f$ \delta_3 = \beta_3 \f$ of a septic blend with \f$ \mu = 3 \beta\beta_2 \f$.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// How a blend runs out of the parameters of a surface along an edge, or into them:
-/// \f$ \varphi(u, v) = (u + \alpha v + \frac12 \alpha_2 v^2,\ \beta v + \frac12 \delta v^2) \f$ to second order, with functions of the
-/// parameter along the edge: numbers, polynomials or splines on the domain of the edge, which is mapped to [0, 1].
+/// The way in which a blend leaves the parameters of a surface along an edge, or enters them:
+/// \f$ \varphi(u, v) = (u + \alpha v + \frac12 \alpha_2 v^2,\ \beta v + \frac12 \delta v^2) \f$ to
+/// second order, with functions of the parameter along the edge: numbers, polynomials or splines on
+/// the domain of the edge, which is mapped to [0, 1].
 /// \tparam FT_ a field number type
 template <class FT_> struct Edge_reparametrisation {
   typedef FT_ FT;                     ///< the number type
@@ -51,11 +53,13 @@ template <class FT_> struct Edge_reparametrisation {
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// How a blend runs out of the parameters of a rational surface: \f$ S = \lambda \cdot L \circ \varphi \f$ in homogeneous points, to
-/// second order, with the factors \f$ \lambda_0 \f$ and \f$ 1 + \lambda_1 v + \frac12 \lambda_2 v^2 \f$.
+/// The way in which a blend leaves the parameters of a rational surface:
+/// \f$ S = \lambda \cdot L \circ \varphi \f$ in homogeneous points, to second order, with the
+/// factors \f$ \lambda_0 \f$ and \f$ 1 + \lambda_1 v + \frac12 \lambda_2 v^2 \f$.
 /// \tparam FT a field number type
 template <class FT> struct Rational_edge_reparametrisation : Edge_reparametrisation<FT> {
-  typedef typename Edge_reparametrisation<FT>::Function Function; ///< of the parameter along the edge
+  /// of the parameter along the edge
+  typedef typename Edge_reparametrisation<FT>::Function Function;
 
   FT lambda = FT(1);                  ///< the factor at the edge, positive
   Function lambda1 = Function{FT(0)}; ///< the first derivative of the other factor across the edge
@@ -84,7 +88,7 @@ template <class FT> struct Rational_surface_blend_shape {
 
   /// Sets all functions \f$ \beta \f$ to 1 and all others to 0.
   Rational_surface_blend_shape() = default;
-  /// Takes what is given at both ends.
+  /// Takes the reparametrisations of both ends.
   Rational_surface_blend_shape(const Rational_edge_reparametrisation<FT>& given_start,
                                const Rational_edge_reparametrisation<FT>& given_end)
       : start(given_start), end(given_end) {}
@@ -93,8 +97,9 @@ template <class FT> struct Rational_surface_blend_shape {
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What \f$ G^3 \f$ leaves free at an edge of a blend surface, in addition to a reparametrisation of order 2: the third derivatives of
-/// \f$ \varphi \f$, which are \f$ (\alpha_3, \delta_3) \f$, and that of the factor of homogeneous points.
+/// The functions that \f$ G^3 \f$ leaves free at an edge of a blend surface, in addition to a
+/// reparametrisation of order 2: the third derivatives of \f$ \varphi \f$, which are
+/// \f$ (\alpha_3, \delta_3) \f$, and that of the factor of homogeneous points.
 /// \tparam Reparametrisation `Edge_reparametrisation` or `Rational_edge_reparametrisation`
 template <class Reparametrisation> struct Septic_edge_reparametrisation : Reparametrisation {
   typedef typename Reparametrisation::FT FT;             ///< the number type
@@ -102,8 +107,8 @@ template <class Reparametrisation> struct Septic_edge_reparametrisation : Repara
 
   Function alpha3 = Function{FT(0)}; ///< the third derivative along the edge
   Function delta3 = Function{FT(0)}; ///< the third derivative across the edge
-  Function lambda3 = Function{
-      FT(0)}; ///< the third derivative of the factor of a rational surface across the edge; not used for others
+  // the third derivative of the factor of a rational surface across the edge; not used for others
+  Function lambda3 = Function{FT(0)};
 
   /// Sets \f$ \beta \f$ to 1 and all others to 0.
   Septic_edge_reparametrisation() = default;
@@ -112,7 +117,8 @@ template <class Reparametrisation> struct Septic_edge_reparametrisation : Repara
 };
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The shape of a blend surface of degree 7 across: all that \f$ G^3 \f$ leaves free at its two edges.
+/// The shape of a blend surface of degree 7 across: all that \f$ G^3 \f$ leaves free at its two
+/// edges.
 /// \tparam Shape `Surface_blend_shape` or `Rational_surface_blend_shape`
 template <class Shape> struct Septic_surface_blend_shape {
   typedef Septic_edge_reparametrisation<decltype(Shape::start)> Reparametrisation; ///< at one edge
@@ -138,33 +144,34 @@ template <class A, class B> struct Blended_shape {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The type of the blend of two surfaces: `Bezier_patch` or `Rational_bezier_patch` of two patches, otherwise `Bspline_surface` or
-/// `Rational_bspline_surface`; rational if one of them is.
+/// The type of the blend of two surfaces: `Bezier_patch` or `Rational_bezier_patch` of two patches,
+/// otherwise `Bspline_surface` or `Rational_bspline_surface`; rational if one of them is.
 template <class Surface_a, class Surface_b>
 using Blend_surface = typename internal::Blended_surfaces<Surface_a, Surface_b>::Surface;
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The type of the shape of the blend of two surfaces: `Rational_surface_blend_shape` if one of them is rational, otherwise
-/// `Surface_blend_shape`.
+/// The type of the shape of the blend of two surfaces: `Rational_surface_blend_shape` if one of
+/// them is rational, otherwise `Surface_blend_shape`.
 template <class Surface_a, class Surface_b>
 using Blend_surface_shape = typename internal::Blended_shape<Surface_a, Surface_b>::type;
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// True for a strategy that chooses the shape of blend surfaces of degree 5: it can be called with `Quintic_ends<double, 0>`.
+/// True for a strategy that chooses the shape of blend surfaces of degree 5: it can be called with
+/// `Quintic_ends<double, 0>`.
 template <class Strategy>
 constexpr bool is_quintic_surface_strategy_v = std::is_invocable_v<const Strategy&, const Quintic_ends<double, 0>&>;
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// True for a strategy that chooses the shape of blend surfaces, of degree 5 or else of degree 7: it can be called with
-/// `Quintic_ends<double, 0>` or `Septic_ends<double, 0>`.
+/// True for a strategy that chooses the shape of blend surfaces, of degree 5 or else of degree 7:
+/// it can be called with `Quintic_ends<double, 0>` or `Septic_ends<double, 0>`.
 template <class Strategy>
 constexpr bool is_surface_blend_strategy_v =
     std::disjunction_v<std::is_invocable<const Strategy&, const Quintic_ends<double, 0>&>,
                        std::is_invocable<const Strategy&, const Septic_ends<double, 0>&>>;
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// The type of the shape that a strategy chooses for the blend of two surfaces: `Blend_surface_shape`, or the
-/// `Septic_surface_blend_shape` of it.
+/// The type of the shape that a strategy chooses for the blend of two surfaces:
+/// `Blend_surface_shape`, or the `Septic_surface_blend_shape` of it.
 template <class Surface_a, class Surface_b, class Strategy>
 using Chosen_surface_shape =
     std::conditional_t<is_quintic_surface_strategy_v<Strategy>, Blend_surface_shape<Surface_a, Surface_b>,
@@ -172,8 +179,9 @@ using Chosen_surface_shape =
 
 namespace internal {
 
-// The values of the rows of an end at the Greville abscissae of some knots: as points and derivatives of the surface in `jet`, one
-// after the other, and the last coordinates of homogeneous points in `weights`.
+// The values of the rows of an end at the Greville abscissae of some knots: as points and
+// derivatives of the surface in `jet`, one after the other, and the last coordinates of homogeneous
+// points in `weights`.
 template <bool is_rational> struct Edge_samples {
   Coordinate_jet<double, 0> jet;
   std::vector<std::array<double, 4>> weights;
@@ -268,8 +276,9 @@ void set_third(Septic_edge_reparametrisation<Reparametrisation>& r, double delta
   r.lambda3 = short_constant<FT>(lambda3);
 }
 
-// Sets the constants of one end. Of rational surfaces the factor of the homogeneous points keeps the denominator as constant as constants
-// can: from the derivatives m of w_0 w(phi), divided by those of order 0, as sums over all samples.
+// Sets the constants of one end. For rational surfaces the factor of the homogeneous points keeps
+// the denominator as constant as constants can: from the derivatives m of w_0 w(phi), divided by
+// those of order 0, as sums over all samples.
 template <class Reparametrisation>
 void set_shape(Reparametrisation& r, const Across_edge& x, const std::vector<std::array<double, 4>>& weights) {
   typedef typename Reparametrisation::FT FT;
@@ -302,8 +311,8 @@ inline double mean_square_of_weights(const std::vector<std::array<double, 4>>& w
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns how the second of two edges runs when its ends are nearer to those of the first one: in the same direction unless the lines
-/// between the ends of the edges point in opposite directions.
+/// Returns how the second of two edges runs when its ends are nearer to those of the first one: in
+/// the same direction unless the lines between the ends of the edges point in opposite directions.
 /// \throws Error `dimension_mismatch`
 template <class Surface_a, class Surface_b>
 Edge_direction nearer_direction(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
@@ -320,23 +329,29 @@ Edge_direction nearer_direction(const Surface_a& a, Patch_edge edge_a, const Sur
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the shape of a blend from an edge of one surface to an edge of another one that a strategy for blends of curves chooses: of
-/// degree 5, or of degree 7 by a septic strategy. All functions are constants, and those of the parameter along the edge, \f$ \alpha \f$,
+/// Returns the shape of a blend from an edge of one surface to an edge of another one that a
+/// strategy for blends of curves chooses: of degree 5, or of degree 7 by a septic strategy. All
+/// functions are constants, and those of the parameter along the edge, \f$ \alpha \f$,
 /// \f$ \alpha_2 \f$ and \f$ \alpha_3 \f$, are 0.
 ///
-/// The curves `u` = const at the Greville abscissae of the edge with more of them are taken as one curve in a space of many dimensions. A
-/// strategy that chooses its own shape parameters, as `Fair` does, chooses \f$ \beta \f$ at both ends; otherwise they make the tangents
-/// as long as the chords in the mean square, see `automatic_shape()`. The scalars \f$ s_1, s_2 \f$ of the strategy give \f$ \delta \f$:
-/// with `Matching_second_derivative` it is 0, `Minimal_energy<3>` has the least sum of \f$ \int |S_{vvv}|^2 dv \f$, `Fair` the least
-/// variation of the curvature of the curve in many dimensions. A septic strategy gives \f$ \delta = \beta_2 \f$ and
-/// \f$ \delta_3 = \beta_3 \f$; for \f$ G^3 \f$, \f$ \mu \f$ is \f$ 3\beta\beta_2 \f$, whatever it chooses. Of rational surfaces, the
-/// factors of the homogeneous points keep the denominator of the blend as constant as constants can.
+/// The curves `u` = const at the Greville abscissae of the edge with more of them are taken as one
+/// curve in a space of many dimensions. A strategy that chooses its own shape parameters, as `Fair`
+/// does, chooses \f$ \beta \f$ at both ends; otherwise they make the tangents as long as the chords
+/// in the mean square, see `automatic_shape()`. The scalars \f$ s_1, s_2 \f$ of the strategy give
+/// \f$ \delta \f$: with `Matching_second_derivative` it is 0, `Minimal_energy<3>` has the least sum
+/// of \f$ \int |S_{vvv}|^2 dv \f$, `Fair` the least variation of the curvature of the curve in many
+/// dimensions. A septic strategy gives \f$ \delta = \beta_2 \f$ and \f$ \delta_3 = \beta_3 \f$; for
+/// \f$ G^3 \f$, \f$ \mu \f$ is \f$ 3\beta\beta_2 \f$, whatever it chooses. For rational surfaces,
+/// the factors of the homogeneous points keep the denominator of the blend as constant as constants
+/// can.
 ///
-/// All this is computed in floating-point numbers and rounded to 8 binary digits, so that exact numbers stay short. The blend is exact,
-/// whatever the shape is. Linear in the number of knots.
-/// \tparam Strategy a model of `BlendStrategy`, called with `Quintic_ends<double, 0>` or, if it cannot be, `Septic_ends<double, 0>`
-/// \throws Error `zero_tangent` where a derivative across an edge vanishes at all these parameters, `dimension_mismatch`,
-///   `not_finite` for numbers so large or small that their squares are not in the range of floating-point numbers
+/// All this is computed in floating-point numbers and rounded to 8 binary digits, so that exact
+/// numbers stay short. The blend is exact, whatever the shape is. Linear in the number of knots.
+/// \tparam Strategy a model of `BlendStrategy`, called with `Quintic_ends<double, 0>` or, if it
+///   cannot be, `Septic_ends<double, 0>`
+/// \throws Error `zero_tangent` where a derivative across an edge vanishes at all these parameters,
+///   `dimension_mismatch`, `not_finite` for numbers so large or small that their squares are not in
+///   the range of floating-point numbers
 template <class Surface_a, class Surface_b, class Strategy>
 Chosen_surface_shape<Surface_a, Surface_b, Strategy>
 automatic_surface_shape(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,

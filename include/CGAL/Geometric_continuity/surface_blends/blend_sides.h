@@ -27,29 +27,37 @@
 #include <vector>
 
 /// \file blend_sides.h
-/// The shape of a blend surface for which the side curves at `u = 0` and `u = 1` are given, and the derivatives across them.
+/// The shape of a blend surface for which the side curves at `u = 0` and `u = 1` are given, and the
+/// derivatives across them.
 ///
-/// Where an edge ends, \f$ S_v = \alpha C' + \beta T \f$ and \f$ S_{vv} = \alpha^2 C'' + 2\alpha\beta T' + \beta^2 W + \alpha_2 C' +
-/// \delta T \f$ are the first two derivatives of the side curve. So it must start in the tangent plane of the surface, and with the
-/// curvature of the surface in its direction; then the values of the functions are the coordinates with respect to \f$ C', T \f$ of what
-/// it leaves. Derivatives with respect to `u` of these equations give the slopes of the functions, where \f$ S_u \f$ is given along the side.
-/// Both ends together determine a side curve and a derivative of degree 5 as a whole. Homogeneous points have the vectors
-/// \f$ C', T, C \f$ and the functions \f$ \lambda_1, \lambda_2 \f$ as well. Of a blend of degree 7 the side curve must have the third
-/// derivative of the surface, too, and the same follows for \f$ \alpha_3, \delta_3, \lambda_3 \f$.
+/// Where an edge ends, \f$ S_v = \alpha C' + \beta T \f$ and
+/// \f$ S_{vv} = \alpha^2 C'' + 2\alpha\beta T' + \beta^2 W + \alpha_2 C' + \delta T \f$ are the
+/// first two derivatives of the side curve. So it must start in the tangent plane of the surface,
+/// and with the curvature of the surface in its direction; then the values of the functions are the
+/// coordinates with respect to \f$ C', T \f$ of what it leaves. Derivatives with respect to `u` of
+/// these equations give the slopes of the functions, where \f$ S_u \f$ is given along the side.
+/// Both ends together determine a side curve and a derivative of degree 5 as a whole. Homogeneous
+/// points have the vectors \f$ C', T, C \f$ and the functions \f$ \lambda_1, \lambda_2 \f$ as well.
+/// For a blend of degree 7 the side curve must have the third derivative of the surface, too, and
+/// the same follows for \f$ \alpha_3, \delta_3, \lambda_3 \f$.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// What a side edge of a blend surface of degree 5 or 7 is to be, from the first surface to the second.
-/// \tparam Traits_ the traits class of the points; for a blend with a rational surface `Homogeneous_traits` of it
+/// The required side edge of a blend surface of degree 5 or 7, from the first surface to the
+/// second.
+/// \tparam Traits_ the traits class of the points; for a blend with a rational surface
+///   `Homogeneous_traits` of it
 template <class Traits_> struct Blend_side {
   typedef Traits_ Traits;                       ///< the traits class of the points
   typedef typename Traits::FT FT;               ///< the field
   typedef std::vector<Coordinates<Traits>> Row; ///< Bernstein coefficients, at most 6 or 8
 
   Row curve; ///< the side curve on [0, 1]
-  Row cross; ///< the derivative across it, out of the blend, up to a positive factor that is linear along the side; or none
+  /// the derivative across it, out of the blend, up to a positive factor that is linear along the
+  /// side; or none
+  Row cross;
 
   /// Takes coefficients.
   explicit Blend_side(Row given_curve, Row given_cross = {})
@@ -60,7 +68,8 @@ template <class Traits_> struct Blend_side {
     for (int i = 0; i <= c.degree(); ++i) curve.push_back(coordinates<Traits>(c.control_point(i)));
   }
 
-  /// Takes an edge of a neighbour of the blend, and the derivative across it: with them, the blend is \f$ G^1 \f$ with the neighbour.
+  /// Takes an edge of a neighbour of the blend, and the derivative across it: with them, the blend
+  /// is \f$ G^1 \f$ with the neighbour.
   /// \param direction `same` if the edge runs from the first surface to the second
   /// \throws Error `knot_multiplicity` when the edge has inner knots
   template <class Surface, class = std::enable_if_t<std::is_same_v<
@@ -116,7 +125,8 @@ template <class A, class B, int order> class Shape_with_sides {
   const std::array<std::string, 2> edges_; // their names
   FT length_;                              // of the domain
   Shape shape_;
-  std::array<std::array<std::optional<Corner>, 2>, 2> corners_; // of each edge, at the start and at the end
+  // of each edge, at the start and at the end
+  std::array<std::array<std::optional<Corner>, 2>, 2> corners_;
 
 public:
   Shape_with_sides(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, Edge_direction direction,
@@ -262,25 +272,31 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the shape of a blend of degree 5 whose side edges at `u = 0` and `u = 1`, where the edges of both surfaces start and end, are
-/// given curves, and whose derivatives across them are, if they are given. The blend `blend(a, edge_a, b, edge_b, shape, direction)` has
-/// them exactly, with an exact kernel, and is \f$ G^2 \f$ with both surfaces as any other.
+/// Returns the shape of a blend of degree 5 whose side edges at `u = 0` and `u = 1`, where the
+/// edges of both surfaces start and end, are given curves, and whose derivatives across them are,
+/// if they are given. The blend `blend(a, edge_a, b, edge_b, shape, direction)` has them exactly,
+/// with an exact kernel, and is \f$ G^2 \f$ with both surfaces as any other.
 ///
-/// The functions of the shape are the polynomials of least degree along the edges that have the values and slopes which follow at the
-/// corners: linear for curves, cubic with derivatives across them. Where a cubic \f$ \beta \f$ is not positive, it is a cubic spline that
-/// is; then the surfaces must be B-spline surfaces. A side that is not given has the values of `shape` there.
+/// The functions of the shape are the polynomials of least degree along the edges that have the
+/// values and slopes which follow at the corners: linear for curves, cubic with derivatives across
+/// them. Where a cubic \f$ \beta \f$ is not positive, it is a cubic spline that is; then the
+/// surfaces must be B-spline surfaces. A side that is not given has the values of `shape` there.
 ///
-/// Blends of consecutive edges meet, if the next one is given `Blend_side(previous, Patch_edge::u1).curve_only()` at `u = 0`: where two
-/// surfaces join with \f$ G^2 \f$, a side curve that fits the one at a corner fits the other. With the derivative they join with
-/// \f$ G^1 \f$, if the surfaces go on to the third order, as parts of one surface do.
+/// Blends of consecutive edges meet, if the next one is given
+/// `Blend_side(previous, Patch_edge::u1).curve_only()` at `u = 0`: where two surfaces join with
+/// \f$ G^2 \f$, a side curve that fits the one at a corner fits the other. With the derivative they
+/// join with \f$ G^1 \f$, if the surfaces go on to the third order, as parts of one surface do.
 /// \param shape what is not given follows from it, e.g. that of `automatic_surface_shape()`
 /// \param at_start, at_end the sides at `u = 0` and `u = 1` of the blend
-/// \throws Error `curves_do_not_meet` where a side curve does not end at the corner of a surface; `incompatible_corner` where what is given
-///   contradicts a surface at a corner: the error names the side, the surface and the derivative, \f$ S_v, S_{vv}, S_u, S_{uv} \f$ or
-///   \f$ S_{uvv} \f$, and for rational blends the weights. With floating-point numbers all this is decided up to rounding
-/// \throws Error `nonpositive_beta` where a side curve leads to the wrong side of an edge, or `shape` does where no side is given;
-///   `not_finite` where floating-point numbers overflow, `singular_frame` where the normal of a surface
-///   vanishes at a corner, `wrong_number_of_points` for a degree of more than 5, `dimension_mismatch`
+/// \throws Error `curves_do_not_meet` where a side curve does not end at the corner of a surface;
+///   `incompatible_corner` where what is given contradicts a surface at a corner: the error names
+///   the side, the surface and the derivative, \f$ S_v, S_{vv}, S_u, S_{uv} \f$ or \f$ S_{uvv} \f$,
+///   and for rational blends the weights. With floating-point numbers all this is decided up to
+///   rounding
+/// \throws Error `nonpositive_beta` where a side curve leads to the wrong side of an edge, or
+///   `shape` does where no side is given; `not_finite` where floating-point numbers overflow,
+///   `singular_frame` where the normal of a surface vanishes at a corner, `wrong_number_of_points`
+///   for a degree of more than 5, `dimension_mismatch`
 template <class Surface_a, class Surface_b>
 Blend_surface_shape<Surface_a, Surface_b>
 surface_shape_with_sides(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
@@ -294,9 +310,11 @@ surface_shape_with_sides(const Surface_a& a, Patch_edge edge_a, const Surface_b&
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the shape of a blend of degree 7 with given sides, as for degree 5: it is \f$ G^3 \f$ with both surfaces. A side curve has up to 8
-/// coefficients, and the third derivative of a surface where it ends; with a derivative across it, also \f$ S_{uvvv} \f$ is
-/// determined at the corners, and the error `incompatible_corner` names \f$ S_{vvv} \f$ or \f$ S_{uvvv} \f$ where it contradicts.
+/// Returns the shape of a blend of degree 7 with given sides, as for degree 5: it is \f$ G^3 \f$
+/// with both surfaces. A side curve has up to 8 coefficients, and the third derivative of a surface
+/// where it ends; with a derivative across it, also \f$ S_{uvvv} \f$ is determined at the corners,
+/// and the error `incompatible_corner` names \f$ S_{vvv} \f$ or \f$ S_{uvvv} \f$ where it
+/// contradicts.
 /// \throws Error as for degree 5; `wrong_number_of_points` for a degree of more than 7
 template <class Surface_a, class Surface_b>
 Septic_surface_blend_shape<Blend_surface_shape<Surface_a, Surface_b>>

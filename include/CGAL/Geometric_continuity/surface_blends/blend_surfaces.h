@@ -27,19 +27,21 @@
 #include <vector>
 
 /// \file blend_surfaces.h
-/// The blend from an edge of one surface to an edge of another: a surface of degree 5 across that is \f$ G^2 \f$ with both along the
-/// whole edges, or one of degree 7 that is \f$ G^3 \f$.
+/// The blend from an edge of one surface to an edge of another: a surface of degree 5 across that
+/// is \f$ G^2 \f$ with both along the whole edges, or one of degree 7 that is \f$ G^3 \f$.
 ///
-/// Let `v` grow from 0, at an edge \f$ C(u) \f$ with the derivatives \f$ T \f$ and \f$ W \f$ across it, to 1. To second order the
-/// blend is there the surface \f$ L \f$ itself in other parameters, \f$ S = L \circ \varphi \f$ with
+/// Let `v` grow from 0, at an edge \f$ C(u) \f$ with the derivatives \f$ T \f$ and \f$ W \f$ across
+/// it, to 1. To second order the blend is there the surface \f$ L \f$ itself in other parameters,
+/// \f$ S = L \circ \varphi \f$ with
 /// \f$ \varphi(u, v) = (u + \alpha v + \frac12 \alpha_2 v^2,\ \beta v + \frac12 \delta v^2) \f$:
 ///
 /// \f[ S_v = \alpha C' + \beta T, \qquad
 ///     S_{vv} = \alpha^2 C'' + 2 \alpha\beta T' + \beta^2 W + \alpha_2 C' + \delta T, \f]
 ///
-/// with functions \f$ \alpha, \alpha_2, \delta \f$ and \f$ \beta > 0 \f$ of `u`. The rows of control points are
-/// \f$ b_0 = C \f$, \f$ b_1 = b_0 + \frac15 S_v \f$, \f$ b_2 = b_0 + \frac25 S_v + \frac1{20} S_{vv} \f$, and at the other end
-/// \f$ b_5, b_4, b_3 \f$ with \f$ -S_v \f$ for \f$ S_v \f$.
+/// with functions \f$ \alpha, \alpha_2, \delta \f$ and \f$ \beta > 0 \f$ of `u`. The rows of
+/// control points are \f$ b_0 = C \f$, \f$ b_1 = b_0 + \frac15 S_v \f$,
+/// \f$ b_2 = b_0 + \frac25 S_v + \frac1{20} S_{vv} \f$, and at the other end \f$ b_5, b_4, b_3 \f$
+/// with \f$ -S_v \f$ for \f$ S_v \f$.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -79,12 +81,13 @@ template <bool is_rational, class FT, int N> void check_edge(const Blend_end<FT,
   refuse_edge(is_point, vanishes, surface);
 }
 
-// What C, C', C'', T, T' and W are multiplied by in a sum: numbers or functions along the edge.
+// C, C', C'', T, T' and W are multiplied by these numbers, or functions along the edge, in a sum.
 template <class F> struct Row_weights { F c, c1, c2, t, t1, w; };
 
-// Of the sums n (b_1 - b_0) = d S_v and n (n-1) (b_2 - b_0) = 2 (n-1) d S_v + S_vv, where n is the degree across and d is 1 at the start
-// of the blend, -1 at its end. With lambda_1 and lambda_2 the derivatives are S_v = lambda_1 C + D and
-// S_vv = lambda_2 C + 2 lambda_1 D + E, with D = alpha C' + beta T.
+// Returns the weights of the sums n (b_1 - b_0) = d S_v and n (n-1) (b_2 - b_0) = 2 (n-1) d S_v +
+// S_vv, where n is the degree across and d is 1 at the start of the blend, -1 at its end. With
+// lambda_1 and lambda_2 the derivatives are S_v = lambda_1 C + D and S_vv = lambda_2 C + 2 lambda_1
+// D + E, with D = alpha C' + beta T.
 template <class FT, class F>
 std::array<Row_weights<F>, 2> row_weights(const F& alpha, const F& beta, const F& alpha2, const F& delta,
                                           const F& lambda1, const F& lambda2, int direction, int n) {
@@ -94,12 +97,14 @@ std::array<Row_weights<F>, 2> row_weights(const F& alpha, const F& beta, const F
             F(e * beta + two * lambda1 * beta + delta), F(two * alpha * beta), F(beta * beta)}}};
 }
 
-// What C''', T'', W' and X are multiplied by in addition.
+// C''', T'', W' and X are multiplied by these in addition.
 template <class F> struct Third_row_weights : Row_weights<F> { F c3, t2, w1, x; };
 
-// Of the sum 210 (b_3 - b_0) = 90 d S_v + 15 S_vv + d S_vvv, which is n (n-1) (n-2) (b_3 - b_0) for the degree n = 7, with
-// S_vvv = lambda_3 C + 3 lambda_2 D + 3 lambda_1 E + alpha^3 C''' + 3 alpha^2 beta T'' + 3 alpha beta^2 W' + beta^3 X
-//   + 3 alpha alpha_2 C'' + 3 (alpha delta + alpha_2 beta) T' + 3 beta delta W + alpha_3 C' + delta_3 T.
+// Returns the weights of the sum 210 (b_3 - b_0) = 90 d S_v + 15 S_vv + d S_vvv, which is n (n-1)
+// (n-2) (b_3 - b_0) for the degree n = 7, with S_vvv = lambda_3 C + 3 lambda_2 D + 3 lambda_1 E +
+// alpha^3 C''' + 3 alpha^2 beta T'' + 3 alpha beta^2 W' + beta^3 X
+//   + 3 alpha alpha_2 C'' + 3 (alpha delta + alpha_2 beta) T' + 3 beta delta W + alpha_3 C' +
+//     delta_3 T.
 template <class FT, class Reparametrisation>
 Third_row_weights<Edge_function<FT>> third_row_weights(const Reparametrisation& r,
                                                        const std::array<Edge_function<FT>, 2>& lambda, int direction) {
@@ -121,7 +126,8 @@ Third_row_weights<Edge_function<FT>> third_row_weights(const Reparametrisation& 
 
 // b_0 + sum / n
 template <class FT, int N>
-Edge_spline<FT, N> next_row(const Blend_end<FT, N>& end, const Row_weights<FT>& x, int n) { // with c1 = c2 = t1 = 0
+// with c1 = c2 = t1 = 0
+Edge_spline<FT, N> next_row(const Blend_end<FT, N>& end, const Row_weights<FT>& x, int n) {
   std::vector<Coordinate_vector<FT, N>> row = end.cross;
   for (std::size_t i = 0; i < row.size(); ++i) {
     row[i] *= x.t;
@@ -193,8 +199,9 @@ template <class FT, int N> void charge_end(const Blend_end<FT, N>& end, const Ed
                                 common_words<FT>(end.edge) + common_words<FT>(end.second_cross));
 }
 
-// The knots along the edges of a blend, counted before anything is computed: those of both edges, once more for each degree by which they
-// are raised, and those of the functions in the degree of the blend.
+// The knots along the edges of a blend, counted before anything is computed: those of both edges,
+// once more for each degree by which they are raised, and those of the functions in the degree of
+// the blend.
 template <class FT> class Knots_of_blend {
   int degree_ = 0, dimension_ = 0;
   std::array<int, 2> degrees_{}, spans_{};
@@ -265,7 +272,8 @@ std::array<Edge_spline<FT, N>, 3> rows_of_end(const Blend_end<FT, N>& end, const
   return rows_of_end(end, row_weights<FT>(r.alpha, r.beta, r.alpha2, r.delta, lambda[0], lambda[1], direction, n), n);
 }
 
-// Where a derivative along an edge jumps that the functions multiply, the rows would have knots of the multiplicity degree + 1.
+// Where a derivative along an edge jumps that the functions multiply, the rows would have knots of
+// the multiplicity degree + 1.
 template <class FT> void check_not_torn(const Knot_vector<FT>& knots) {
   for (const typename Knot_vector<FT>::Knot& knot : knots.inner_knots())
     if (knot.multiplicity > knots.degree())
@@ -325,32 +333,40 @@ auto checked_ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the surface \f$ S(u, v) \f$ of degree 5 in `v`, on [0, 1], that leads from an edge of one surface, at `v = 0`, to an edge of
-/// another one, at `v = 1`, and is \f$ G^2 \f$ with both along the whole edges, wherever the normals of the surfaces do not vanish there.
-/// Along `u` it has the domain and the direction of the first edge. With an exact kernel it is exact, as `edge_continuity()` proves.
+/// Returns the surface \f$ S(u, v) \f$ of degree 5 in `v`, on [0, 1], that leads from an edge of
+/// one surface, at `v = 0`, to an edge of another one, at `v = 1`, and is \f$ G^2 \f$ with both
+/// along the whole edges, wherever the normals of the surfaces do not vanish there. Along `u` it
+/// has the domain and the direction of the first edge. With an exact kernel it is exact, as
+/// `edge_continuity()` proves.
 ///
-/// The second edge is mapped affinely to the domain of the first one, degrees are raised and knots are united where they differ. Constants
-/// in the place of functions leave the degree along the edges as it is, functions of degree `q` raise it by up to `2 q`, and knots of splines
-/// become knots of the blend, which is as smooth across them as they are. Where
-/// \f$ \alpha \f$, \f$ \alpha_2 \f$ and \f$ \delta \f$ are 0 and \f$ \beta \f$ is constant, each curve `u` = const is a blend of the
-/// curves of the two surfaces, see `Quintic_ends`. The side edges are what the side edges of the surfaces make of them: between two closed
-/// edges they are one curve where the surfaces close smoothly, and where only one edge is closed they meet at one end.
+/// The second edge is mapped affinely to the domain of the first one, degrees are raised and knots
+/// are united where they differ. Constants in the place of functions leave the degree along the
+/// edges as it is, functions of degree `q` raise it by up to `2 q`, and knots of splines become
+/// knots of the blend, which is as smooth across them as they are. Where \f$ \alpha \f$,
+/// \f$ \alpha_2 \f$ and \f$ \delta \f$ are 0 and \f$ \beta \f$ is constant, each curve `u` = const
+/// is a blend of the curves of the two surfaces, see `Quintic_ends`. The side edges are what the
+/// side edges of the surfaces make of them: between two closed edges they are one curve where the
+/// surfaces close smoothly, and where only one edge is closed they meet at one end.
 ///
 /// The dimension is any. Linear in the number of knots.
-/// \param shape the functions that are free, in the parameter of the first edge; derivatives are those with respect to the parameters of the
-///   surfaces
+/// \param shape the functions that are free, in the parameter of the first edge; derivatives are
+///   those with respect to the parameters of the surfaces
 /// \param direction how the second edge runs in comparison with the first one
-/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
-///   traits class
-/// \throws Error `nonpositive_beta` unless both functions \f$ \beta \f$ are positive on the closed domain (decided exactly, checked first)
-/// \throws Error `zero_tangent` when an edge is a single point, or when the derivative across it vanishes on the whole edge
-/// \throws Error `knot_multiplicity` when a derivative along an edge jumps that is multiplied by \f$ \alpha \f$ or \f$ \alpha_2 \f$, when a
-///   function jumps, and for functions with knots on two patches
-/// \throws Error `too_many_knots`, before anything is computed, when the knots of both edges and of the functions together need more work
-///   than `Work_limit` allows: its control points take about \f$ 6\,d\,(p+1)^2 \f$ steps for each knot of multiplicity one, in degree
-///   `p` and dimension `d`, and 450 times as many with rational numbers
-/// \throws Error `dimension_mismatch`; `zero_weight` when the denominator of a rational blend is not positive; `not_finite` when
-///   floating-point numbers overflow; `work_limit`
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`, with one traits class
+/// \throws Error `nonpositive_beta` unless both functions \f$ \beta \f$ are positive on the closed
+///   domain (decided exactly, checked first)
+/// \throws Error `zero_tangent` when an edge is a single point, or when the derivative across it
+///   vanishes on the whole edge
+/// \throws Error `knot_multiplicity` when a derivative along an edge jumps that is multiplied by
+///   \f$ \alpha \f$ or \f$ \alpha_2 \f$, when a function jumps, and for functions with knots on two
+///   patches
+/// \throws Error `too_many_knots`, before anything is computed, when the knots of both edges and of
+///   the functions together need more work than `Work_limit` allows: its control points take about
+///   \f$ 6\,d\,(p+1)^2 \f$ steps for each knot of multiplicity one, in degree `p` and dimension
+///   `d`, and 450 times as many with rational numbers
+/// \throws Error `dimension_mismatch`; `zero_weight` when the denominator of a rational blend is
+///   not positive; `not_finite` when floating-point numbers overflow; `work_limit`
 template <class Surface_a, class Surface_b>
 Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
                                           const Blend_surface_shape<Surface_a, Surface_b>& shape,
@@ -366,11 +382,12 @@ Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a,
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the surface of degree 7 in `v`, on [0, 1], that leads from an edge of one surface to an edge of another one and is
-/// \f$ G^3 \f$ with both along the whole edges, wherever the normals of the surfaces do not vanish there: to third order it is each
-/// surface in the parameters \f$ u + \alpha v + \frac12 \alpha_2 v^2 + \frac16 \alpha_3 v^3 \f$ and
-/// \f$ \beta v + \frac12 \delta v^2 + \frac16 \delta_3 v^3 \f$. All else is as for the blend of degree 5; functions of degree `q` raise
-/// the degree along the edges by up to `3 q`.
+/// Returns the surface of degree 7 in `v`, on [0, 1], that leads from an edge of one surface to an
+/// edge of another one and is \f$ G^3 \f$ with both along the whole edges, wherever the normals of
+/// the surfaces do not vanish there: to third order it is each surface in the parameters
+/// \f$ u + \alpha v + \frac12 \alpha_2 v^2 + \frac16 \alpha_3 v^3 \f$ and
+/// \f$ \beta v + \frac12 \delta v^2 + \frac16 \delta_3 v^3 \f$. All else is as for the blend of
+/// degree 5; functions of degree `q` raise the degree along the edges by up to `3 q`.
 /// \param shape the functions that are free; a shape of order 2 can be converted to one
 /// \throws Error as the function of degree 5
 template <class Surface_a, class Surface_b>
@@ -386,9 +403,11 @@ blend(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the blend of two surfaces with the shape that `automatic_surface_shape()` finds by a strategy for curves: of degree 5 and
-/// \f$ G^2 \f$, or by a septic strategy of degree 7 and \f$ G^3 \f$.
-/// \tparam Strategy a model of `BlendStrategy`, called with `Quintic_ends<double, 0>` or, if it cannot be, `Septic_ends<double, 0>`
+/// Returns the blend of two surfaces with the shape that `automatic_surface_shape()` finds by a
+/// strategy for curves: of degree 5 and \f$ G^2 \f$, or by a septic strategy of degree 7 and
+/// \f$ G^3 \f$.
+/// \tparam Strategy a model of `BlendStrategy`, called with `Quintic_ends<double, 0>` or, if it
+///   cannot be, `Septic_ends<double, 0>`
 /// \throws Error as the function with a shape, and as `automatic_surface_shape()`
 template <class Surface_a, class Surface_b, class Strategy,
           class = std::enable_if_t<is_surface_blend_strategy_v<Strategy>>>
@@ -398,7 +417,8 @@ Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a,
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the blend of two surfaces with a shape by a strategy for curves, where the second edge runs in `nearer_direction()`.
+/// Returns the blend of two surfaces with a shape by a strategy for curves, where the second edge
+/// runs in `nearer_direction()`.
 /// \throws Error as the function with a direction
 template <class Surface_a, class Surface_b, class Strategy,
           class = std::enable_if_t<is_surface_blend_strategy_v<Strategy>>>
@@ -408,8 +428,8 @@ Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a,
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the blend of two surfaces of the least energy \f$ \int |S_{vvv}|^2 \f$, with an automatic shape, where the second edge runs in
-/// `nearer_direction()`.
+/// Returns the blend of two surfaces of the least energy \f$ \int |S_{vvv}|^2 \f$, with an
+/// automatic shape, where the second edge runs in `nearer_direction()`.
 /// \throws Error as the function with a strategy
 template <class Surface_a, class Surface_b>
 Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a, const Surface_b& b,

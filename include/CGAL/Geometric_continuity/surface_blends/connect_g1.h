@@ -26,27 +26,32 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// What is asked of a ribbon at one end of its curve \f$ C \f$, and how well it can be met. With \f$ x = C_1 - C \f$ and
-/// \f$ D = \frac12 (C_1 - C_2) \f$, these are the demands (ii) \f$ T_1 = x \f$ and (iii) \f$ T_1' = x' \f$ of *Algebraic
-/// G1 connection retaining fixed twist vectors*; the same residuals belong to \f$ C_2 - C \f$ and \f$ T_2 \f$.
+/// The requirements on a ribbon at one end of its curve \f$ C \f$, and how well they can be met.
+/// With \f$ x = C_1 - C \f$ and \f$ D = \frac12 (C_1 - C_2) \f$, these are the demands (ii)
+/// \f$ T_1 = x \f$ and (iii) \f$ T_1' = x' \f$ of *Algebraic G1 connection retaining fixed twist
+/// vectors*; the same residuals belong to \f$ C_2 - C \f$ and \f$ T_2 \f$.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Ribbon_end {
   FT determinant;            ///< \f$ F = \det(C_1 - C,\, C_2 - C,\, C') \f$
   FT determinant_derivative; ///< \f$ F' \f$
-  FT position_residual;      ///< the square of the length of \f$ x - T_1 \f$: zero if and only if (ii) holds
-  FT twist_residual;         ///< the square of the length of \f$ x' - T_1' \f$: zero if and only if (iii) holds
+  /// the square of the length of \f$ x - T_1 \f$: zero if and only if (ii) holds
+  FT position_residual;
+  /// the square of the length of \f$ x' - T_1' \f$: zero if and only if (iii) holds
+  FT twist_residual;
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// A pair of surfaces \f$ S_k(u, v) = C(u) + T_k(u)\,v \f$, `v` in [0, 1], on both sides of a curve, with
-/// \f$ T_k = D\,\alpha_k + C'\,\beta_k \f$, and what was decided about them. See `connect_g1()`.
+/// A pair of surfaces \f$ S_k(u, v) = C(u) + T_k(u)\,v \f$, `v` in [0, 1], on both sides of a
+/// curve, with \f$ T_k = D\,\alpha_k + C'\,\beta_k \f$, and what was decided about them. See
+/// `connect_g1()`.
 ///
-/// The numbers that are not control points are exact: they belong to the field in which predicates are decided, and to the
-/// given curves without rounding.
+/// The numbers that are not control points are exact: they belong to the field in which predicates
+/// are decided, and to the given curves without rounding.
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 3
 template <class Traits_> struct G1_ribbon {
-  typedef Traits_ Traits;                         ///< of the curves and the surfaces
-  typedef Edge_field<Traits> Field;               ///< the field of the numbers that are not control points
+  typedef Traits_ Traits; ///< of the curves and the surfaces
+  /// the field of the numbers that are not control points
+  typedef Edge_field<Traits> Field;
   typedef Bernstein_polynomial<Field> Polynomial; ///< of \f$ \alpha_k \f$ and \f$ \beta_k \f$
   typedef Bspline_surface<Traits> Surface;        ///< of each side
 
@@ -59,27 +64,33 @@ template <class Traits_> struct G1_ribbon {
   Surface side1;           ///< \f$ S_1 \f$; its edge `v0` is \f$ C \f$
   Surface side2;           ///< \f$ S_2 \f$, with the same knots
 
-  /// Returns whether both sides attain the given first derivatives \f$ C_1 - C \f$, \f$ C_2 - C \f$ at both ends.
+  /// Returns whether both sides attain the given first derivatives \f$ C_1 - C \f$, \f$ C_2 - C \f$
+  /// at both ends.
   bool position_coplanar() const { return start.position_residual == Field(0) && end.position_residual == Field(0); }
-  /// Returns whether both sides attain the given twists \f$ C_1' - C' \f$, \f$ C_2' - C' \f$ at both ends. Together with
-  /// `position_coplanar()` this is \f$ F = F' = 0 \f$ at both ends.
+  /// Returns whether both sides attain the given twists \f$ C_1' - C' \f$, \f$ C_2' - C' \f$ at
+  /// both ends. Together with `position_coplanar()` this is \f$ F = F' = 0 \f$ at both ends.
   bool twist_coplanar() const { return start.twist_residual == Field(0) && end.twist_residual == Field(0); }
 
-  /// Returns the signs of \f$ \alpha_1 \f$ on the closed domain. Where it is not positive, the first side turns over.
+  /// Returns the signs of \f$ \alpha_1 \f$ on the closed domain. Where it is not positive, the
+  /// first side turns over.
   Sign_pattern alpha_signs() const { return sign_pattern(alpha); }
-  /// Returns the signs of \f$ 2 - \alpha_1 = -\alpha_2 \f$ on the closed domain. Where it is not positive, the second side turns over.
+  /// Returns the signs of \f$ 2 - \alpha_1 = -\alpha_2 \f$ on the closed domain. Where it is not
+  /// positive, the second side turns over.
   Sign_pattern two_minus_alpha_signs() const { return sign_pattern(Polynomial{Field(2)} - alpha); }
-  /// Returns whether \f$ 0 < \alpha_1 < 2 \f$ fails somewhere on the closed domain: there, both surfaces lie on one side of the edge.
+  /// Returns whether \f$ 0 < \alpha_1 < 2 \f$ fails somewhere on the closed domain: there, both
+  /// surfaces lie on one side of the edge.
   bool folds() const {
     return alpha_signs() != Sign_pattern::positive || two_minus_alpha_signs() != Sign_pattern::positive;
   }
 
-  /// Decides the continuity of the surfaces along \f$ C \f$ as they are, one decision for each span of the knots, see
-  /// `edge_continuity()`. Control points are taken as they are given; parameters are those of the domain. When they have
-  /// been rounded, the surfaces are not exactly \f$ G^1 \f$, and each decision bounds the angle between the normals.
+  /// Decides the continuity of the surfaces along \f$ C \f$ as they are, one decision for each span
+  /// of the knots, see `edge_continuity()`. Control points are taken as they are given; parameters
+  /// are those of the domain. When they have been rounded, the surfaces are not exactly
+  /// \f$ G^1 \f$, and each decision bounds the angle between the normals.
   std::vector<Edge_continuity<Field>> continuity() const;
 
-  /// Returns whether `continuity()` is \f$ G^1 \f$ or more on all spans: a proof for the whole edge.
+  /// Returns whether `continuity()` is \f$ G^1 \f$ or more on all spans: a proof for the whole
+  /// edge.
   bool g1() const { return edge_continuity(side1, Patch_edge::v0, side2, Patch_edge::v0).g_order >= 1; }
 
   /// Writes all but the surfaces, one item to a line.
@@ -142,7 +153,8 @@ private:
   }
 };
 
-// The cubic with these values and derivatives at the ends of an interval: P1 = P0 + L/3 P0', with the length L.
+// The cubic with these values and derivatives at the ends of an interval: P1 = P0 + L/3 P0', with
+// the length L.
 template <class FT>
 Bernstein_polynomial<FT> hermite_cubic(const FT& p0, const FT& d0, const FT& p3, const FT& d3, const FT& length) {
   return {p0, FT(p0 + length * d0 / FT(3)), FT(p3 - length * d3 / FT(3)), p3};
@@ -189,37 +201,43 @@ void check_ribbon_input(const Bspline_curve<Traits>& c, const Bspline_curve<Trai
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Constructs two surfaces of degree 6 x 1 that meet along \f$ C \f$ with \f$ G^1 \f$ continuity, with given cross derivatives
-/// \f$ C_k - C \f$ and twists \f$ C_k' - C' \f$, `k = 1, 2`, at both ends of \f$ C \f$. *Algebraic G1 connection retaining
-/// fixed twist vectors*, with the corrections below.
+/// Constructs two surfaces of degree 6 x 1 that meet along \f$ C \f$ with \f$ G^1 \f$ continuity,
+/// with given cross derivatives \f$ C_k - C \f$ and twists \f$ C_k' - C' \f$, `k = 1, 2`, at both
+/// ends of \f$ C \f$. *Algebraic G1 connection retaining fixed twist vectors*, with the corrections
+/// below.
 ///
 /// With \f$ D = \frac12 (C_1 - C_2) \f$ they are \f$ S_k(u, v) = C(u) + T_k(u)\,v \f$ with
-/// \f$ T_k = D\,\alpha_k + C'\,\beta_k \f$ (1). All tangents along the edge lie in the plane of \f$ D \f$ and \f$ C' \f$, so
-/// that \f$ \det(C', T_1, T_2) = 0 \f$. On the domain `[a, b]` of length `L`, \f$ \alpha_k \f$ and \f$ \beta_k \f$ are single
-/// cubic polynomials. At an end,
+/// \f$ T_k = D\,\alpha_k + C'\,\beta_k \f$ (1). All tangents along the edge lie in the plane of
+/// \f$ D \f$ and \f$ C' \f$, so that \f$ \det(C', T_1, T_2) = 0 \f$. On the domain `[a, b]` of
+/// length `L`, \f$ \alpha_k \f$ and \f$ \beta_k \f$ are single cubic polynomials. At an end,
 /// - \f$ (\alpha_k, \beta_k) \f$ are the coordinates of \f$ C_k - C \f$ in \f$ (D, C') \f$,
 /// - \f$ (\alpha_k', \beta_k') \f$ are those of \f$ C_k' - C' - D'\alpha_k - C''\beta_k \f$ (5),
 ///
-/// both by the normal equations (11); and \f$ P_1 = P_0 + \frac{L}{3} P_0' \f$ (6). The source assumes
-/// \f$ L = 1 \f$; its (2) has `P` for \f$ C \f$.
+/// both by the normal equations (11); and \f$ P_1 = P_0 + \frac{L}{3} P_0' \f$ (6). The source
+/// assumes \f$ L = 1 \f$; its (2) has `P` for \f$ C \f$.
 ///
-/// It follows that \f$ \alpha_1 - \alpha_2 = 2 \f$, \f$ \beta_1 = \beta_2 \f$ and \f$ T_1 - T_2 = C_1 - C_2 \f$. Two things
-/// are not automatic, and reported: the demands are met only if the given vectors lie in the plane of \f$ D \f$ and
-/// \f$ C' \f$ (otherwise in the sense of least squares); and the surfaces lie on different sides of the edge only where
+/// It follows that \f$ \alpha_1 - \alpha_2 = 2 \f$, \f$ \beta_1 = \beta_2 \f$ and
+/// \f$ T_1 - T_2 = C_1 - C_2 \f$. Two things are not automatic, and reported: the demands are met
+/// only if the given vectors lie in the plane of \f$ D \f$ and \f$ C' \f$ (otherwise in the sense
+/// of least squares); and the surfaces lie on different sides of the edge only where
 /// \f$ 0 < \alpha_1 < 2 \f$.
 ///
-/// The knots in `u` are clamped, with `m + 4` for an inner knot of multiplicity `m`; those in `v` are 0, 0, 1, 1.
-/// With rounded constructions \f$ \alpha_k \f$ and \f$ \beta_k \f$ are computed exactly and rounded once.
+/// The knots in `u` are clamped, with `m + 4` for an inner knot of multiplicity `m`; those in `v`
+/// are 0, 0, 1, 1. With rounded constructions \f$ \alpha_k \f$ and \f$ \beta_k \f$ are computed
+/// exactly and rounded once.
 ///
 /// \f$ O(n) \f$ for `n` control points.
 /// \param C the common edge, a cubic curve; inner knots have at most the multiplicity 2
 /// \param C1,C2 cubic curves with the knots of `C`, which give the first derivatives and the twists
-/// \param bulge a freedom that the demands leave: \f$ \beta_k \f$ is a quartic with \f$ bulge\,B_2^4 \f$ added unless it is 0
-/// \throws Error `wrong_number_of_points` unless the curves are cubic, `parameter_outside_domain` when their domains differ,
-///   `knot_multiplicity` when their knots differ, or for an inner knot of multiplicity 3 or more, where \f$ C' \f$ may jump
-/// \throws Error `singular_frame` when at an end \f$ D \f$ and \f$ C' \f$ are linearly dependent, e.g. \f$ C_1 = C_2 \f$
-/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` also when rounded numbers overflow, `work_limit` when
-///   exact numbers are so long that the limit does not suffice
+/// \param bulge a freedom that the demands leave: \f$ \beta_k \f$ is a quartic with
+///   \f$ bulge\,B_2^4 \f$ added unless it is 0
+/// \throws Error `wrong_number_of_points` unless the curves are cubic, `parameter_outside_domain`
+///   when their domains differ, `knot_multiplicity` when their knots differ, or for an inner knot
+///   of multiplicity 3 or more, where \f$ C' \f$ may jump
+/// \throws Error `singular_frame` when at an end \f$ D \f$ and \f$ C' \f$ are linearly dependent,
+///   e.g. \f$ C_1 = C_2 \f$
+/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` also when rounded numbers
+///   overflow, `work_limit` when exact numbers are so long that the limit does not suffice
 template <class Traits>
 G1_ribbon<Traits> connect_g1(const Bspline_curve<Traits>& C, const Bspline_curve<Traits>& C1,
                              const Bspline_curve<Traits>& C2,
@@ -234,7 +252,8 @@ G1_ribbon<Traits> connect_g1(const Bspline_curve<Traits>& C, const Bspline_curve
   for (const Bspline_curve<Traits>* curve : {&C, &C1, &C2}) {
     const std::size_t words = internal::common_words<FT>(curve->function().coefficients()) +
                               internal::common_words<FT>(std::array<const Knot_vector<FT>, 1>{curve->knots()});
-    internal::work_meter().charge_fractions(100, 8 * words); // alpha and beta at the ends, of about this degree
+    // alpha and beta at the ends, of about this degree
+    internal::work_meter().charge_fractions(100, 8 * words);
     internal::work_meter().charge_fractions(60. * curve->number_of_points(), 4 * words);
   }
 

@@ -25,29 +25,36 @@
 #include <vector>
 
 /// \file representable_blend_surfaces.h
-/// Blend surfaces whose control points are floating-point numbers and which are exactly \f$ G^2 \f$ along whole edges nevertheless.
+/// Blend surfaces whose control points are floating-point numbers and which are exactly \f$ G^2 \f$
+/// along whole edges nevertheless.
 ///
-/// All columns of control points across an edge, `i` = 0, ..., `n`, one below the other, are one column in a space of `3 (n + 1)`
-/// dimensions. With numbers \f$ \beta, \delta \f$ for functions, and \f$ \alpha = \alpha_2 = 0 \f$, the points of a blend next to the edge
-/// are those of a blend of curves there, so that the numbers with few digits that are found for curves serve all columns together.
+/// All columns of control points across an edge, `i` = 0, ..., `n`, one below the other, are one
+/// column in a space of `3 (n + 1)` dimensions. With numbers \f$ \beta, \delta \f$ for functions,
+/// and \f$ \alpha = \alpha_2 = 0 \f$, the points of a blend next to the edge are those of a blend
+/// of curves there, so that the numbers with few digits that are found for curves serve all columns
+/// together.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// A blend surface whose control points are floating-point numbers and which is exactly \f$ G^2 \f$ along both edges with the surfaces
-/// `first` and `second`. These are the given ones unless `start_join.is_moved()` or `end_join.is_moved()`.
+/// A blend surface whose control points are floating-point numbers and which is exactly \f$ G^2 \f$
+/// along both edges with the surfaces `first` and `second`. These are the given ones unless
+/// `start_join.is_moved()` or `end_join.is_moved()`.
 /// \tparam Surface `Bezier_patch` or `Bspline_surface`
 template <class Surface> struct Representable_blend_surface {
   typedef typename Surface::FT FT; ///< the number type
 
-  Surface first;  ///< the first surface; three layers of control points next to the edge are on a grid
-  Surface blend;  ///< from the edge of the first surface, at `v = 0`, to that of the second one, at `v = 1`
-  Surface second; ///< the second surface; three layers of control points next to the edge are on a grid
-  /// What was needed at the edge of the first surface. `grid` has the coordinates of the first column of control points across the edge,
-  /// then those of the second one, and so on.
+  /// the first surface; three layers of control points next to the edge are on a grid
+  Surface first;
+  /// from the edge of the first surface, at `v = 0`, to that of the second one, at `v = 1`
+  Surface blend;
+  /// the second surface; three layers of control points next to the edge are on a grid
+  Surface second;
+  /// The changes that were needed at the edge of the first surface. `grid` has the coordinates of
+  /// the first column of control points across the edge, then those of the second one, and so on.
   Representable_join<FT, 0> start_join;
-  /// What was needed at the edge of the second surface.
+  /// The changes that were needed at the edge of the second surface.
   Representable_join<FT, 0> end_join;
 };
 
@@ -98,7 +105,8 @@ public:
       const FT& high = across_[at_upper_end(edge_) ? n : q + 1 + j];
       const FT x = high - low;
       if (n > q + 1 &&
-          Exact_rational(x) != Exact_rational(high) - Exact_rational(low)) // else only their ratio 1 matters
+          // else only their ratio 1 matters
+          Exact_rational(x) != Exact_rational(high) - Exact_rational(low))
         refuse("the distance of knots next to it is no floating-point number");
       return x;
     };
@@ -106,7 +114,8 @@ public:
     return {q, first, q == 1 ? first : length(1)};
   }
 
-  // The point and the first two derivatives across the edge, in the direction of the blend: `sign` is 1 where it starts, -1 where it ends.
+  // The point and the first two derivatives across the edge, in the direction of the blend: `sign`
+  // is 1 where it starts, -1 where it ends.
   Coordinate_jet<Exact_rational, 0> jet(const Layers& b, int sign) const {
     typedef Exact_rational Q;
     const Inward_lengths<FT> l = lengths();
@@ -148,7 +157,8 @@ public:
   bool has_knots_of(const Columns_at_edge& other) const {
     const Knot_vector<FT>&x = along_, &y = other.along_;
     if (x.degree() != y.degree() || x.size() != y.size()) return false;
-    const auto distance = [](const Columns_at_edge& e, int i) -> Exact_rational { // from the start of the edge
+    // from the start of the edge
+    const auto distance = [](const Columns_at_edge& e, int i) -> Exact_rational {
       const Knot_vector<FT>& t = e.along_;
       return e.opposite_ ? Exact_rational(t.domain().second) - Exact_rational(t[t.size() - 1 - i])
                          : Exact_rational(t[i]) - Exact_rational(t.domain().first);
@@ -165,7 +175,7 @@ public:
   }
 
 private:
-  // Of the control point number i along the edge in the layer j.
+  // Returns the index of the control point number i along the edge in the layer j.
   std::pair<int, int> index(int i, int j) const {
     const int along = opposite_ ? number_of_columns() - 1 - i : i,
               across = at_upper_end(edge_) ? across_.number_of_coefficients() - 1 - j : j;
@@ -203,32 +213,40 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns a blend surface of degree 5 across with control points that are floating-point numbers, which is *exactly* \f$ G^2 \f$ along
-/// both whole edges, as `edge_continuity()` decides of the numbers as they are: with its members `first` and `second`, which are the
-/// given surfaces, or these with three layers of control points next to the edge moved to a grid, as `representable_blend()` moves those
-/// of curves. With a surface that was moved as it was given the blend has a gap.
+/// Returns a blend surface of degree 5 across with control points that are floating-point numbers,
+/// which is *exactly* \f$ G^2 \f$ along both whole edges, as `edge_continuity()` decides of the
+/// numbers as they are: with its members `first` and `second`, which are the given surfaces, or
+/// these with three layers of control points next to the edge moved to a grid, as
+/// `representable_blend()` moves those of curves. With a surface that was moved as it was given the
+/// blend has a gap.
 ///
-/// With the control points \f$ b_0, b_1, b_2 \f$ of a column, from the edge into the surface, and \f$ p = b_0 - b_1 \f$,
-/// \f$ q = p - r\,(b_1 - b_2) \f$,
+/// With the control points \f$ b_0, b_1, b_2 \f$ of a column, from the edge into the surface, and
+/// \f$ p = b_0 - b_1 \f$, \f$ q = p - r\,(b_1 - b_2) \f$,
 /// \f[ B = b_0 + c\,p, \qquad C = 2B - b_0 + c^2\,\frac{5(m-1)}{4m}\,q + e\,p, \f]
-/// with the same numbers `c` and `e` for all columns, so that \f$ S_v = \beta T \f$ and \f$ S_{vv} = \beta^2 W + \delta T \f$ with
-/// \f$ \beta = 5ch/m \f$. Here `m` is the degree across, and of a patch `h` is the length of the domain across and `r` = 1; of a B-spline
-/// surface `h` and `h/r` are the distances from the edge to the first and to the second knot behind it, where a repeated knot counts as
-/// often as it is repeated. `c` and `e` have few digits and are near to what the strategy chooses for all columns together as one curve in
-/// many dimensions, as in `automatic_surface_shape()`.
+/// with the same numbers `c` and `e` for all columns, so that \f$ S_v = \beta T \f$ and
+/// \f$ S_{vv} = \beta^2 W + \delta T \f$ with \f$ \beta = 5ch/m \f$. Here `m` is the degree across,
+/// and of a patch `h` is the length of the domain across and `r` = 1; of a B-spline surface `h` and
+/// `h/r` are the distances from the edge to the first and to the second knot behind it, where a
+/// repeated knot counts as often as it is repeated. `c` and `e` have few digits and are near to
+/// what the strategy chooses for all columns together as one curve in many dimensions, as in
+/// `automatic_surface_shape()`.
 ///
-/// This is possible with numbers for functions, for polynomial surfaces, and where both edges have the same degree and the same knots
-/// after an affine map of the domains: all else (`elevate()` and `refine()` make them so) would need quotients that no
-/// floating-point number is.
+/// This is possible with numbers for functions, for polynomial surfaces, and where both edges have
+/// the same degree and the same knots after an affine map of the domains: all else (`elevate()` and
+/// `refine()` make them so) would need quotients that no floating-point number is.
 /// \param strategy a quintic strategy, see `BlendStrategy`; it is called with exact numbers
 /// \param direction how the second edge runs in comparison with the first one
-/// \tparam Surface `Bezier_patch` or `Bspline_surface`, of a traits class whose `FT` is `float` or `double`
-/// \throws Error `not_representable` when the edges have different degrees or knots, when the knots across an edge are not clamped there,
-///   and when no grid serves, see `representable_blend()` of curves; the error names the edge
-/// \throws Error `zero_tangent` when an edge is a single point, or the derivative across it vanishes on the whole edge;
-///   `wrong_number_of_points` for degree 0 across an edge, `dimension_mismatch`, `not_finite` when the strategy gives an infinite number
+/// \tparam Surface `Bezier_patch` or `Bspline_surface`, of a traits class whose `FT` is `float` or
+///   `double`
+/// \throws Error `not_representable` when the edges have different degrees or knots, when the knots
+///   across an edge are not clamped there, and when no grid serves, see `representable_blend()` of
+///   curves; the error names the edge
+/// \throws Error `zero_tangent` when an edge is a single point, or the derivative across it
+///   vanishes on the whole edge; `wrong_number_of_points` for degree 0 across an edge,
+///   `dimension_mismatch`, `not_finite` when the strategy gives an infinite number
 ///
-/// Linear in the number of control points along the edge for each grid that is tried, at most about 50.
+/// Linear in the number of control points along the edge for each grid that is tried, at most
+/// about 50.
 template <class Surface, class Strategy>
 Representable_blend_surface<Surface> representable_blend(const Surface& a, Patch_edge edge_a, const Surface& b,
                                                          Patch_edge edge_b, const Strategy& strategy,
@@ -256,8 +274,9 @@ Representable_blend_surface<Surface> representable_blend(const Surface& a, Patch
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the representable blend surface next to that of least energy \f$ \int |S_{vvv}|^2 \f$, where the second edge runs in
-/// `nearer_direction()`. \throws Error as the function with a strategy
+/// Returns the representable blend surface next to that of least energy \f$ \int |S_{vvv}|^2 \f$,
+/// where the second edge runs in `nearer_direction()`. \throws Error as the function with a
+/// strategy
 template <class Surface>
 Representable_blend_surface<Surface> representable_blend(const Surface& a, Patch_edge edge_a, const Surface& b,
                                                          Patch_edge edge_b) {

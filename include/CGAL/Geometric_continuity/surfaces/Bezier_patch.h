@@ -26,13 +26,15 @@
 #include <vector>
 
 /// \file Bezier_patch.h
-/// Bézier patches; and by name, for all surfaces, the four edges and the lines on which one of the parameters is constant.
+/// Bézier patches; and by name, for all surfaces, the four edges and the lines on which one of the
+/// parameters is constant.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The edges of a rectangular patch on [a, b] x [c, d]. Each runs in the direction of its growing parameter.
+/// The edges of a rectangular patch on [a, b] x [c, d]. Each runs in the direction of its growing
+/// parameter.
 enum class Patch_edge {
   u0, ///< `u = a`, parametrised by `v`
   u1, ///< `u = b`, parametrised by `v`
@@ -63,7 +65,7 @@ inline std::string to_string(Patch_edge edge) {
 inline std::ostream& operator<<(std::ostream& os, Patch_edge edge) { return os << to_string(edge); }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// How the second of two edges runs in comparison with the first one.
+/// The direction of the second of two edges compared with the first one.
 enum class Edge_direction {
   same,    ///< forwards
   opposite ///< backwards
@@ -99,9 +101,10 @@ template <class FT> struct Bezier_knots {
   const FT& operator[](int i) const { return i <= p ? domain.first : domain.second; }
 };
 
-// The jet of order k at (u, v) of the patch of degree p x q on the rectangle `domain_u` x `domain_v`: first the derivatives in v
-// of the control points of all rows, then those in u. coordinate(i, j, x) is the coordinate number x < d of a control point.
-// Inside of the domain, floating-point code takes the weights of a spline.
+// The jet of order k at (u, v) of the patch of degree p x q on the rectangle `domain_u` x
+// `domain_v`: first the derivatives in v of the control points of all rows, then those in u.
+// coordinate(i, j, x) is the coordinate number x < d of a control point. Inside of the domain,
+// floating-point code takes the weights of a spline.
 template <class Traits, class Coordinate>
 Surface_jet<Traits> bezier_jet(int p, int q, int d, const std::pair<typename Traits::FT, typename Traits::FT>& domain_u,
                                const std::pair<typename Traits::FT, typename Traits::FT>& domain_v,
@@ -109,7 +112,8 @@ Surface_jet<Traits> bezier_jet(int p, int q, int d, const std::pair<typename Tra
                                Coordinate coordinate) {
   typedef typename Traits::FT FT;
   constexpr int N = dimension_v<Traits>,
-                width = N == 0 ? 1 : N; // all coordinates together where the compiler knows how many
+                // all coordinates together where the compiler knows how many
+      width = N == 0 ? 1 : N;
   typedef Coordinate_vector<FT, width> Block;
   typedef boost::container::small_vector<Block, 6> Blocks;
   Surface_jet<Traits> jet(d, k);
@@ -145,8 +149,9 @@ Surface_jet<Traits> bezier_jet(int p, int q, int d, const std::pair<typename Tra
   return jet;
 }
 
-// The rows 0 to k at an edge of degree m of a patch of degree n across it, see `Bezier_patch::rows()`. point(i, j) is the control
-// point number i along the edge in the layer j, in `Field`, with d coordinates.
+// The rows 0 to k at an edge of degree m of a patch of degree n across it, see
+// `Bezier_patch::rows()`. point(i, j) is the control point number i along the edge in the layer j,
+// in `Field`, with d coordinates.
 template <class Field, int N, class Point>
 std::vector<std::vector<Coordinate_vector<Field, N>>> bezier_rows(int m, int n, int d, int k, Point point) {
   typedef Coordinate_vector<Field, N> Vector;
@@ -201,12 +206,13 @@ std::pair<Control_net<Traits>, Control_net<Traits>> split_rows(const Control_net
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// A tensor-product Bézier patch
-/// \f$ S(u, v) = \sum_{i=0}^p \sum_{j=0}^q b_{ij} B_i^p\left(\frac{u-a}{b-a}\right) B_j^q\left(\frac{v-c}{d-c}\right) \f$ on the
-/// domain [a, b] x [c, d], by default the unit square. All derivatives are taken with respect to the parameters of the
-/// domain, unless stated otherwise. The patch is a value: operations return new patches. With an exact kernel they are exact.
+/// \f$ S(u, v) = \sum_{i=0}^p \sum_{j=0}^q b_{ij} B_i^p\left(\frac{u-a}{b-a}\right) B_j^q\left(\frac{v-c}{d-c}\right) \f$
+/// on the domain [a, b] x [c, d], by default the unit square. All derivatives are taken with
+/// respect to the parameters of the domain, unless stated otherwise. The patch is a value:
+/// operations return new patches. With an exact kernel they are exact.
 ///
-/// With floating-point numbers a result that overflows is refused: all functions that compute points throw `Error` with
-/// `not_finite` instead of returning infinite numbers or NaN.
+/// With floating-point numbers a result that overflows is refused: all functions that compute
+/// points throw `Error` with `not_finite` instead of returning infinite numbers or NaN.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \cgalModels{ParametricSurface}
@@ -236,20 +242,22 @@ public:
 
   /// Constructs a patch from a control net and the domain [a, b] x [c, d]. `net[i]` is the range
   /// \f$ b_{i0}, \dots, b_{iq} \f$.
-  /// \throws Error `wrong_number_of_points` for a net without points or with rows of different lengths,
-  ///   `dimension_mismatch` when the points differ in dimension, `empty_domain` unless `a < b` and `c < d`, `not_finite` for
-  ///   floating-point coordinates, ends of the domain or lengths of the domain that are infinite or not a number
+  /// \throws Error `wrong_number_of_points` for a net without points or with rows of different
+  ///   lengths, `dimension_mismatch` when the points differ in dimension, `empty_domain` unless
+  ///   `a < b` and `c < d`, `not_finite` for floating-point coordinates, ends of the domain or
+  ///   lengths of the domain that are infinite or not a number
   template <class Points>
   explicit Bezier_patch(const Points& net, const Interval& u = unit_interval(), const Interval& v = unit_interval())
       : Bezier_patch(Net(net, "Bezier_patch"), u, v) {}
   /// Constructs a patch from a control net that is written as a list of lists, and its domain.
-  /// \throws Error `wrong_number_of_points`, `dimension_mismatch`, `empty_domain` or `not_finite` for what is no net of points
-  ///   or no domain
+  /// \throws Error `wrong_number_of_points`, `dimension_mismatch`, `empty_domain` or `not_finite`
+  ///   for what is no net of points or no domain
   explicit Bezier_patch(std::initializer_list<std::initializer_list<Point>> net, const Interval& u = unit_interval(),
                         const Interval& v = unit_interval())
       : Bezier_patch(Net(net, "Bezier_patch"), u, v) {}
 
-  /// Constructs a patch of the degrees `p` and `q` from the points \f$ b_{00}, b_{01}, \dots, b_{pq} \f$, and its domain.
+  /// Constructs a patch of the degrees `p` and `q` from the points
+  /// \f$ b_{00}, b_{01}, \dots, b_{pq} \f$, and its domain.
   /// \throws Error as the constructor from a net
   Bezier_patch(int p, int q, std::vector<Point> points, const Interval& u = unit_interval(),
                const Interval& v = unit_interval())
@@ -266,8 +274,9 @@ public:
   /// Returns the coordinates of \f$ b_{ij} \f$. \pre `0 <= i <= degree_u()`, `0 <= j <= degree_v()`
   Coordinates<Traits> coordinates(int i, int j) const { return net_.coordinates(i, j); }
 
-  const_iterator begin() const { return net_.begin(); } ///< Returns the begin of \f$ b_{00}, b_{01}, \dots, b_{pq} \f$.
-  const_iterator end() const { return net_.end(); }     ///< Returns the end of the control points.
+  /// Returns the begin of \f$ b_{00}, b_{01}, \dots, b_{pq} \f$.
+  const_iterator begin() const { return net_.begin(); }
+  const_iterator end() const { return net_.end(); } ///< Returns the end of the control points.
 
   /// \name Evaluation
   /// The parameters may lie outside the domain: the polynomial is extended.
@@ -298,17 +307,19 @@ public:
   /// Returns the domain of an edge.
   Interval domain(Patch_edge edge) const { return runs_along_u(edge) ? u_ : v_; }
 
-  /// Returns the control point number `i` along the edge in the layer `j`, where layer 0 is the edge itself.
+  /// Returns the control point number `i` along the edge in the layer `j`, where layer 0 is the
+  /// edge itself.
   /// \pre `0 <= i <= degree_along(edge)`, `0 <= j <= degree_across(edge)`
   const Point& control_point(Patch_edge edge, int i, int j) const {
     const int inward = at_upper_end(edge) ? degree_across(edge) - j : j;
     return runs_along_u(edge) ? control_point(i, inward) : control_point(inward, i);
   }
 
-  /// Returns the rows 0 to `k` at an edge: the Bernstein coefficients, along the edge, of the edge and of the first `k`
-  /// derivatives across it, where the patch is taken on the unit square and turned so that the edge is at `v = 0`:
-  /// \f$ \frac{q!}{(q-r)!} \Delta^r b_{i0} \f$, differences into the patch. Rows beyond the degree are zero. The control
-  /// points are converted to `Field` before anything is computed. \f$ O(pk^2) \f$ for an edge of degree `p`
+  /// Returns the rows 0 to `k` at an edge: the Bernstein coefficients, along the edge, of the edge
+  /// and of the first `k` derivatives across it, where the patch is taken on the unit square and
+  /// turned so that the edge is at `v = 0`: \f$ \frac{q!}{(q-r)!} \Delta^r b_{i0} \f$, differences
+  /// into the patch. Rows beyond the degree are zero. The control points are converted to `Field`
+  /// before anything is computed. \f$ O(pk^2) \f$ for an edge of degree `p`
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field = FT> std::vector<Row<Field>> rows(Patch_edge edge, int k) const {
     return internal::bezier_rows<Field, N>(degree_along(edge), degree_across(edge), dimension(), k, [&](int i, int j) {
@@ -336,7 +347,8 @@ public:
   Bezier_patch reverse_v() const { return swap_parameters().reverse_u().swap_parameters(); }
 
   /// Returns a patch with the same points whose degrees are raised by `times_u` and `times_v`.
-  /// \throws Error `negative_count` for a negative number, `work_limit` for a degree that would be raised above 4096
+  /// \throws Error `negative_count` for a negative number, `work_limit` for a degree that would be
+  ///   raised above 4096
   Bezier_patch elevate(int times_u, int times_v) const {
     internal::check_elevation(degree_u(), times_u, "Bezier_patch: elevate in u");
     internal::check_elevation(degree_v(), times_v, "Bezier_patch: elevate in v");
@@ -361,7 +373,8 @@ public:
   }
 
   /// Returns the patch with the same control points on another domain.
-  /// \throws Error `empty_domain` for a length that is not positive, `not_finite` for an end or a length that is not finite
+  /// \throws Error `empty_domain` for a length that is not positive, `not_finite` for an end or a
+  ///   length that is not finite
   Bezier_patch with_domain(const Interval& u, const Interval& v) const { return Bezier_patch(net_, u, v); }
 
   /// Returns the image under an affine map of points, e.g. a `CGAL::Aff_transformation_3`.
@@ -369,10 +382,12 @@ public:
     return Bezier_patch(net_.transform(map, "Bezier_patch: image"), u_, v_);
   }
 
-  /// Returns two opposite corners of the bounding box of the control points, which contains the patch.
+  /// Returns two opposite corners of the bounding box of the control points, which contains the
+  /// patch.
   std::pair<Point, Point> bounding_box() const { return internal::corners_of_box<Traits>(begin(), end()); }
 
-  /// Returns the bounding box of the control points as `Bbox_2` or `Bbox_3`, rounded outwards. Dimension 2 or 3 only.
+  /// Returns the bounding box of the control points as `Bbox_2` or `Bbox_3`, rounded outwards.
+  /// Dimension 2 or 3 only.
   auto bbox() const { return internal::bbox_of<Traits>(bounding_box()); }
 
   /// @}
@@ -384,7 +399,8 @@ public:
   /// Tells whether a domain, a degree or a control point differs.
   friend bool operator!=(const Bezier_patch& s, const Bezier_patch& t) { return !(s == t); }
 
-  /// Writes the degrees, the domain and the control net, one row \f$ b_{i0}, \dots, b_{iq} \f$ to a line.
+  /// Writes the degrees, the domain and the control net, one row \f$ b_{i0}, \dots, b_{iq} \f$ to a
+  /// line.
   friend std::ostream& operator<<(std::ostream& os, const Bezier_patch& s) {
     return os << "Bezier patch of degree " << s.degree_u() << " x " << s.degree_v() << " on [" << s.u_.first << ", "
               << s.u_.second << "] x [" << s.v_.first << ", " << s.v_.second << "]:" << s.net_;

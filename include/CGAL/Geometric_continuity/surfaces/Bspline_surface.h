@@ -21,13 +21,15 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// A tensor-product B-spline surface \f$ S(u, v) = \sum_{i=0}^{m-1} \sum_{j=0}^{n-1} b_{ij} N_i^p(u) N_j^q(v) \f$ over two
-/// `Knot_vector`s, one for `u` with `m` coefficients and one for `v` with `n` coefficients. The knots may have any
-/// multiplicity up to degree + 1, and need not be clamped.
+/// A tensor-product B-spline surface
+/// \f$ S(u, v) = \sum_{i=0}^{m-1} \sum_{j=0}^{n-1} b_{ij} N_i^p(u) N_j^q(v) \f$ over two
+/// `Knot_vector`s, one for `u` with `m` coefficients and one for `v` with `n` coefficients. The
+/// knots may have any multiplicity up to degree + 1, and need not be clamped.
 ///
-/// The surface is a value: operations return new surfaces. With an exact kernel they are exact. With rounded numbers,
-/// insertion, refinement and Bézier patches take convex combinations only, and a result that overflows is refused: all
-/// functions that compute points throw `Error` with `not_finite` instead of returning infinite numbers or NaN.
+/// The surface is a value: operations return new surfaces. With an exact kernel they are exact.
+/// With rounded numbers, insertion, refinement and Bézier patches take convex combinations only,
+/// and a result that overflows is refused: all functions that compute points throw `Error` with
+/// `not_finite` instead of returning infinite numbers or NaN.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \cgalModels{ParametricSurface}
@@ -55,14 +57,17 @@ private:
 public:
   typedef typename Net::const_iterator const_iterator; ///< an iterator over control points
 
-  /// Constructs a surface from a control net and the knots. `net[i]` is the range \f$ b_{i0}, \dots, b_{i,n-1} \f$.
-  /// \throws Error `wrong_number_of_points` unless there are `m` rows of `n` points, `dimension_mismatch` when the points
-  ///   differ in dimension, `not_finite` for floating-point coordinates that are infinite or not a number
+  /// Constructs a surface from a control net and the knots. `net[i]` is the range
+  /// \f$ b_{i0}, \dots, b_{i,n-1} \f$.
+  /// \throws Error `wrong_number_of_points` unless there are `m` rows of `n` points,
+  ///   `dimension_mismatch` when the points differ in dimension, `not_finite` for floating-point
+  ///   coordinates that are infinite or not a number
   template <class Points>
   Bspline_surface(const Points& net, Knot_vector<FT> knots_u, Knot_vector<FT> knots_v)
       : u_(std::move(knots_u)), v_(std::move(knots_v)), net_(internal::spline_net<Traits>(net, u_, v_)) {}
   /// Constructs a surface from a control net that is written as a list of lists, and the knots.
-  /// \throws Error `wrong_number_of_points`, `dimension_mismatch` or `not_finite` for what is no net for the knots
+  /// \throws Error `wrong_number_of_points`, `dimension_mismatch` or `not_finite` for what is no
+  ///   net for the knots
   Bspline_surface(std::initializer_list<std::initializer_list<Point>> net, Knot_vector<FT> knots_u,
                   Knot_vector<FT> knots_v)
       : u_(std::move(knots_u)), v_(std::move(knots_v)), net_(internal::spline_net<Traits>(net, u_, v_)) {}
@@ -103,16 +108,16 @@ public:
 
   /// @}
   /// \name Evaluation
-  /// All these functions throw `Error` with `parameter_outside_domain` outside the domain, whose upper ends are included. At
-  /// an inner knot they take the side of the larger parameters.
+  /// All these functions throw `Error` with `parameter_outside_domain` outside the domain, whose
+  /// upper ends are included. At an inner knot they take the side of the larger parameters.
   /// @{
 
   /// Returns the point at (`u`, `v`). \f$ O(\log m + \log n + p^2 + q^2 + pq) \f$
   Point operator()(const FT& u, const FT& v) const { return jet(u, v, 0).point(); }
 
   /// Returns the jet of order `k >= 0` at (`u`, `v`); derivatives beyond the degrees are zero.
-  /// \f$ O(\log m + \log n + kpq) \f$ multiplications of a point, in addition to the weights of the derivatives in `u` and
-  /// in `v`.
+  /// \f$ O(\log m + \log n + kpq) \f$ multiplications of a point, in addition to the weights of the
+  /// derivatives in `u` and in `v`.
   Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
     const Traits traits;
     const Surface_jet<Traits> jet =
@@ -132,9 +137,10 @@ public:
   /// Returns the knots in the parameter that is constant on an edge.
   const Knot_vector<FT>& knots_across(Patch_edge edge) const { return runs_along_u(edge) ? v_ : u_; }
 
-  /// Returns the rows 0 to `k` at an edge: the coefficients, over `knots_along(edge)`, of the edge and of the first `k`
-  /// derivatives across it, with respect to the parameter that grows into the surface. Rows beyond the degree are zero.
-  /// Control points and knots are converted to `Field` before anything is computed.
+  /// Returns the rows 0 to `k` at an edge: the coefficients, over `knots_along(edge)`, of the edge
+  /// and of the first `k` derivatives across it, with respect to the parameter that grows into the
+  /// surface. Rows beyond the degree are zero. Control points and knots are converted to `Field`
+  /// before anything is computed.
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field = FT> std::vector<Row<Field>> rows(Patch_edge edge, int k) const {
     const Interval across = knots_across(edge).domain();
@@ -143,11 +149,14 @@ public:
                               : rows_at<Field>(line, across.first, Line_side::larger_parameters, k);
   }
 
-  /// Returns the rows 0 to `k` at the line on which one parameter has a constant value: the coefficients, over the knots
-  /// along the line, of the line and of the first `k` derivatives across it, of the part of the surface on one side of the
-  /// line, with respect to the parameter that grows into that part. At an end of the domain they are those of the only part.
-  /// Rows beyond the degree are zero. Control points and knots are converted to `Field` before anything is computed.
-  /// \throws Error `parameter_outside_domain` for a parameter outside the domain, `negative_count` unless `k >= 0`
+  /// Returns the rows 0 to `k` at the line on which one parameter has a constant value: the
+  /// coefficients, over the knots along the line, of the line and of the first `k` derivatives
+  /// across it, of the part of the surface on one side of the line, with respect to the parameter
+  /// that grows into that part. At an end of the domain they are those of the only part. Rows
+  /// beyond the degree are zero. Control points and knots are converted to `Field` before anything
+  /// is computed.
+  /// \throws Error `parameter_outside_domain` for a parameter outside the domain, `negative_count`
+  ///   unless `k >= 0`
   template <class Field = FT>
   std::vector<Row<Field>> rows_at(Parameter_line line, const FT& parameter, Line_side side, int k) const {
     return internal::bspline_rows_at<Field, N>(u_, v_, dimension(), line, parameter, side, k, [&](int i, int j) {
@@ -163,18 +172,22 @@ public:
   /// Returns the surface \f$ (u, v) \mapsto S(v, u) \f$.
   Bspline_surface swap_parameters() const { return Bspline_surface(net_.transpose(), v_, u_); }
 
-  /// Returns the surface with `u` in the opposite direction, on the same domain, see `Knot_vector::reverse()`.
+  /// Returns the surface with `u` in the opposite direction, on the same domain, see
+  /// `Knot_vector::reverse()`.
   Bspline_surface reverse_u() const {
     return along_u([](const Spline& spline) { return spline.reverse(); });
   }
-  /// Returns the surface with `v` in the opposite direction, on the same domain, see `Knot_vector::reverse()`.
+  /// Returns the surface with `v` in the opposite direction, on the same domain, see
+  /// `Knot_vector::reverse()`.
   Bspline_surface reverse_v() const {
     return along_v([](const Spline& spline) { return spline.reverse(); });
   }
 
-  /// Returns a surface with the same points whose degrees are raised by `times_u` and `times_v`. A direction in which the
-  /// degree is raised becomes clamped; the multiplicities of its inner knots rise as much.
-  /// \throws Error `negative_count` for a negative number, `work_limit` for a degree that would be raised above 4096
+  /// Returns a surface with the same points whose degrees are raised by `times_u` and `times_v`. A
+  /// direction in which the degree is raised becomes clamped; the multiplicities of its inner knots
+  /// rise as much.
+  /// \throws Error `negative_count` for a negative number, `work_limit` for a degree that would be
+  ///   raised above 4096
   Bspline_surface elevate(int times_u, int times_v) const {
     internal::check_elevation(degree_u(), times_u, "Bspline_surface: elevate in u");
     internal::check_elevation(degree_v(), times_v, "Bspline_surface: elevate in v");
@@ -185,34 +198,35 @@ public:
   }
 
   /// Returns a surface with the same points and `times` more copies of the knot `u`.
-  /// \throws Error `negative_count` unless `times >= 0`, `parameter_outside_domain` outside the domain, `knot_multiplicity`
-  ///   when the knot would be repeated more than `p + 1` times
+  /// \throws Error `negative_count` unless `times >= 0`, `parameter_outside_domain` outside the
+  ///   domain, `knot_multiplicity` when the knot would be repeated more than `p + 1` times
   Bspline_surface insert_u(const FT& u, int times = 1) const {
     internal::check_insertion(u_, times);
     return along_u([&](const Spline& spline) { return spline.insert(u, times); });
   }
   /// Returns a surface with the same points and `times` more copies of the knot `v`.
-  /// \throws Error `negative_count` unless `times >= 0`, `parameter_outside_domain` outside the domain, `knot_multiplicity`
-  ///   when the knot would be repeated more than `q + 1` times
+  /// \throws Error `negative_count` unless `times >= 0`, `parameter_outside_domain` outside the
+  ///   domain, `knot_multiplicity` when the knot would be repeated more than `q + 1` times
   Bspline_surface insert_v(const FT& v, int times = 1) const {
     internal::check_insertion(v_, times);
     return along_v([&](const Spline& spline) { return spline.insert(v, times); });
   }
 
   /// Returns a surface with the same points over finer knots, see `bspline_refine()`.
-  /// \throws Error `wrong_number_of_points` when the degrees differ, `parameter_outside_domain` when the domains differ,
-  ///   `knot_multiplicity` when a knot is missing
+  /// \throws Error `wrong_number_of_points` when the degrees differ, `parameter_outside_domain`
+  ///   when the domains differ, `knot_multiplicity` when a knot is missing
   Bspline_surface refine(const Knot_vector<FT>& finer_u, const Knot_vector<FT>& finer_v) const {
     return along_u([&](const Spline& spline) { return spline.refine(finer_u); }).along_v([&](const Spline& spline) {
       return spline.refine(finer_v);
     });
   }
 
-  /// Returns a surface with the same points, without the knots outside the domain, and with control points at its corners.
+  /// Returns a surface with the same points, without the knots outside the domain, and with control
+  /// points at its corners.
   Bspline_surface clamp() const { return refine(u_.clamp(), v_.clamp()); }
 
-  /// Returns the parts where the parameter in `u` is at most `u`, and at least `u`. Knots outside of the domain stay, and the end
-  /// between the parts is clamped.
+  /// Returns the parts where the parameter in `u` is at most `u`, and at least `u`. Knots outside
+  /// of the domain stay, and the end between the parts is clamped.
   /// \throws Error `parameter_outside_domain` unless `u` is inside of the domain in `u`
   std::pair<Bspline_surface, Bspline_surface> split_u(const FT& u) const {
     const Interval domain = domain_u();
@@ -228,7 +242,8 @@ public:
                             Knot_vector<FT>(p, std::vector<FT>(copies, cut.u_.end())), v_)};
   }
 
-  /// Returns the parts where the parameter in `v` is at most `v`, and at least `v`, see `split_u()`.
+  /// Returns the parts where the parameter in `v` is at most `v`, and at least `v`, see
+  /// `split_u()`.
   /// \throws Error `parameter_outside_domain` unless `v` is inside of the domain in `v`
   std::pair<Bspline_surface, Bspline_surface> split_v(const FT& v) const {
     const std::pair<Bspline_surface, Bspline_surface> parts = swap_parameters().split_u(v);
@@ -240,8 +255,9 @@ public:
     return Bspline_surface(net_.transform(map, "Bspline_surface: image"), u_, v_);
   }
 
-  /// Returns the Bézier patches on the rectangles of a span in `u` and a span in `v`, each with its rectangle as domain. All
-  /// that belong to the first span in `u` come first. \f$ O(mn(p^3 + q^3)) \f$
+  /// Returns the Bézier patches on the rectangles of a span in `u` and a span in `v`, each with its
+  /// rectangle as domain. All that belong to the first span in `u` come first.
+  /// \f$ O(mn(p^3 + q^3)) \f$
   std::vector<Bezier_patch<Traits>> bezier_patches() const {
     std::vector<Bezier_patch<Traits>> patches;
     patches.reserve(static_cast<std::size_t>(u_.number_of_spans()) * v_.number_of_spans());
@@ -249,8 +265,8 @@ public:
     return patches;
   }
 
-  /// Calls `f(patch)` for each of the Bézier patches that `bezier_patches()` returns, in the same order. Only those of one
-  /// span in `u` are in memory. \f$ O(mn(p^3 + q^3)) \f$
+  /// Calls `f(patch)` for each of the Bézier patches that `bezier_patches()` returns, in the same
+  /// order. Only those of one span in `u` are in memory. \f$ O(mn(p^3 + q^3)) \f$
   template <class Function> void for_each_bezier_patch(Function f) const {
     const int p = degree_u(), q = degree_v();
     const Bspline_surface strips = along_u([&](const Spline& spline) { return spline.refine(u_.bezier(p)); });
@@ -274,7 +290,8 @@ public:
   /// Tells whether a knot or a control point differs.
   friend bool operator!=(const Bspline_surface& s, const Bspline_surface& t) { return !(s == t); }
 
-  /// Writes the degrees, the knots and the control net, one row \f$ b_{i0}, \dots, b_{i,n-1} \f$ to a line.
+  /// Writes the degrees, the knots and the control net, one row \f$ b_{i0}, \dots, b_{i,n-1} \f$ to
+  /// a line.
   friend std::ostream& operator<<(std::ostream& os, const Bspline_surface& s) {
     return os << "B-spline surface of degree " << s.degree_u() << " x " << s.degree_v() << " over " << s.u_ << " and "
               << s.v_ << ':' << s.net_;

@@ -28,7 +28,8 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// What differs between the shapes of rational surfaces. A side is what tells the domain in one parameter.
+// Describes the differences between the shapes of rational surfaces. A side gives the domain in one
+// parameter.
 template <class Shape> struct Surface_shape;
 template <class Traits> struct Surface_shape<Bezier_patch<Traits>> {
   typedef Bezier_patch<Homogeneous_traits<Traits>> Homogeneous;
@@ -66,16 +67,18 @@ template <class Traits> struct Surface_shape<Bspline_surface<Traits>> {
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// A rational tensor-product surface
-/// \f$ S(u, v) = \sum_{ij} w_{ij} b_{ij} B_i(u) B_j(v) / \sum_{ij} w_{ij} B_i(u) B_j(v) \f$: control points \f$ b_{ij} \f$ with
-/// weights \f$ w_{ij} \f$ in a polynomial shape, a `Bezier_patch` or a `Bspline_surface`, whose basis functions are the \f$ B_i \f$
-/// and \f$ B_j \f$. Cylinders, spheres, tori, and all NURBS surfaces. `Rational_bezier_patch` and `Rational_bspline_surface` are
-/// its names.
+/// \f$ S(u, v) = \sum_{ij} w_{ij} b_{ij} B_i(u) B_j(v) / \sum_{ij} w_{ij} B_i(u) B_j(v) \f$:
+/// control points \f$ b_{ij} \f$ with weights \f$ w_{ij} \f$ in a polynomial shape, a
+/// `Bezier_patch` or a `Bspline_surface`, whose basis functions are the \f$ B_i \f$ and
+/// \f$ B_j \f$. Cylinders, spheres, tori, and all NURBS surfaces. `Rational_bezier_patch` and
+/// `Rational_bspline_surface` are its names.
 ///
-/// Numerator and denominator are a polynomial surface of the homogeneous points \f$ (w_{ij} b_{ij}, w_{ij}) \f$, see
-/// `homogeneous()`, and all that is done with this surface is done with that one. A common factor of all weights changes nothing.
+/// Numerator and denominator are a polynomial surface of the homogeneous points
+/// \f$ (w_{ij} b_{ij}, w_{ij}) \f$, see `homogeneous()`, and all that is done with this surface is
+/// done with that one. A common factor of all weights changes nothing.
 ///
-/// A weight may be negative or zero as long as the denominator is positive on the whole domain, which is decided exactly; see
-/// `Rational_curve` for the control points of the weight 0.
+/// A weight may be negative or zero as long as the denominator is positive on the whole domain,
+/// which is decided exactly; see `Rational_curve` for the control points of the weight 0.
 ///
 /// The surface is a value: operations return new surfaces. With an exact kernel they are exact.
 ///
@@ -94,20 +97,24 @@ public:
   using typename Base::Interval;
   using typename Base::Point;
   using typename Base::Traits;
-  typedef Shape_ Shape;                           ///< the polynomial surface with the same control points
-  typedef typename Kind::Homogeneous Homogeneous; ///< the polynomial surface of the homogeneous points
+  /// the polynomial surface with the same control points
+  typedef Shape_ Shape;
+  /// the polynomial surface of the homogeneous points
+  typedef typename Kind::Homogeneous Homogeneous;
 
   /// A row of homogeneous coordinates along an edge.
   template <class Field> using Row = std::vector<Coordinate_vector<Field, (N == 0 ? 0 : N + 1)>>;
   /// An iterator over control points.
   typedef typename Shape::const_iterator const_iterator;
 
-  /// Constructs a surface from a control net, a net of as many weights and what tells the domain in `u` and in `v`: the knots of a
-  /// B-spline surface, or the two intervals of a Bézier patch, by default [0, 1]. `net[i]` is the range
-  /// \f$ b_{i0}, b_{i1}, \dots \f$, and `weights[i]` that of the weights.
-  /// \throws Error `wrong_number_of_points` for a net without points, with rows of different lengths, with others than the knots
-  ///   need, or with other numbers of weights; `zero_weight` unless the denominator is positive on the whole domain, `work_limit`
-  ///   when it is positive but comes too close to zero inside, or has too high degrees for that to be decided there;
+  /// Constructs a surface from a control net, a net of as many weights and what tells the domain in
+  /// `u` and in `v`: the knots of a B-spline surface, or the two intervals of a Bézier patch, by
+  /// default [0, 1]. `net[i]` is the range \f$ b_{i0}, b_{i1}, \dots \f$, and `weights[i]` that of
+  /// the weights.
+  /// \throws Error `wrong_number_of_points` for a net without points, with rows of different
+  ///   lengths, with others than the knots need, or with other numbers of weights; `zero_weight`
+  ///   unless the denominator is positive on the whole domain, `work_limit` when it is positive but
+  ///   comes too close to zero inside, or has too high degrees for that to be decided there;
   ///   `dimension_mismatch`, `empty_domain`, `not_finite` as for the polynomial shape
   template <class Points, class Weights>
   Rational_surface(const Points& net, const Weights& weights, const Side& u = Kind::unit(),
@@ -144,8 +151,10 @@ public:
   const Point& control_point(int i, int j) const { return shape_.control_point(i, j); }
   /// Returns the coordinates of \f$ b_{ij} \f$. \pre there is one
   Coordinates<Traits> coordinates(int i, int j) const { return shape_.coordinates(i, j); }
-  const_iterator begin() const { return shape_.begin(); } ///< Returns the begin of \f$ b_{00}, b_{01}, \dots \f$.
-  const_iterator end() const { return shape_.end(); }     ///< Returns the end of the control points.
+  /// Returns the begin of \f$ b_{00}, b_{01}, \dots \f$.
+  const_iterator begin() const { return shape_.begin(); }
+  /// Returns the end of the control points.
+  const_iterator end() const { return shape_.end(); }
 
   /// Returns the weights \f$ w_{00}, w_{01}, \dots \f$.
   const std::vector<FT>& weights() const { return weights_; }
@@ -165,7 +174,8 @@ public:
     return shape_.knots_v();
   } ///< Returns the knots of a B-spline surface in `v`.
 
-  /// Returns the polynomial surface of the homogeneous points \f$ (w_{ij} b_{ij}, w_{ij}) \f$, on the same domain.
+  /// Returns the polynomial surface of the homogeneous points \f$ (w_{ij} b_{ij}, w_{ij}) \f$, on
+  /// the same domain.
   /// \throws Error `not_finite` when a product of floating-point numbers overflows
   Homogeneous homogeneous() const {
     std::vector<std::vector<typename Homogeneous::Point>> net(number_of_points_u());
@@ -176,11 +186,13 @@ public:
 
   /// Returns the polynomial surface with the same control points, whatever the weights are.
   const Shape& unweighted() const { return shape_; }
-  /// Returns whether all weights are equal. Then the surface is the polynomial one with the same control points.
+  /// Returns whether all weights are equal. Then the surface is the polynomial one with the same
+  /// control points.
   bool is_polynomial() const {
     return std::all_of(weights_.begin(), weights_.end(), [&](const FT& w) { return bool(w == weights_[0]); });
   }
-  /// Returns the polynomial surface with the same control points if all weights are equal, otherwise nothing.
+  /// Returns the polynomial surface with the same control points if all weights are equal,
+  /// otherwise nothing.
   std::optional<Shape> polynomial() const {
     if (!is_polynomial()) return std::nullopt;
     return shape_;
@@ -188,15 +200,17 @@ public:
 
   /// @}
   /// \name Evaluation
-  /// The parameters are in the domain of a B-spline surface, whose upper ends are included (`parameter_outside_domain`); at an
-  /// inner knot the side of the larger parameters is taken. Those of a Bézier patch may lie outside, as long as the denominator is
-  /// not zero (`zero_weight`).
+  /// The parameters are in the domain of a B-spline surface, whose upper ends are included
+  /// (`parameter_outside_domain`); at an inner knot the side of the larger parameters is taken.
+  /// Those of a Bézier patch may lie outside, as long as the denominator is not zero
+  /// (`zero_weight`).
   /// @{
 
   /// Returns the point at (`u`, `v`).
   Point operator()(const FT& u, const FT& v) const { return jet(u, v, 0).point(); }
 
-  /// Returns the jet of order `k >= 0` at (`u`, `v`). The cost is that of the polynomial shape, and \f$ O(k^4) \f$.
+  /// Returns the jet of order `k >= 0` at (`u`, `v`). The cost is that of the polynomial shape, and
+  /// \f$ O(k^4) \f$.
   Surface_jet<Traits> jet(const FT& u, const FT& v, int k) const {
     typedef Homogeneous_traits<Traits> Homogeneous_points;
     const auto coordinate = [&](int i, int j, int x) { return homogeneous_coordinate(i, j, x); };
@@ -212,8 +226,9 @@ public:
   /// \name Edges
   /// @{
 
-  /// Returns the rows 0 to `k` at an edge of the polynomial surface of homogeneous points, see `Bezier_patch::rows()` and
-  /// `Bspline_surface::rows()`. Control points, weights and knots are converted to `Field` before anything is computed.
+  /// Returns the rows 0 to `k` at an edge of the polynomial surface of homogeneous points, see
+  /// `Bezier_patch::rows()` and `Bspline_surface::rows()`. Control points, weights and knots are
+  /// converted to `Field` before anything is computed.
   /// \throws Error `negative_count` unless `k >= 0`
   template <class Field = FT> std::vector<Row<Field>> rows(Patch_edge edge, int k) const {
     if constexpr (is_spline) {
@@ -228,9 +243,10 @@ public:
                                                return homogeneous_row<Field>(at.first, at.second);
                                              });
   }
-  /// Returns the rows 0 to `k` at the line on which one parameter has a constant value, of the B-spline surface of homogeneous
-  /// points, see `Bspline_surface::rows_at()`.
-  /// \throws Error `parameter_outside_domain` for a parameter outside the domain, `negative_count` unless `k >= 0`
+  /// Returns the rows 0 to `k` at the line on which one parameter has a constant value, of the
+  /// B-spline surface of homogeneous points, see `Bspline_surface::rows_at()`.
+  /// \throws Error `parameter_outside_domain` for a parameter outside the domain, `negative_count`
+  ///   unless `k >= 0`
   template <class Field = FT>
   std::vector<Row<Field>> rows_at(Parameter_line line, const FT& parameter, Line_side side, int k) const {
     return internal::bspline_rows_at<Field, M>(knots_u(), knots_v(), dimension() + 1, line, parameter, side, k,
@@ -248,10 +264,12 @@ public:
   int degree_across(Patch_edge edge) const { return shape_.degree_across(edge); }
   /// Returns the domain of an edge of a Bézier patch.
   Interval domain(Patch_edge edge) const { return shape_.domain(edge); }
-  /// Returns the control point number `i` along the edge of a Bézier patch in the layer `j`, where layer 0 is the edge itself.
+  /// Returns the control point number `i` along the edge of a Bézier patch in the layer `j`, where
+  /// layer 0 is the edge itself.
   /// \pre `0 <= i <= degree_along(edge)`, `0 <= j <= degree_across(edge)`
   const Point& control_point(Patch_edge edge, int i, int j) const { return shape_.control_point(edge, i, j); }
-  /// Returns the weight of the control point number `i` along the edge of a Bézier patch in the layer `j`.
+  /// Returns the weight of the control point number `i` along the edge of a Bézier patch in the
+  /// layer `j`.
   /// \pre `0 <= i <= degree_along(edge)`, `0 <= j <= degree_across(edge)`
   const FT& weight(Patch_edge edge, int i, int j) const {
     const std::pair<int, int> at = index(edge, i, j);
@@ -302,7 +320,7 @@ public:
   }
 
   /// @}
-  /// \name Of a Bézier Patch
+  /// \name Functions of Bézier Patches
   /// @{
 
   /// Returns the patch turned so that the edge is at `v = 0` and keeps its direction.
@@ -312,15 +330,17 @@ public:
   }
 
   /// Returns the patch with the same control points and weights on another domain.
-  /// \throws Error `empty_domain` for a length that is not positive, `not_finite` for an end or a length that is not finite
+  /// \throws Error `empty_domain` for a length that is not positive, `not_finite` for an end or a
+  ///   length that is not finite
   Rational_surface with_domain(const Interval& u, const Interval& v) const {
     internal::check_interval(u, "Rational_bezier_patch: domain in u");
     internal::check_interval(v, "Rational_bezier_patch: domain in v");
     return Rational_surface(shape_.with_domain(u, v), weights_);
   }
 
-  /// Returns two opposite corners of a box that contains the patch: that of the control points where all weights are positive,
-  /// otherwise that of the control points of its parts, see `positive_parts()`.
+  /// Returns two opposite corners of a box that contains the patch: that of the control points
+  /// where all weights are positive, otherwise that of the control points of its parts, see
+  /// `positive_parts()`.
   std::pair<Point, Point> bounding_box() const {
     std::vector<Point> points;
     for (const Rational_surface& part : positive_parts()) points.insert(points.end(), part.begin(), part.end());
@@ -329,9 +349,10 @@ public:
   /// Returns the box as `Bbox_2` or `Bbox_3`, rounded outwards. Dimension 2 or 3 only.
   auto bbox() const { return internal::bbox_of<Traits>(bounding_box()); }
 
-  /// Returns the patch halved, in `u` and `v` in turn, until each part has positive weights only; then it lies in the convex hull
-  /// of its control points.
-  /// \throws Error `work_limit` where the denominator is so close to zero that 64 halvings in a row do not suffice
+  /// Returns the patch halved, in `u` and `v` in turn, until each part has positive weights only;
+  /// then it lies in the convex hull of its control points.
+  /// \throws Error `work_limit` where the denominator is so close to zero that 64 halvings in a row
+  ///   do not suffice
   std::vector<Rational_surface> positive_parts() const {
     std::vector<Rational_surface> parts;
     internal::add_positive_parts_of_patch(*this, 64, parts);
@@ -339,7 +360,7 @@ public:
   }
 
   /// @}
-  /// \name Of a B-spline Surface
+  /// \name Functions of B-spline Surfaces
   /// @{
 
   /// Returns a surface with the same points and `times` more copies of the knot `u`.
@@ -354,11 +375,12 @@ public:
   Rational_surface refine(const Knot_vector<FT>& finer_u, const Knot_vector<FT>& finer_v) const {
     return Rational_surface(homogeneous().refine(finer_u, finer_v));
   }
-  /// Returns a surface with the same points, without the knots outside the domain, and with control points at its corners.
+  /// Returns a surface with the same points, without the knots outside the domain, and with control
+  /// points at its corners.
   Rational_surface clamp() const { return Rational_surface(homogeneous().clamp()); }
 
-  /// Returns the rational Bézier patches on the rectangles of a span in `u` and a span in `v`, each with its rectangle as
-  /// domain. All that belong to the first span in `u` come first.
+  /// Returns the rational Bézier patches on the rectangles of a span in `u` and a span in `v`, each
+  /// with its rectangle as domain. All that belong to the first span in `u` come first.
   std::vector<Rational_surface<Bezier_patch<Traits>>> bezier_patches() const {
     std::vector<Rational_surface<Bezier_patch<Traits>>> patches;
     for_each_bezier_patch([&](Rational_surface<Bezier_patch<Traits>> patch) { patches.push_back(std::move(patch)); });
@@ -380,7 +402,8 @@ public:
   /// Tells whether something of this differs.
   friend bool operator!=(const Rational_surface& s, const Rational_surface& t) { return !(s == t); }
 
-  /// Writes the degrees, the domain or the knots, the control net and the weights, one row to a line.
+  /// Writes the degrees, the domain or the knots, the control net and the weights, one row to a
+  /// line.
   friend std::ostream& operator<<(std::ostream& os, const Rational_surface& s) {
     os << "Rational " << s.shape_ << "\nweights:";
     for (int i = 0; i < s.number_of_points_u(); ++i)
@@ -405,7 +428,8 @@ private:
     return Shape(std::move(net), u, v);
   }
 
-  // With a range of ranges of weights. Points of the weight 0 contribute nothing and become the origin.
+  // With a range of ranges of weights. Points of the weight 0 contribute nothing and become the
+  // origin.
   template <class Weights>
   static Rational_surface given(const Net& net, const Weights& rows, const Side& u, const Side& v) {
     std::vector<FT> weights = weights_of(net, rows);
@@ -455,7 +479,7 @@ private:
     return w == FT(0) ? y : FT(w * y);
   }
 
-  // Of the control point number i along an edge of a patch in the layer j.
+  // Returns the index of the control point number i along an edge of a patch in the layer j.
   std::pair<int, int> index(Patch_edge edge, int i, int j) const {
     const int inward = at_upper_end(edge) ? degree_across(edge) - j : j;
     return runs_along_u(edge) ? std::make_pair(i, inward) : std::make_pair(inward, i);
@@ -464,17 +488,19 @@ private:
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// A rational tensor-product Bézier patch
-/// \f$ S(u, v) = \sum_{ij} w_{ij} b_{ij} B_i^p(s) B_j^q(t) / \sum_{ij} w_{ij} B_i^p(s) B_j^q(t) \f$, \f$ s = (u-a)/(b-a) \f$,
-/// \f$ t = (v-c)/(d-c) \f$, with control points \f$ b_{ij} \f$ and weights \f$ w_{ij} \f$ on [a, b] x [c, d], by default the
-/// unit square: pieces of cylinders, spheres and tori, and of all NURBS surfaces. See `Rational_surface`.
+/// \f$ S(u, v) = \sum_{ij} w_{ij} b_{ij} B_i^p(s) B_j^q(t) / \sum_{ij} w_{ij} B_i^p(s) B_j^q(t) \f$,
+/// \f$ s = (u-a)/(b-a) \f$, \f$ t = (v-c)/(d-c) \f$, with control points \f$ b_{ij} \f$ and weights
+/// \f$ w_{ij} \f$ on [a, b] x [c, d], by default the unit square: pieces of cylinders, spheres and
+/// tori, and of all NURBS surfaces. See `Rational_surface`.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits> using Rational_bezier_patch = Rational_surface<Bezier_patch<Traits>>;
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// A rational tensor-product B-spline surface (NURBS)
-/// \f$ S(u, v) = \sum_{ij} w_{ij} b_{ij} N_i^p(u) N_j^q(v) / \sum_{ij} w_{ij} N_i^p(u) N_j^q(v) \f$ over two `Knot_vector`s, with
-/// control points \f$ b_{ij} \f$ and as many weights. See `Rational_surface`.
+/// \f$ S(u, v) = \sum_{ij} w_{ij} b_{ij} N_i^p(u) N_j^q(v) / \sum_{ij} w_{ij} N_i^p(u) N_j^q(v) \f$
+/// over two `Knot_vector`s, with control points \f$ b_{ij} \f$ and as many weights. See
+/// `Rational_surface`.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 template <class Traits> using Rational_bspline_surface = Rational_surface<Bspline_surface<Traits>>;

@@ -26,26 +26,30 @@
 #include <vector>
 
 /// \file cut_back.h
-/// A surface without a strip along one of its edges, as it is needed where something else is put in the place of the edge: exactly, or with a
-/// proven deviation where a curve crosses the knot lines of a B-spline surface.
+/// A surface without a strip along one of its edges, as it is needed where something else is put in
+/// the place of the edge: exactly, or with a proven deviation where a curve crosses the knot lines
+/// of a B-spline surface.
 ///
-/// Let such a curve run between \f$ v = a \f$ and \f$ v = b \f$. In this strip, widened by a quarter, the surface is replaced by one that is
-/// a single polynomial in `v`: that which interpolates it, with as many derivatives as the degree where the strip begins, so that it is as
-/// smooth there as before, and at points up to its end. Then what lies below the curve is a polynomial surface, exactly. How far the two are
-/// apart is bounded by the Bernstein coefficients of their difference on all spans.
+/// Let such a curve run between \f$ v = a \f$ and \f$ v = b \f$. In this strip, widened by a
+/// quarter, the surface is replaced by one that is a single polynomial in `v`: that which
+/// interpolates it, with as many derivatives as the degree where the strip begins, so that it is as
+/// smooth there as before, and at points up to its end. Then what lies below the curve is a
+/// polynomial surface, exactly. How far the two are apart is bounded by the Bernstein coefficients
+/// of their difference on all spans.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the surface without the strip of a constant width along an edge: for the edge `v = d` of a surface on [a, b] x [c, d] the part
-/// on [a, b] x [c, d - distance], with the same parameters. A Bézier patch is split, knots of a B-spline surface are inserted. Exact with
-/// an exact kernel.
-/// \param surface a `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`
+/// Returns the surface without the strip of a constant width along an edge: for the edge `v = d` of
+/// a surface on [a, b] x [c, d] the part on [a, b] x [c, d - distance], with the same parameters. A
+/// Bézier patch is split, knots of a B-spline surface are inserted. Exact with an exact kernel.
+/// \param surface a `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`
 /// \param edge the edge that is cut off
 /// \param distance in the parameter that is constant on the edge
-/// \throws Error `parameter_outside_domain` unless the distance is positive and less than the length of the domain, with the edge;
-///   `not_finite` when floating-point numbers overflow
+/// \throws Error `parameter_outside_domain` unless the distance is positive and less than the
+///   length of the domain, with the edge; `not_finite` when floating-point numbers overflow
 template <class Surface>
 Surface cut_back(const Surface& surface, Patch_edge edge, const typename Surface::FT& distance) {
   typedef typename Surface::FT FT;
@@ -60,8 +64,8 @@ Surface cut_back(const Surface& surface, Patch_edge edge, const typename Surface
 
 namespace internal {
 
-// S(u, c + w(u) (v - c)) with 0 < w < 1 on the domain of u, mapped to [0, 1]: of a surface with one span in v, from c on, by the algorithm of
-// de Casteljau, whose parameter is a function of u.
+// S(u, c + w(u) (v - c)) with 0 < w < 1 on the domain of u, mapped to [0, 1]: of a surface with one
+// span in v, from c on, by the algorithm of de Casteljau, whose parameter is a function of u.
 template <class Traits>
 Bspline_surface<Traits> part_of_span(const Bspline_surface<Traits>& s,
                                      const Bernstein_polynomial<typename Traits::FT>& w) {
@@ -89,8 +93,8 @@ Bspline_surface<Traits> part_of_span(const Bspline_surface<Traits>& s,
   return Bspline_surface<Traits>(net, u, s.knots_v());
 }
 
-// One surface from two, over the same knots in u, where the second one begins in v where the first one ends; `jump` tells whether there the
-// first one does not lead to the second one.
+// One surface from two, over the same knots in u, where the second one begins in v where the first
+// one ends; `jump` tells whether there the first one does not lead to the second one.
 template <class Traits>
 Bspline_surface<Traits> joined_in_v(const Bspline_surface<Traits>& a, const Bspline_surface<Traits>& b, bool jump) {
   typedef typename Traits::FT FT;
@@ -160,19 +164,25 @@ Surface part_below(const Surface& s, const Bernstein_polynomial<typename Surface
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the part of a surface between the opposite edge and a curve in the parameter plane: for the edge `v = d` of a surface on
-/// [a, b] x [c, d] the part with \f$ c \le v \le d - f(u) \f$. The new edge has the parameter of the old one; along each line of constant `u`
-/// the other parameter runs in proportion, of a B-spline surface from the knot line on that is next to the edge, where the knot gets the
-/// multiplicity of the degree: up to there it keeps its parameters. Exact with an exact kernel, for straight lines and all other polynomials
-/// `f`: the degree along the edge grows by the product of the degree of `f` and the degree across.
+/// Returns the part of a surface between the opposite edge and a curve in the parameter plane: for
+/// the edge `v = d` of a surface on [a, b] x [c, d] the part with \f$ c \le v \le d - f(u) \f$. The
+/// new edge has the parameter of the old one; along each line of constant `u` the other parameter
+/// runs in proportion, of a B-spline surface from the knot line on that is next to the edge, where
+/// the knot gets the multiplicity of the degree: up to there it keeps its parameters. Exact with an
+/// exact kernel, for straight lines and all other polynomials `f`: the degree along the edge grows
+/// by the product of the degree of `f` and the degree across.
 ///
-/// The curve may not cross a knot line of constant `v`: no surface over a rectangle of knots is the part beyond it. Where it would,
-/// `cut_back_within()` is near it, or `bezier_patches()` are trimmed one by one.
-/// \param surface a `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`
+/// The curve may not cross a knot line of constant `v`: no surface over a rectangle of knots is the
+/// part beyond it. Where it would, `cut_back_within()` is near it, or `bezier_patches()` are
+/// trimmed one by one.
+/// \param surface a `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`
 /// \param edge the edge that is cut off
-/// \param distance \f$ f \f$, on the domain of the edge, which is mapped to [0, 1], in the parameter that is constant on the edge
-/// \throws Error `parameter_outside_domain` unless the distance is everywhere positive and less than the length of the domain, of a B-spline
-///   surface less than the distance of the next knot line (decided exactly), with the edge; `not_finite` when floating-point numbers overflow
+/// \param distance \f$ f \f$, on the domain of the edge, which is mapped to [0, 1], in the
+///   parameter that is constant on the edge
+/// \throws Error `parameter_outside_domain` unless the distance is everywhere positive and less
+///   than the length of the domain, of a B-spline surface less than the distance of the next knot
+///   line (decided exactly), with the edge; `not_finite` when floating-point numbers overflow
 template <class Surface>
 Surface cut_back(const Surface& surface, Patch_edge edge, const Bernstein_polynomial<typename Surface::FT>& distance) {
   const auto height = internal::height_below_curve(surface, edge, distance);
@@ -184,14 +194,15 @@ Surface cut_back(const Surface& surface, Patch_edge edge, const Bernstein_polyno
 /// \tparam Surface the type of the surface
 template <class Surface> struct Trimmed_surface {
   Surface surface; ///< the part
-  /// The square of a bound of the distance of points at the same parameters; 0 where the part is exact.
+  /// The square of a bound of the distance of points at the same parameters; 0 where the part is
+  /// exact.
   typename Surface::FT squared_deviation;
 };
 
 namespace internal {
 
-// The spline f on [0, 1], of degree q, by a polynomial of degree n >= q that has its derivatives of order less than q at 0, and its values at other
-// points up to 1: the Bernstein coefficients.
+// The spline f on [0, 1], of degree q, by a polynomial of degree n >= q that has its derivatives of
+// order less than q at 0, and its values at other points up to 1: the Bernstein coefficients.
 template <class FT, class Value> class Spline_interpolation {
   int q_, n_;
   std::vector<FT> nodes_;
@@ -234,8 +245,9 @@ public:
   }
 };
 
-// The square of a bound of the distances between two surfaces at the same parameters, from the Bernstein coefficients, on all
-// spans, of one of them and of the differences; none where the denominator of a rational surface is not proved to be positive.
+// The square of a bound of the distances between two surfaces at the same parameters, from the
+// Bernstein coefficients, on all spans, of one of them and of the differences; none where the
+// denominator of a rational surface is not proved to be positive.
 template <bool is_rational, class FT, int N>
 std::optional<FT> squared_deviation(const std::vector<Coordinate_vector<FT, N>>& points,
                                     const std::vector<Coordinate_vector<FT, N>>& differences) {
@@ -243,7 +255,9 @@ std::optional<FT> squared_deviation(const std::vector<Coordinate_vector<FT, N>>&
   if constexpr (!is_rational) {
     for (const Coordinate_vector<FT, N>& x : differences) largest = (std::max)(largest, FT(dot(x, x)));
     return largest;
-  } else { // of x / w and (x + e) / (w + f): (e - f x / w) / (w + f), with the origin in the mean of the points
+  } else {
+    // of x / w and (x + e) / (w + f): (e - f x / w) / (w + f), with the origin in the mean of the
+    // points
     const int d = points[0].dimension() - 1;
     FT least = points[0][d], farthest(0), of_weight(0);
     Coordinate_vector<FT, N> sum = points[0];
@@ -265,12 +279,13 @@ std::optional<FT> squared_deviation(const std::vector<Coordinate_vector<FT, N>>&
       largest = (std::max)(largest, affine_square(differences[k], FT(1)));
       of_weight = (std::max)(of_weight, FT(differences[k][d] * differences[k][d]));
     }
-    return FT(FT(2) * (largest + farthest * of_weight) / (least * least)); // |x + y|^2 <= 2 |x|^2 + 2 |y|^2
+    // |x + y|^2 <= 2 |x|^2 + 2 |y|^2
+    return FT(FT(2) * (largest + farthest * of_weight) / (least * least));
   }
 }
 
-// A surface over the same knots in u that is a polynomial of degree n in v, with another domain there, and the square of a bound of its
-// deviation.
+// A surface over the same knots in u that is a polynomial of degree n in v, with another domain
+// there, and the square of a bound of its deviation.
 template <bool is_rational, class Traits>
 std::pair<Bspline_surface<Traits>, std::optional<typename Traits::FT>>
 polynomial_across(const Bspline_surface<Traits>& s, int n,
@@ -333,21 +348,28 @@ part_below_within(const Bspline_surface<Traits>& s, const Bernstein_polynomial<t
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the part of a B-spline surface between the opposite edge and a curve in the parameter plane that crosses knot lines, up to a
-/// tolerance. Where `cut_back()` is exact the result is that of `cut_back()`. Elsewhere the surface is replaced by one without knots, in a
-/// strip that contains the curve, and the part of this one is exact: its degree across is the least with which the deviation is proved to be
-/// within the tolerance. What lies below the strip stays exactly as it is, and is continued with the same derivatives.
+/// Returns the part of a B-spline surface between the opposite edge and a curve in the parameter
+/// plane that crosses knot lines, up to a tolerance. Where `cut_back()` is exact the result is that
+/// of `cut_back()`. Elsewhere the surface is replaced by one without knots, in a strip that
+/// contains the curve, and the part of this one is exact: its degree across is the least with which
+/// the deviation is proved to be within the tolerance. The surface below the strip stays exactly as
+/// it is, and is continued with the same derivatives.
 ///
-/// For the edge `v = d` of a surface on [a, b] x [c, d] the strip begins at a parameter \f$ v_0 \f$, the last knot of the result, and the
-/// points of the result at (u, v) and of the surface at \f$ (u, v_0 + (v - v_0)\, (d - f(u) - v_0) / (d - v_0)) \f$ are compared, from
-/// \f$ v_0 \f$ on. Up to there parameters are the same. With an exact kernel the bound is proved; with floating-point numbers it is rounded.
+/// For the edge `v = d` of a surface on [a, b] x [c, d] the strip begins at a parameter
+/// \f$ v_0 \f$, the last knot of the result, and the points of the result at (u, v) and of the
+/// surface at \f$ (u, v_0 + (v - v_0)\, (d - f(u) - v_0) / (d - v_0)) \f$ are compared, from
+/// \f$ v_0 \f$ on. Up to there parameters are the same. With an exact kernel the bound is proved;
+/// with floating-point numbers it is rounded.
 /// \param surface a `Bspline_surface` or `Rational_bspline_surface`
 /// \param edge the edge that is cut off
-/// \param distance \f$ f \f$, on the domain of the edge, which is mapped to [0, 1], in the parameter that is constant on the edge
+/// \param distance \f$ f \f$, on the domain of the edge, which is mapped to [0, 1], in the
+///   parameter that is constant on the edge
 /// \param tolerance the allowed distance of points at the same parameters
-/// \throws Error `parameter_outside_domain` unless the distance is everywhere positive and less than the length of the domain (decided exactly)
-/// \throws Error `unreachable_tolerance` for a tolerance that is not positive, or when polynomials whose degree across is that of the surface
-///   and eight more are not within it: a spline of degree `q` with simple knots is approached as the power `-q` of the degree, one with a kink
+/// \throws Error `parameter_outside_domain` unless the distance is everywhere positive and less
+///   than the length of the domain (decided exactly)
+/// \throws Error `unreachable_tolerance` for a tolerance that is not positive, or when polynomials
+///   whose degree across is that of the surface and eight more are not within it: a spline of
+///   degree `q` with simple knots is approached as the power `-q` of the degree, one with a kink
 ///   slowly, one that jumps never
 /// \throws Error `not_finite` when floating-point numbers overflow
 template <class Surface>

@@ -17,18 +17,21 @@
 #include <vector>
 
 /// \file elementary_surfaces.h
-/// Cylinders, cones, ellipsoids and tori as rational B-spline surfaces, exactly. They are placed by a centre `c` and vectors
-/// `x`, `y`, `z`: the surface that is meant when these are orthonormal, under the affine map to them. With orthogonal vectors of one
-/// length they are circular cylinders and cones, spheres and tori of revolution.
+/// Cylinders, cones, ellipsoids and tori as rational B-spline surfaces, exactly. They are placed by
+/// a centre `c` and vectors `x`, `y`, `z`: the surface that is meant when these are orthonormal,
+/// under the affine map to them. With orthogonal vectors of one length they are circular cylinders
+/// and cones, spheres and tori of revolution.
 ///
-/// All of them are \f$ S(u, v) = c + \rho(u) (\cos\phi(v)\, x + \sin\phi(v)\, y) + h(u)\, z \f$ with a full turn in four
-/// quarters for `v` in [0, 4], and \f$ \phi = 0, \pi/2, \pi, 3\pi/2 \f$ at the knots. Where `u` rises in the direction of `z`, and `x`,
-/// `y`, `z` are positively oriented, \f$ S_u \times S_v \f$ points to the axis; `tessellate()` turns the triangles of closed surfaces outwards. They are \f$ G^\infty \f$ across them. For parts
-/// take `bezier_patches()`. A point of a \cgal kernel says what the traits class is (`Traits_of`); for others it is the first template
+/// All of them are \f$ S(u, v) = c + \rho(u) (\cos\phi(v)\, x + \sin\phi(v)\, y) + h(u)\, z \f$
+/// with a full turn in four quarters for `v` in [0, 4], and \f$ \phi = 0, \pi/2, \pi, 3\pi/2 \f$ at
+/// the knots. Where `u` rises in the direction of `z`, and `x`, `y`, `z` are positively oriented,
+/// \f$ S_u \times S_v \f$ points to the axis; `tessellate()` turns the triangles of closed surfaces
+/// outwards. They are \f$ G^\infty \f$ across them. For parts take `bezier_patches()`. A point of a
+/// \cgal kernel says what the traits class is (`Traits_of`); for others it is the first template
 /// argument, `ellipsoid<Traits>(…)`.
 ///
-/// Surfaces of extrusion and of revolution with any profile as patches, exactly: profiles are Bézier or B-spline curves, rational
-/// or not.
+/// Surfaces of extrusion and of revolution with any profile as patches, exactly: profiles are
+/// Bézier or B-spline curves, rational or not.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -45,7 +48,8 @@ template <class FT> Knot_vector<FT> knots_of_quarters(int quarters) {
   return Knot_vector<FT>(2, FT(0), FT(quarters), inner);
 }
 
-// From a profile in homogeneous coordinates (w rho, w h, w). `name` is that of the surface, for messages.
+// From a profile in homogeneous coordinates (w rho, w h, w). `name` is that of the surface, for
+// messages.
 template <class Traits>
 Rational_bspline_surface<Traits> turned_profile(const std::vector<std::array<typename Traits::FT, 3>>& profile,
                                                 Knot_vector<typename Traits::FT> knots, const typename Traits::Point& c,
@@ -79,7 +83,8 @@ Rational_bspline_surface<Traits> turned_profile(const std::vector<std::array<typ
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the parallelogram \f$ S(u, v) = c + u\,x + v\,y \f$ on the unit square: a piece of a plane.
+/// Returns the parallelogram \f$ S(u, v) = c + u\,x + v\,y \f$ on the unit square: a piece of a
+/// plane.
 /// \throws Error `dimension_mismatch`, `not_finite`
 template <class Given = internal::Of_points, class Point = typename Given::Point,
           class Traits = Traits_or_of<Given, Point>>
@@ -94,9 +99,10 @@ Bezier_patch<Traits> parallelogram(const Point& c, const typename Traits::Vector
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the frustum of a cone between the ellipses about `c` with the half-axes `x` and `y` and about \f$ c + z \f$ with the half-axes
-/// \f$ k x \f$ and \f$ k y \f$: \f$ \rho = 1 + u (k - 1) \f$, \f$ h = u \f$ for `u` in [0, 1]. It is a cylinder for `k = 1`
-/// and the cone with the apex \f$ c + z \f$ for `k = 0`, where its edge `u = 1` is collapsed.
+/// Returns the frustum of a cone between the ellipses about `c` with the half-axes `x` and `y` and
+/// about \f$ c + z \f$ with the half-axes \f$ k x \f$ and \f$ k y \f$:
+/// \f$ \rho = 1 + u (k - 1) \f$, \f$ h = u \f$ for `u` in [0, 1]. It is a cylinder for `k = 1` and
+/// the cone with the apex \f$ c + z \f$ for `k = 0`, where its edge `u = 1` is collapsed.
 /// \throws Error `zero_direction` when a vector is zero, `dimension_mismatch`, `not_finite`
 template <class Given = internal::Of_points, class Point = typename Given::Point,
           class Traits = Traits_or_of<Given, Point>>
@@ -110,8 +116,9 @@ Rational_bspline_surface<Traits> cone(const Point& c, const typename Traits::Vec
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the cylinder on the ellipse about `c` with the half-axes `x` and `y`, up to the same ellipse about \f$ c + z \f$; see
-/// `cone()`. \throws Error `zero_direction` when a vector is zero, `dimension_mismatch`, `not_finite`
+/// Returns the cylinder on the ellipse about `c` with the half-axes `x` and `y`, up to the same
+/// ellipse about \f$ c + z \f$; see `cone()`. \throws Error `zero_direction` when a vector is zero,
+/// `dimension_mismatch`, `not_finite`
 template <class Given = internal::Of_points, class Point = typename Given::Point,
           class Traits = Traits_or_of<Given, Point>>
 Rational_bspline_surface<Traits> cylinder(const Point& c, const typename Traits::Vector& x,
@@ -120,9 +127,10 @@ Rational_bspline_surface<Traits> cylinder(const Point& c, const typename Traits:
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the ellipsoid with the centre `c` and the conjugate half-axes `x`, `y`, `z`; a sphere when they are orthogonal and of one length.
-/// `u` in [0, 2] runs from the pole \f$ c - z \f$ over the equator, `u = 1`, to the pole \f$ c + z \f$. At the poles its edges are
-/// collapsed, and its normal vanishes.
+/// Returns the ellipsoid with the centre `c` and the conjugate half-axes `x`, `y`, `z`; a sphere
+/// when they are orthogonal and of one length. `u` in [0, 2] runs from the pole \f$ c - z \f$ over
+/// the equator, `u = 1`, to the pole \f$ c + z \f$. At the poles its edges are collapsed, and its
+/// normal vanishes.
 /// \throws Error `zero_direction` when a vector is zero, `dimension_mismatch`, `not_finite`
 template <class Given = internal::Of_points, class Point = typename Given::Point,
           class Traits = Traits_or_of<Given, Point>>
@@ -138,10 +146,11 @@ Rational_bspline_surface<Traits> ellipsoid(const Point& c, const typename Traits
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the torus whose circle in the plane of `x` and `z` has the radius `r` and the distance 1 from the centre:
-/// \f$ \rho = 1 + r \cos\psi \f$, \f$ h = r \sin\psi \f$, with a full turn of \f$ \psi \f$ for `u` in [0, 4]. For `r > 1` it meets
-/// itself.
-/// \throws Error `empty_domain` unless `r > 0`, `zero_direction` when a vector is zero, `dimension_mismatch`, `not_finite`
+/// Returns the torus whose circle in the plane of `x` and `z` has the radius `r` and the distance 1
+/// from the centre: \f$ \rho = 1 + r \cos\psi \f$, \f$ h = r \sin\psi \f$, with a full turn of
+/// \f$ \psi \f$ for `u` in [0, 4]. For `r > 1` it meets itself.
+/// \throws Error `empty_domain` unless `r > 0`, `zero_direction` when a vector is zero,
+///   `dimension_mismatch`, `not_finite`
 template <class Given = internal::Of_points, class Point = typename Given::Point,
           class Traits = Traits_or_of<Given, Point>>
 Rational_bspline_surface<Traits> torus(const Point& c, const typename Traits::Vector& x,
@@ -178,9 +187,10 @@ template <class Homogeneous_curve, class Surface> auto extruded(const Homogeneou
   return net;
 }
 
-// The Bernstein coefficients on [v0, v1], of degree 2, of the rotation of each point, whose homogeneous coordinates are those of
-// `Revolution_surface_3` times 1 + v^2 W: the coefficients 1, v, v^2 have the blossom 1, (s + t)/2, s t. With q = p - w a it is
-// (1 + s t W) (q + w a) + (s + t) w x q + 2 s t w x (w x q), and the weight is (1 + s t W) w.
+// The Bernstein coefficients on [v0, v1], of degree 2, of the rotation of each point, whose
+// homogeneous coordinates are those of `Revolution_surface_3` times 1 + v^2 W: the coefficients 1,
+// v, v^2 have the blossom 1, (s + t)/2, s t. With q = p - w a it is (1 + s t W) (q + w a) + (s + t)
+// w x q + 2 s t w x (w x q), and the weight is (1 + s t W) w.
 template <class Homogeneous_curve, class Surface>
 auto revolved(const Homogeneous_curve& profile, const Surface& s,
               const std::pair<typename Surface::FT, typename Surface::FT>& v) {
@@ -228,7 +238,8 @@ Rational_bspline_surface<Traits> rational_spline(const Rational_bspline_curve<Tr
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the extrusion of a rational Bézier curve as a patch of degree 1 in `v`, with the parametrisation of the surface.
+/// Returns the extrusion of a rational Bézier curve as a patch of degree 1 in `v`, with the
+/// parametrisation of the surface.
 /// \throws Error `dimension_mismatch` unless the profile is in dimension 3
 template <class Traits, int Degree>
 Rational_bezier_patch<Traits> bezier_patch(const Extrusion_surface_3<Rational_bezier_curve<Traits, Degree>>& s) {
@@ -236,8 +247,9 @@ Rational_bezier_patch<Traits> bezier_patch(const Extrusion_surface_3<Rational_be
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the extrusion of a rational B-spline curve as a surface of degree 1 in `v`, with the parametrisation of the surface.
-/// Convert a polynomial profile; `polynomial()` of the result gives the polynomial surface.
+/// Returns the extrusion of a rational B-spline curve as a surface of degree 1 in `v`, with the
+/// parametrisation of the surface. Convert a polynomial profile; `polynomial()` of the result gives
+/// the polynomial surface.
 /// \throws Error `dimension_mismatch` unless the profile is in dimension 3
 template <class Traits>
 Rational_bspline_surface<Traits> bspline_surface(const Extrusion_surface_3<Rational_bspline_curve<Traits>>& s) {
@@ -245,9 +257,10 @@ Rational_bspline_surface<Traits> bspline_surface(const Extrusion_surface_3<Ratio
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the revolution of a rational Bézier curve as a patch of degree 2 in `v`, with the parametrisation of the surface. The
-/// weights in `v` are \f$ 1 + v_0^2 W, 1 + v_0 v_1 W, 1 + v_1^2 W \f$ with \f$ W = w \cdot w \f$: the second is not positive for half
-/// a turn and more.
+/// Returns the revolution of a rational Bézier curve as a patch of degree 2 in `v`, with the
+/// parametrisation of the surface. The weights in `v` are
+/// \f$ 1 + v_0^2 W, 1 + v_0 v_1 W, 1 + v_1^2 W \f$ with \f$ W = w \cdot w \f$: the second is not
+/// positive for half a turn and more.
 /// \throws Error `dimension_mismatch` unless the profile is in dimension 3
 template <class Traits, int Degree>
 Rational_bezier_patch<Traits> bezier_patch(const Revolution_surface_3<Rational_bezier_curve<Traits, Degree>>& s) {
@@ -264,8 +277,8 @@ Rational_bezier_patch<Traits> bezier_patch(const Revolution_surface_3<Bezier_cur
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the revolution of a rational B-spline curve as a surface of degree 2 in `v`, see the function for Bézier curves.
-/// Convert a polynomial profile.
+/// Returns the revolution of a rational B-spline curve as a surface of degree 2 in `v`, see the
+/// function for Bézier curves. Convert a polynomial profile.
 /// \throws Error `dimension_mismatch` unless the profile is in dimension 3
 template <class Traits>
 Rational_bspline_surface<Traits> bspline_surface(const Revolution_surface_3<Rational_bspline_curve<Traits>>& s) {
@@ -273,13 +286,16 @@ Rational_bspline_surface<Traits> bspline_surface(const Revolution_surface_3<Rati
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the full turn of a rational B-spline curve about the axis through `a` in the direction `w`, as a closed surface of
-/// degree 2 in `v` with the domain [0, 4]. At `v = 0, 1, 2, 3` the angles are 0, \f$ \theta \f$, \f$ \pi \f$ and
-/// \f$ 2\pi - \theta \f$, with \f$ \tan(\theta/2) = r |w| \f$, where `r` is a power of two near \f$ 1/|w| \f$: quarters when
-/// \f$ |w| \f$ is a power of two; for another axis the sine of a quarter turn need not be rational. It is
-/// \f$ G^\infty \f$ across the knots of `v` all the same. Where the profile runs in the direction of `w`,
-/// \f$ S_u \times S_v \f$ points to the axis: reverse the profile to turn it outwards.
-/// \throws Error `dimension_mismatch` unless in dimension 3, `zero_direction` for `w = 0`, `not_finite`
+/// Returns the full turn of a rational B-spline curve about the axis through `a` in the direction
+/// `w`, as a closed surface of degree 2 in `v` with the domain [0, 4]. At `v = 0, 1, 2, 3` the
+/// angles are 0, \f$ \theta \f$, \f$ \pi \f$ and \f$ 2\pi - \theta \f$, with
+/// \f$ \tan(\theta/2) = r |w| \f$, where `r` is a power of two near \f$ 1/|w| \f$: quarters when
+/// \f$ |w| \f$ is a power of two; for another axis the sine of a quarter turn need not be rational.
+/// It is \f$ G^\infty \f$ across the knots of `v` all the same. Where the profile runs in the
+/// direction of `w`, \f$ S_u \times S_v \f$ points to the axis: reverse the profile to turn it
+/// outwards.
+/// \throws Error `dimension_mismatch` unless in dimension 3, `zero_direction` for `w = 0`,
+///   `not_finite`
 template <class Traits>
 Rational_bspline_surface<Traits> full_revolution(const Rational_bspline_curve<Traits>& profile,
                                                  const typename Traits::Point& a, const typename Traits::Vector& w) {
@@ -301,7 +317,8 @@ Rational_bspline_surface<Traits> full_revolution(const Rational_bspline_curve<Tr
       for (int j = 1; j < 3; ++j) net[i].push_back(factor * piece[i][j]);
     }
   };
-  // The weights at the ends of the parts are 1 + v^2 W: 1 + r^2 W in the first part and 1 + 1/(r^2 W) in the second.
+  // The weights at the ends of the parts are 1 + v^2 W: 1 + r^2 W in the first part and 1 + 1/(r^2
+  // W) in the second.
   const FT factor = FT(r * r * W);
   add(s, Interval(FT(0), r), FT(1));
   add(rest, Interval(rest.domain_v().first, FT(0)), factor);
@@ -313,8 +330,8 @@ Rational_bspline_surface<Traits> full_revolution(const Rational_bspline_curve<Tr
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns the full turn of any other profile: a `Bezier_curve`, a `Rational_bezier_curve`, a `Bspline_curve`, or a
-/// `Composite_bezier_curve`, whose segments are joined to one B-spline curve.
+/// Returns the full turn of any other profile: a `Bezier_curve`, a `Rational_bezier_curve`, a
+/// `Bspline_curve`, or a `Composite_bezier_curve`, whose segments are joined to one B-spline curve.
 template <class Profile, class Traits = typename Profile::Traits,
           class = std::enable_if_t<!std::is_same_v<Profile, Rational_bspline_curve<Traits>>>>
 Rational_bspline_surface<Traits> full_revolution(const Profile& profile, const typename Traits::Point& a,

@@ -22,24 +22,25 @@
 #include <vector>
 
 /// \file evaluate_grid.h
-/// Many points and normals of a surface at once: for each parameter `u` the control points of a curve in `v`, and then all
-/// points on that line of the grid, in loops that a compiler vectorises.
+/// Many points and normals of a surface at once: for each parameter `u` the control points of a
+/// curve in `v`, and then all points on that line of the grid, in loops that a compiler vectorises.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// The points and normals of a surface at the vertices of a grid of parameters, as a structure of arrays: for each
-/// coordinate one array with the numbers of all vertices, where the vertex of the `i`-th parameter `u` and the `j`-th
-/// parameter `v` has the index \f$ i\,n_v + j \f$.
+/// The points and normals of a surface at the vertices of a grid of parameters, as a structure of
+/// arrays: for each coordinate one array with the numbers of all vertices, where the vertex of the
+/// `i`-th parameter `u` and the `j`-th parameter `v` has the index \f$ i\,n_v + j \f$.
 template <class FT> class Surface_grid {
   std::size_t size_u_ = 0, size_v_ = 0;
   std::vector<FT> numbers_;
 
 public:
-  /// Changes the numbers of parameters. The numbers of the vertices are unspecified afterwards; no memory is allocated when
-  /// there is enough.
-  /// \throws Error `work_limit` when the numbers of the vertices would be more than a `std::size_t` counts
+  /// Changes the numbers of parameters. The numbers of the vertices are unspecified afterwards; no
+  /// memory is allocated when there is enough.
+  /// \throws Error `work_limit` when the numbers of the vertices would be more than a `std::size_t`
+  ///   counts
   void resize(std::size_t size_u, std::size_t size_v) {
     if (size_v > 0 && size_u > (std::numeric_limits<std::size_t>::max)() / 6 / size_v)
       throw Error(Error_code::work_limit, "Surface_grid: too many vertices");
@@ -47,8 +48,9 @@ public:
     size_u_ = size_u;
     size_v_ = size_v;
   }
-  std::size_t size_u() const { return size_u_; }         ///< Returns the number of parameters `u`.
-  std::size_t size_v() const { return size_v_; }         ///< Returns the number \f$ n_v \f$ of parameters `v`.
+  std::size_t size_u() const { return size_u_; } ///< Returns the number of parameters `u`.
+  /// Returns the number \f$ n_v \f$ of parameters `v`.
+  std::size_t size_v() const { return size_v_; }
   std::size_t size() const { return size_u_ * size_v_; } ///< Returns the number of vertices.
 
   /// Returns the array of the coordinates number `i` of all points. \pre `0 <= i < 3`
@@ -72,8 +74,8 @@ CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
 
 namespace internal {
 
-// The Bernstein polynomials of degree n and their derivatives with respect to a parameter on [a, a+h], at many parameters:
-// array j holds the values of number j.
+// The Bernstein polynomials of degree n and their derivatives with respect to a parameter on [a,
+// a+h], at many parameters: array j holds the values of number j.
 template <class FT> struct Basis_arrays {
   int n;
   std::size_t size;
@@ -100,8 +102,9 @@ template <class FT> struct Basis_arrays {
   }
 };
 
-// One line of the grid, u constant: the coefficients in v of S and S_u are c and d, of M coordinates: 3, or 4 for homogeneous
-// points (p, w), where S = p/w and S_u = (p_u - w_u S)/w. The degree is q, or v.n if q is -1.
+// One line of the grid, u constant: the coefficients in v of S and S_u are c and d, of M
+// coordinates: 3, or 4 for homogeneous points (p, w), where S = p/w and S_u = (p_u - w_u S)/w. The
+// degree is q, or v.n if q is -1.
 template <int q, int M, Grid_normals kind, class FT>
 void evaluate_grid_line(const std::vector<FT>& c, const std::vector<FT>& d, const Basis_arrays<FT>& v,
                         const std::array<FT*, 3>& points, const std::array<FT*, 3>& normals) {
@@ -169,7 +172,8 @@ void evaluate_grid_line_of_degree(const std::vector<FT>& c, const std::vector<FT
     evaluate_grid_line_of_degree<q + 1, M, kind>(c, d, v, points, normals);
 }
 
-// The vertices of a patch: the rows from `row` on, and in each of them the numbers from `column` on.
+// The vertices of a patch: the rows from `row` on, and in each of them the numbers from `column`
+// on.
 template <int M, class Concurrency_tag, Grid_normals kind, class Patch>
 void evaluate_patch(const Patch& patch, const typename Patch::FT* u, std::size_t size_u, const typename Patch::FT* v,
                     std::size_t size_v, std::size_t row, std::size_t column, Surface_grid<typename Patch::FT>& grid) {
@@ -243,16 +247,18 @@ void evaluate_spline(const Surface& surface, const Range& u, const Range& v, Sur
 CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Computes the points and normals of a Bézier patch at all pairs of a parameter `u` and a parameter `v`, several at a time
-/// with floating-point numbers. The parameters may lie outside of the domain.
+/// Computes the points and normals of a Bézier patch at all pairs of a parameter `u` and a
+/// parameter `v`, several at a time with floating-point numbers. The parameters may lie outside of
+/// the domain.
 ///
 /// \param patch the patch, of dimension 3
 /// \param u,v the parameters, each in a range with `data()` and `size()`
 /// \param grid the result; it is resized. A grid that is used again allocates no memory
-/// \tparam kind with or without roots; compile with `-fno-math-errno`, or the root is not vectorised
+/// \tparam kind with or without roots; compile with `-fno-math-errno`, or the root is not
+///   vectorised
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
-/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for a parameter that is infinite or not a number.
-///   Results that overflow are not refused, but infinite or NaN
+/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for a parameter that is
+///   infinite or not a number. Results that overflow are not refused, but infinite or NaN
 ///
 /// \f$ O(n_u n_v q + n_u p q + n_u p^2 + n_v q^2) \f$ for the degree \f$ p \times q \f$
 template <Grid_normals kind = Grid_normals::unit, class Concurrency_tag = Sequential_tag, class Traits, class Range>
@@ -264,9 +270,11 @@ void evaluate_grid(const Bezier_patch<Traits>& patch, const Range& u, const Rang
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Computes the points and normals of a rational Bézier patch at all pairs of a parameter `u` and a parameter `v`, see the function
-/// for `Bezier_patch`. Where the denominator is zero, outside of the domain, they are infinite or NaN.
-/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for a parameter that is infinite or not a number
+/// Computes the points and normals of a rational Bézier patch at all pairs of a parameter `u` and a
+/// parameter `v`, see the function for `Bezier_patch`. Where the denominator is zero, outside of
+/// the domain, they are infinite or NaN.
+/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for a parameter that is
+///   infinite or not a number
 template <Grid_normals kind = Grid_normals::unit, class Concurrency_tag = Sequential_tag, class Traits, class Range>
 void evaluate_grid(const Rational_bezier_patch<Traits>& patch, const Range& u, const Range& v,
                    Surface_grid<typename Traits::FT>& grid) {
@@ -276,20 +284,24 @@ void evaluate_grid(const Rational_bezier_patch<Traits>& patch, const Range& u, c
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Computes the points and normals of a B-spline surface at all pairs of a parameter `u` and a parameter `v`, from its Bézier
-/// patches: at a knot that of the span to the right is taken.
+/// Computes the points and normals of a B-spline surface at all pairs of a parameter `u` and a
+/// parameter `v`, from its Bézier patches: at a knot that of the span to the right is taken.
 ///
 /// \param surface the surface, of dimension 3
-/// \param u,v the parameters in ascending order, each in a range with `data()`, `size()`, `begin()`, `end()`, `front()` and
-///   `back()`
-/// \param grid the result; it is resized. A grid that is used again allocates no memory for the vertices
-/// \tparam kind with or without roots; compile with `-fno-math-errno`, or the root is not vectorised
+/// \param u,v the parameters in ascending order, each in a range with `data()`, `size()`,
+///   `begin()`, `end()`, `front()` and `back()`
+/// \param grid the result; it is resized. A grid that is used again allocates no memory for the
+///   vertices
+/// \tparam kind with or without roots; compile with `-fno-math-errno`, or the root is not
+///   vectorised
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
-/// \throws Error `parameter_outside_domain` for a parameter outside the domain, `dimension_mismatch` unless in dimension 3,
-///   `wrong_number_of_points` unless the parameters are sorted in ascending order, `not_finite` for a parameter that is
-///   infinite or not a number. Results that overflow are not refused, but infinite or NaN
+/// \throws Error `parameter_outside_domain` for a parameter outside the domain,
+///   `dimension_mismatch` unless in dimension 3, `wrong_number_of_points` unless the parameters are
+///   sorted in ascending order, `not_finite` for a parameter that is infinite or not a number.
+///   Results that overflow are not refused, but infinite or NaN
 ///
-/// \f$ O(n_u n_v q) \f$ for the vertices, and the cost of the Bézier patches and, for each, of its Bernstein polynomials
+/// \f$ O(n_u n_v q) \f$ for the vertices, and the cost of the Bézier patches and, for each, of its
+/// Bernstein polynomials
 template <Grid_normals kind = Grid_normals::unit, class Concurrency_tag = Sequential_tag, class Traits, class Range>
 void evaluate_grid(const Bspline_surface<Traits>& surface, const Range& u, const Range& v,
                    Surface_grid<typename Traits::FT>& grid) {
@@ -297,8 +309,8 @@ void evaluate_grid(const Bspline_surface<Traits>& surface, const Range& u, const
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Computes the points and normals of a rational B-spline surface at all pairs of a parameter `u` and a parameter `v`, see the
-/// function for `Bspline_surface`.
+/// Computes the points and normals of a rational B-spline surface at all pairs of a parameter `u`
+/// and a parameter `v`, see the function for `Bspline_surface`.
 /// \throws Error as the function for `Bspline_surface`
 template <Grid_normals kind = Grid_normals::unit, class Concurrency_tag = Sequential_tag, class Traits, class Range>
 void evaluate_grid(const Rational_bspline_surface<Traits>& surface, const Range& u, const Range& v,

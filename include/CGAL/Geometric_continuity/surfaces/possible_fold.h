@@ -26,11 +26,14 @@
 #include <vector>
 
 /// \file possible_fold.h
-/// Where the normal of a surface may vanish, as it does in folds and cusps; or a proof that it vanishes nowhere.
+/// Where the normal of a surface may vanish, as it does in folds and cusps; or a proof that it
+/// vanishes nowhere.
 ///
-/// On a rectangle the normal vanishes nowhere when the products of all its Bernstein coefficients with one vector are positive.
-/// Where they are not, the rectangle is halved. The normal of a rational surface p / w is, up to a positive factor,
-/// \f$ w\,(p_u \times p_v) + (w_u\,p_v - w_v\,p_u) \times p \f$. All is computed in intervals of floating-point numbers, rounded outwards.
+/// On a rectangle the normal vanishes nowhere when the products of all its Bernstein coefficients
+/// with one vector are positive. Where they are not, the rectangle is halved. The normal of a
+/// rational surface p / w is, up to a positive factor,
+/// \f$ w\,(p_u \times p_v) + (w_u\,p_v - w_v\,p_u) \times p \f$. All is computed in intervals of
+/// floating-point numbers, rounded outwards.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -49,7 +52,8 @@ typedef Interval_nt<false> Normal_number;
 typedef std::array<Normal_number, 3> Normal_vector;
 typedef std::array<Normal_number, 4> Normal_point; // homogeneous
 
-// Vectors or points as the coefficients of a polynomial in two variables, each divided by its binomial numbers.
+// Vectors or points as the coefficients of a polynomial in two variables, each divided by its
+// binomial numbers.
 template <class Value> class Interval_net {
   int p_, q_;
   std::vector<Value> c_;
@@ -74,8 +78,8 @@ inline Normal_vector cross(const Normal_vector& x, const Normal_vector& y) {
 // Times 2 to the power of -k.
 inline Normal_number halved(const Normal_number& x, int k) { return x * Normal_number(std::ldexp(1, -k)); }
 
-// The normals of one Bezier patch as a polynomial, whose rectangle is halved. Points are homogeneous, with the weights 1 where it is
-// polynomial.
+// The normals of one Bezier patch as a polynomial, whose rectangle is halved. Points are
+// homogeneous, with the weights 1 where it is polynomial.
 template <bool is_rational> class Patch_normals {
   typedef Interval_net<Normal_vector> Normals;
   struct Part {
@@ -214,7 +218,7 @@ private:
 template <class Surface> struct Shape_of { typedef Surface type; };
 template <class Shape> struct Shape_of<Rational_surface<Shape>> { typedef Shape type; };
 
-// Of a patch in space, or one of homogeneous points.
+// Takes a patch in space, or one of homogeneous points.
 template <class Patch> Interval_net<Normal_point> interval_net(const Patch& s) {
   Interval_net<Normal_point> net(s.degree_u(), s.degree_v());
   for (int i = 0; i <= s.degree_u(); ++i)
@@ -246,13 +250,16 @@ template <class Patch> std::optional<Parameter_rectangle<typename Patch::FT>> po
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns a rectangle of parameters in which the normal \f$ S_u \times S_v \f$ of a surface vanishes or is not proved not to; or
-/// nothing, when it is proved that the normal vanishes nowhere on the closed domain. Then the surface has neither folds nor cusps inside
-/// of its spans. (It may still meet itself in distant points. What happens at knots is decided by `knot_line_continuity()`.)
+/// Returns a rectangle of parameters in which the normal \f$ S_u \times S_v \f$ of a surface
+/// vanishes or is not proved not to; or nothing, when it is proved that the normal vanishes nowhere
+/// on the closed domain. Then the surface has neither folds nor cusps inside of its spans. (It may
+/// still meet itself in distant points. `knot_line_continuity()` decides the continuity at knots.)
 ///
-/// A normal that vanishes is always found. Conversely, a rectangle is returned where the normal turns by a right angle, or nearly
-/// vanishes, within 1/1024 of a span in each parameter. Points are enclosed by floating-point numbers, with exact kernels as well.
-/// \tparam Surface `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`
+/// A normal that vanishes is always found. Conversely, a rectangle is returned where the normal
+/// turns by a right angle, or nearly vanishes, within 1/1024 of a span in each parameter. Points
+/// are enclosed by floating-point numbers, with exact kernels as well.
+/// \tparam Surface `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Surface>
 std::optional<Parameter_rectangle<typename Surface::FT>> possible_fold(const Surface& surface) {

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The words of a text, their lines and numbers: the same however the stream cuts it, on one core and on several.
+// The words of a text, their lines and numbers: the same however the stream cuts it, on one core
+// and on several.
 
 #include "support/test.h"
 
@@ -18,7 +19,8 @@ BOOST_AUTO_TEST_SUITE(token_reader)
 
 constexpr std::size_t whole = std::numeric_limits<std::size_t>::max();
 
-// Delivers a text in parts of a size, and then ends, or throws. Of size 0: one character at a time without a buffer.
+// Delivers a text in parts of a size, and then ends, or throws. Of size 0: one character at a time
+// without a buffer.
 class Parts : public std::streambuf {
   std::string text_;
   const std::size_t size_;
@@ -109,7 +111,8 @@ Words read_words(const std::string& text, std::size_t size, const std::function<
       result.words.emplace_back(reader.token(), has_line ? line_of(reader) : 0);
     }
     BOOST_CHECK(!reader.advance());
-    if (!result.words.empty()) BOOST_CHECK_EQUAL(std::string(reader.token()), result.words.back().first); // stays there
+    // stays there
+    if (!result.words.empty()) BOOST_CHECK_EQUAL(std::string(reader.token()), result.words.back().first);
   });
   return result;
 }
@@ -138,7 +141,8 @@ BOOST_AUTO_TEST_CASE(words_and_lines) {
     check_words(text);
 }
 
-// Random words, many of them numbers, with blank parts that are longer than what is delivered at once.
+// Random words, many of them numbers, with blank parts that are longer than what is delivered at
+// once.
 BOOST_AUTO_TEST_CASE(random_texts) {
   std::mt19937 random = seeded(20261122);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
@@ -285,7 +289,7 @@ BOOST_AUTO_TEST_CASE(long_words) {
   }
 }
 
-// What was read before the failure counts, as far as words are complete; the failure is never taken for the end.
+// Complete words that were read before the failure count; the failure is never taken for the end.
 BOOST_AUTO_TEST_CASE(failing_streams) {
   const std::string reason = std::generic_category().message(EIO);
   const std::function<void()> system = [] { throw std::system_error(EIO, std::generic_category(), "read"); },
@@ -303,7 +307,8 @@ BOOST_AUTO_TEST_CASE(failing_streams) {
       const bool has_mark = text[0] == '\xEF';
       Words expected = expected_words(has_mark ? text.substr(3) : text);
       const char last = text.empty() ? ' ' : text.back();
-      if (last != ' ' && last != '\n' && !expected.words.empty()) expected.words.pop_back(); // perhaps half a word
+      // perhaps half a word
+      if (last != ' ' && last != '\n' && !expected.words.empty()) expected.words.pop_back();
       expected.error = error;
       check_words(text, expected, failure);
     }

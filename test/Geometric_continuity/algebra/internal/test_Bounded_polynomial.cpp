@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Polynomials in integers of fixed length against the same in integers of any length, up to the bounds from which their lengths follow;
-// and their signs, by bisection in numbers that are rounded outwards.
+// Polynomials in integers of fixed length against the same in integers of any length, up to the
+// bounds from which their lengths follow; and their signs, by bisection in numbers that are rounded
+// outwards.
 
 #include "support/random.h"
 
@@ -87,7 +88,8 @@ BOOST_AUTO_TEST_CASE(signs) {
   BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({-1, -2, -3})), -1);
   BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({5})), 1);
   BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({-5})), -1);
-  BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({4, -3, 4})), 1); // 4 - 14 t (1-t) >= 1/2
+  // 4 - 14 t (1-t) >= 1/2
+  BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({4, -3, 4})), 1);
   BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({-4 * big, 3 * big, -4 * big})), -1);
   BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({1, -1, 1})), 0); // a double zero
   BOOST_CHECK_EQUAL(I::Rounded_polynomial::sign_of(polynomial({4, -5, 4})), 0); // two zeros

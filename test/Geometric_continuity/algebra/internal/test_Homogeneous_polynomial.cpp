@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Polynomials in homogeneous form: factors at the ends, and their signs as those of the Bernstein form.
+// Polynomials in homogeneous form: factors at the ends, and their signs as those of the Bernstein
+// form.
 
 #include "support/random.h"
 

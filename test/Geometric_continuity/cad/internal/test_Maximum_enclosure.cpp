@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The search for the largest value on a range, for functions of which the bounds are given: what ends it, and what is left open.
+// The search for the largest value on a range, for functions of which the bounds are given: what
+// ends it, and what is left open.
 
 #include "support/test.h"
 
@@ -41,7 +42,8 @@ bool hold(const Ranges& ranges, const std::vector<double>& points, double length
 BOOST_AUTO_TEST_CASE(a_function_that_rises) {
   const Largest f({0, 1, 3}, options(1000), without({}), nowhere);
   BOOST_TEST((f.defined && !f.exhausted && f.upper == 3 && f.lower >= 2.97 && f.parameter == f.lower));
-  BOOST_TEST((f.upper_at > f.lower && f.upper_at < 3));                  // in the middle of the last part
+  // in the middle of the last part
+  BOOST_TEST((f.upper_at > f.lower && f.upper_at < 3));
   const Largest few({0, 1, 3}, options(0, 1e-14), without({}), nowhere); // 24 ranges
   BOOST_TEST((few.exhausted && few.upper == 3 && few.lower < 3 && few.evaluated >= 24 && few.evaluated <= 26));
   // what nothing improves is not halved beyond the last digit

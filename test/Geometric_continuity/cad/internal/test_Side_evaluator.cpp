@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The Taylor models of points, normals and curvatures along an edge enclose their values, also on ranges that are so wide that what the
-// polynomials leave out is large; and they are narrow on those that are not.
+// The Taylor models of points, normals and curvatures along an edge enclose their values, also on
+// ranges that are so wide that what the polynomials leave out is large; and they are narrow on
+// those that are not.
 
 #include "support/cad_sides.h"
 #include "support/sampled_edges.h"
@@ -37,8 +38,8 @@ GC::Cad_spline_surface patch(int p, int q, bool rational) {
   return s;
 }
 
-// How often a value lies outside of what is known on the range [first, last], whether that is close, and whether the length of the normal,
-// by which is divided, changes little there.
+// How often a value lies outside of what is known on the range [first, last], whether that is
+// close, and whether the length of the normal, by which is divided, changes little there.
 struct Outside {
   int outside = 0, known = 0;
   double r = 0;
@@ -94,8 +95,8 @@ BOOST_AUTO_TEST_CASE(ranges_of_coordinates) {
   };
   const GC::internal::Edge_range range(-0.5, 0.25);
   for (const double size : {1., 100.}) {
-    const Conic parabola{
-        Conic::Kind::parabola, {100 * size, 0}, {1, 0}, {0, 1}, size, 0}; // x = 100 size + t^2 / (4 size)
+    const Conic parabola{// x = 100 size + t^2 / (4 size)
+                         Conic::Kind::parabola, {100 * size, 0}, {1, 0}, {0, 1}, size, 0};
     const GC::internal::Coordinate_models x = models(parabola, range);
     BOOST_TEST((x.range.inf() <= 100 * size && 100 * size + 0.0625 / size <= x.range.sup()));
     BOOST_TEST((x.range.inf() >= 100 * size - 1 / size && x.range.sup() <= 100 * size + 1 / size));
@@ -134,7 +135,8 @@ BOOST_AUTO_TEST_CASE(crossed_knot_lines) {
   }
 }
 
-// At a corner where both derivatives have one direction the normal is proved to vanish, in whichever plane that lies.
+// At a corner where both derivatives have one direction the normal is proved to vanish, in
+// whichever plane that lies.
 BOOST_AUTO_TEST_CASE(vanishing_normals) {
   const auto vanishes = [&](const P3& along_u, const P3& along_v) {
     const GC::Edge_side a =
@@ -156,8 +158,9 @@ BOOST_AUTO_TEST_CASE(models_enclose_what_they_stand_for) {
   const GC::Cad_placement moved{{{0.48, -0.8, 0.36, 5}, {0.64, 0.6, 0.48, -2}, {0.6, 0, -0.8, 1}}}; // with a mirror
   const GC::Cad_frame frame{{1, 2, 3}, {0, 0.6, 0.8}, {1, 0, 0}, {0, 0.8, -0.6}};
   typedef GC::Cad_conic<2> Conic;
-  // How many models on short ranges of each surface are narrow. A few are not, where a normal nearly vanishes: there a series of the
-  // reciprocal of its length may diverge, and nothing but the points is known.
+  // How many models on short ranges of each surface are narrow. A few are not, where a normal
+  // nearly vanishes: there a series of the reciprocal of its length may diverge, and nothing but
+  // the points is known.
   std::map<std::string, int> narrow, models;
   for (int round = 0; round < 2; ++round) {
     const std::vector<std::pair<std::string, GC::Cad_surface>> surfaces{

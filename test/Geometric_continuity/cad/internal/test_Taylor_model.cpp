@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Taylor models enclose what they are computed from: against exact numbers, at parameters of the range, in each rounding mode.
+// Taylor models enclose what they are computed from: against exact numbers, at parameters of the
+// range, in each rounding mode.
 
 #include "support/random.h"
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Series of CAD curves and surfaces over ranges of parameters enclose those at each point, which are the derivatives of the same splines in
-// exact numbers; and the pieces that a range touches.
+// Series of CAD curves and surfaces over ranges of parameters enclose those at each point, which
+// are the derivatives of the same splines in exact numbers; and the pieces that a range touches.
 
 #include "support/test.h"
 

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Writes the bounds of the rounding errors of the filter for edges as theorems for Gappa: for both conditions of Rounded_edge_end, each way
-// of rounding, and both ends of its range, between which values are scaled by powers of two.
+// Writes the bounds of the rounding errors of the filter for edges as theorems for Gappa: for both
+// conditions of Rounded_edge_end, each way of rounding, and both ends of its range, between which
+// values are scaled by powers of two.
 
 #include "support/Gappa_term.h"
 
@@ -24,7 +25,8 @@ Vector differences(int exponent) {
   return {Term::rounded_once(exponent), Term::rounded_once(exponent), Term::rounded_once(exponent)};
 }
 
-// Products of the normal with second differences, which are those of two vectors and have the sum of their bounds.
+// Products of the normal with second differences, which are those of two vectors and have the sum
+// of their bounds.
 class Products {
   Term mixed_, along_, first_, second_;
 

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The search for the largest angle in integers of fixed length, against known largest values, and against multi-precision.
+// The search for the largest angle in integers of fixed length, against known largest values, and
+// against multi-precision.
 
 #include "support/nets.h"
 
@@ -68,9 +69,11 @@ BOOST_AUTO_TEST_CASE(known_largest_values) {
   BOOST_CHECK_GT(found, 250);
 }
 
-// Largest values in the middle and at both ends, where the polynomials are small or zero next to them.
+// Largest values in the middle and at both ends, where the polynomials are small or zero next to
+// them.
 BOOST_AUTO_TEST_CASE(steep_and_equal_largest_values) {
-  const Whole e = bump(Ring(1), 0, 0, 2), square(std::vector<Ring>{Ring(1), Ring(-2), Ring(1)}); // 1 and (2t - 1)^2
+  // 1 and (2t - 1)^2
+  const Whole e = bump(Ring(1), 0, 0, 2), square(std::vector<Ring>{Ring(1), Ring(-2), Ring(1)});
   const auto times = [](const Ring& a, const Whole& f) { return bump(a, 0, 0, 0) * f; };
   const auto power_of_two = [](int n) {
     Ring x(1);
@@ -117,12 +120,14 @@ BOOST_AUTO_TEST_CASE(what_fixed_length_leaves_open) {
   for (int i = 0; i < 300; ++i) huge *= Ring(10);
   BOOST_CHECK(!search(bump(Ring(1), 1, 1, 4), bump(huge, 0, 0, 4))); // a unit that is no double
   for (int i = 0; i < 100; ++i) huge *= Ring(10);
-  BOOST_CHECK(!search(bump(Ring(1), 1, 1, 4), bump(huge, 0, 0, 4)));  // a tiny angle
-  BOOST_CHECK(!search(bump(huge, 1, 1, 4), bump(huge * 2, 0, 0, 4))); // numbers beyond the largest double
+  BOOST_CHECK(!search(bump(Ring(1), 1, 1, 4), bump(huge, 0, 0, 4))); // a tiny angle
+  // numbers beyond the largest double
+  BOOST_CHECK(!search(bump(huge, 1, 1, 4), bump(huge * 2, 0, 0, 4)));
   BOOST_CHECK(!search(Whole(std::vector<Ring>(5, Ring(0))), one(4))); // no angle
 }
 
-// Of two spans with one defect the one with the larger angle is worse, and one of which no angle is known is not.
+// If two spans have one defect, the span with the larger angle is worse. A span whose angle is
+// unknown is not worse.
 BOOST_AUTO_TEST_CASE(worse_spans) {
   GC::Edge_continuity<Q> none, small;
   none.g_order = small.g_order = 0;
@@ -155,7 +160,8 @@ BOOST_AUTO_TEST_CASE(no_crease) {
   BOOST_CHECK(!GC::internal::crease_on_grid<double>(smooth));
 }
 
-// Two patches of degree n along their edge with random points, whose angles are less than 90 degrees for small `steep`.
+// Two patches of degree n along their edge with random points, whose angles are less than 90
+// degrees for small `steep`.
 BOOST_AUTO_TEST_CASE(creases_in_fixed_length_and_multiprecision) {
   Random random;
   int decided = 0;

@@ -77,7 +77,8 @@ BOOST_AUTO_TEST_CASE(parts_of_one_spline) {
       return Filtered::Point(0x1p600 * p.x(), 0x1p600 * p.y(), 0x1p600 * p.z());
     };
     BOOST_CHECK(!found(left(-1).transform(huge), u1, b.transform(huge), u0)); // beyond the grid
-    // another degree along the edge, more knots, other knots with the same points, and a knot with a gap
+    // another degree along the edge, more knots, other knots with the same points, and a knot with
+    // a gap
     BOOST_CHECK(!found(left(-1), u1, b.elevate(0, 1), u0) && !found(left(-1), u1, b.insert_v(1), u0));
     const auto over = [](const Given& s, const GC::Knot_vector<double>& across, const GC::Knot_vector<double>& along) {
       std::vector<std::vector<Filtered::Point>> points(s.number_of_points_u());

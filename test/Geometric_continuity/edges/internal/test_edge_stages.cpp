@@ -2,10 +2,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The predicates of edge_predicates.h on double coordinates, on rational numbers and on spans of splines: every stage is
-// reached and agrees with the plain decision in rational numbers (Edge_conditions), on edges of every class.
+// The predicates of edge_predicates.h on double coordinates, on rational numbers and on spans of
+// splines: every stage is reached and agrees with the plain decision in rational numbers
+// (Edge_conditions), on edges of every class.
 //
-// Set GEOMETRIC_CONTINUITY_EDGES for the number of edges of each class and GEOMETRIC_CONTINUITY_SEED for other numbers.
+// Set GEOMETRIC_CONTINUITY_EDGES for the number of edges of each class and
+// GEOMETRIC_CONTINUITY_SEED for other numbers.
 
 #include "support/random.h"
 
@@ -87,7 +89,8 @@ void check_order(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge e
     BOOST_ERROR("order " << order << ", expected " << truth << "\n" << a << "\n" << b);
 }
 
-// The report on two patches is the same whether or not numbers of fixed length prove that the edge is smooth.
+// The report on two patches is the same whether or not numbers of fixed length prove that the edge
+// is smooth.
 void check_report(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge edge_b, int truth) {
   typedef GC::Spline_edge_continuity<Q> Report;
   const Report e = GC::edge_continuity(a, edge_a, b, edge_b);
@@ -165,7 +168,7 @@ public:
   }
 };
 
-// What two surfaces have along the edge, see Edge_conditions.
+// Describes two surfaces along an edge, see Edge_conditions.
 struct Connection {
   int n, q1, q2; // degrees
   Curve c, t1, w1, t2, w2;
@@ -207,7 +210,8 @@ struct Connection {
          r.polynomial(1) * t1;
   }
 
-  // The common factor of all coordinates: what Bernstein coefficients and the layers of the control nets divide by.
+  // The common factor of all coordinates: what Bernstein coefficients and the layers of the control
+  // nets divide by.
   std::int64_t factor() const {
     std::int64_t f = 1, binomial = 1;
     for (int k = 0; k <= n; ++k) {
@@ -325,7 +329,7 @@ BOOST_AUTO_TEST_CASE(smooth_edges) {
     }
 }
 
-// Of first order only, by a little or much.
+// The surfaces agree to first order only, and differ in curvature by a little or much.
 BOOST_AUTO_TEST_CASE(curvature_differs) {
   Random r;
   Counter counter;
@@ -385,7 +389,8 @@ BOOST_AUTO_TEST_CASE(grossly_off) {
   BOOST_CHECK_GT(counter.of(1, Stage::floating_point), edges_of_a_class() * 9 / 10);
 }
 
-// Scaled by powers of two, the same for all coordinates or not; smoothness along an edge does not change under affine maps.
+// Scaled by powers of two, the same for all coordinates or not; smoothness along an edge does not
+// change under affine maps.
 BOOST_AUTO_TEST_CASE(tiny_huge_and_mixed) {
   Random r;
   Counter uniform, tiny_huge, mixed;
@@ -453,7 +458,8 @@ BOOST_AUTO_TEST_CASE(degenerate_edges) {
   BOOST_CHECK_GT(counter.of(1, Stage::comparison), 0);
 }
 
-// Degrees that differ along the edge, or are too large for integers of fixed length, and surfaces that are not patches.
+// Degrees that differ along the edge, or are too large for integers of fixed length, and surfaces
+// that are not patches.
 BOOST_AUTO_TEST_CASE(other_degrees) {
   Random r;
   Counter counter;
@@ -511,7 +517,8 @@ BOOST_AUTO_TEST_CASE(not_finite) {
   }
 }
 
-// T2 = (gamma C' + beta T1) / alpha with numbers each of which is short, but not over one denominator: 7000 over 7.
+// T2 = (gamma C' + beta T1) / alpha with numbers each of which is short, but not over one
+// denominator: 7000 over 7.
 BOOST_AUTO_TEST_CASE(ratios_that_become_long) {
   const auto patch = [](double length, const std::array<double, 2>& start, const std::array<double, 2>& end) {
     return Patch({{Epick_3::Point(0, 0, 0), Epick_3::Point(start[0], start[1], 0)},
@@ -550,7 +557,7 @@ BOOST_AUTO_TEST_CASE(steep_second_layers) {
   BOOST_CHECK(GC::is_g3_edge(patch(1, 0), v0, patch(-1, 0), v0) && GC::is_g3_edge(spline(1, 0), v0, spline(-1, 0), v0));
 }
 
-// ---------------------------------------------------------------- rational numbers, and the spans of splines
+// ------------------------------------------------------ rational numbers, and the spans of splines
 
 typedef GC::Bezier_patch<Exact_3> Rational_patch;
 typedef GC::Bspline_surface<Exact_3> Rational_spline;
@@ -596,8 +603,9 @@ bool agree(const GC::Edge_continuity<Q>& x, const GC::Edge_continuity<Q>& y) {
          x.side == y.side && x.collapsed == y.collapsed && x.normal_vanishes == y.normal_vanishes;
 }
 
-// The report and the predicates on the same edge, in other numbers and over other knots, against `truth`, which the rational
-// road has found: that for rows, which has no stages. A single point is of the order 0 in any parametrisation.
+// The report and the predicates on the same edge, in other numbers and over other knots, against
+// `truth`, which the rational road has found: that for rows, which has no stages. A single point is
+// of the order 0 in any parametrisation.
 template <class Surface_a, class Surface_b>
 void check_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
                     const GC::Edge_continuity<Q>& truth, Counter& counter) {

@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Edges of rational surfaces in integers of fixed length against the decision in integers of any length: on homogeneous points with
-// few digits and with many, where an edge holds and where a number is off by one unit, with weights that are alike, large, small and mixed.
+// Edges of rational surfaces in integers of fixed length against the decision in integers of any
+// length: on homogeneous points with few digits and with many, where an edge holds and where a
+// number is off by one unit, with weights that are alike, large, small and mixed.
 
 #include "support/rational_surfaces.h"
 
@@ -40,8 +41,8 @@ template <class A, class B> int order(const A& a, Patch_edge ea, const B& b, Pat
   const int found = answers[2] ? 2 : answers[1] ? 1 : answers[0] ? 0 : -1;
   const auto report = edge_continuity(a, ea, b, eb);
   if (answers[0] || report.whole_a) BOOST_CHECK_EQUAL(report.g_order, found);
-  const auto of_rows =
-      edge_continuity(spline_edge_rows(a, ea), spline_edge_rows(b, eb)); // converted to numbers of any length
+  // converted to numbers of any length
+  const auto of_rows = edge_continuity(spline_edge_rows(a, ea), spline_edge_rows(b, eb));
   BOOST_CHECK(of_rows.g_order == report.g_order && of_rows.defect == report.defect && of_rows.side == report.side &&
               of_rows.coplanar == report.coplanar && of_rows.reversed == report.reversed);
   return found;
@@ -66,7 +67,8 @@ struct Pair {
   Net a, b;
 };
 
-// Two patches of degree n along v = 0, with homogeneous points Q = P, Q_v = x P + (y + z u) P_u - c P_v, which have Q_vv as G2 asks for:
+// Two patches of degree n along v = 0, with homogeneous points Q = P, Q_v = x P + (y + z u) P_u - c
+// P_v, which have Q_vv as G2 asks for:
 //   Q_vv = (y + z u)^2 P_uu - 2 c (y + z u) P_uv + c^2 P_vv + s P + t P_v,
 // in the powers of u and v, of numbers of at most `size`; the second one times `factor`.
 Pair smooth_pair(Random& random, int n, int size, const Q& factor) {
@@ -100,7 +102,8 @@ Pair smooth_pair(Random& random, int n, int size, const Q& factor) {
                   t * at(pv, i, k);
     }
   const auto net = [&](const Row& v, const Row& vv, int across, const Q& times) {
-    // as Bernstein coefficients in u, and in v with the derivatives in units in which the weights stay positive
+    // as Bernstein coefficients in u, and in v with the derivatives in units in which the weights
+    // stay positive
     const Q small(random.integer(500, 999));
     Net h(static_cast<std::size_t>(n) + 1);
     for (int i = 0; i <= n; ++i) {
@@ -178,7 +181,8 @@ template <class Weight> Symmetric symmetric_pair(Random& random, int n, int q, i
     const double edge_weight = weight();
     for (int j = 0; j <= q; ++j) {
       double x = edge[0], z = edge[2], y = 0, w = edge_weight;
-      if (j == 1) y = double(2 * size) + random.integer(0, size); // straight across: p1 - p0 is a multiple of (0, 1, 0)
+      // straight across: p1 - p0 is a multiple of (0, 1, 0)
+      if (j == 1) y = double(2 * size) + random.integer(0, size);
       if (j > 1) {
         x += random.integer(-size, size);
         y = double(2 * size * j) + random.integer(0, size);
@@ -276,7 +280,8 @@ BOOST_AUTO_TEST_CASE(weights_at_the_ends_of_rows) {
 
 BOOST_AUTO_TEST_CASE(degenerate_edges) {
   typedef Filtered::Point P;
-  // the apex of a cone with other weights on each side: one point, in another rational parametrisation
+  // the apex of a cone with other weights on each side: one point, in another rational
+  // parametrisation
   const Patch<Filtered> cone({{P(0, 0, 0), P(1, 0, 1)}, {P(0, 0, 0), P(1, 1, 1)}, {P(0, 0, 0), P(0, 1, 1)}},
                              {{1, 1}, {1, 1}, {2, 2}}),
       other({{P(0, 0, 0), P(1, 0, -1)}, {P(0, 0, 0), P(1, 1, -1)}, {P(0, 0, 0), P(0, 1, -1)}},
@@ -295,7 +300,8 @@ BOOST_AUTO_TEST_CASE(degenerate_edges) {
   BOOST_CHECK_EQUAL(order(flat, v0, next.reverse_u(), v0), 2);
   BOOST_CHECK_EQUAL(order(flat, v0, next.elevate(1, 0), v0), 2);
   BOOST_CHECK_EQUAL(order(flat, u1, next, v0), -1);
-  // overflow of products of doubles, and numbers that are so far apart that they have no common grid
+  // overflow of products of doubles, and numbers that are so far apart that they have no common
+  // grid
   const Patch<Filtered> huge({{P(0, 0, 0), P(0, 1e300, 0)}, {P(2, 0, 0), P(2, 1, 1e-300)}},
                              {{1e200, 2e200}, {1e200, 1}});
   BOOST_CHECK_EQUAL(order(huge, v0, huge, v0), 0);

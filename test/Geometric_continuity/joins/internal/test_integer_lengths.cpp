@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What the residues of fixed length leave out of a form is longer than they are: the equations themselves, evaluated on bounds.
+// The test evaluates the equations themselves on bounds, and checks that the residues of fixed length suffice.
 
 #include "support/bounded_integers.h"
 #include "support/test.h"

@@ -138,7 +138,7 @@ template <int N> void check(const Join<N>& join, Counter& counter) {
   }
 }
 
-// The same with a coordinate, and with a weight, changed by one unit in the last place.
+// Checks the join with a coordinate, and with a weight, changed by one unit in the last place.
 template <int N> void check_neighbours(const Join<N>& join, Counter& counter) {
   for (int i = 0; i < 4; ++i) {
     Join<N> other = join;

@@ -6,7 +6,8 @@
 
 #include "support/test.h"
 
-// The same is done to a std::vector, on both sides of the number of elements that need no memory.
+// The test does the same to a std::vector, on both sides of the number of elements that need no
+// memory.
 BOOST_AUTO_TEST_CASE(like_a_vector) {
   typedef GC::internal::Short_vector<double, 4> Vector;
   for (std::size_t first = 0; first <= 9; ++first)

@@ -18,14 +18,16 @@ template <class Engine> S random_surface(Engine& random, const Knots& u, const K
   return S(net, u, v);
 }
 
-// Every pair of edges: in one group if and only if they are the same, in the direction that is found.
+// Every pair of edges: in one group if and only if they are the same, in the direction that is
+// found.
 template <class Model> void check_groups(const Model& model) {
   typedef typename Model::value_type Surface;
   std::vector<const Surface*> pointers;
   for (const Surface& s : model) pointers.push_back(&s);
   const GC::internal::Edge_groups<Surface> groups(pointers);
   typedef std::pair<std::size_t, Patch_edge> Edge;
-  std::vector<std::pair<Edge, std::pair<std::size_t, bool>>> uses; // with the number of the group, and backwards
+  // with the number of the group, and backwards
+  std::vector<std::pair<Edge, std::pair<std::size_t, bool>>> uses;
   std::size_t number = 0;
   for (const auto& group : groups.edges()) {
     for (const auto& use : group) uses.push_back({{use.patch, use.edge}, {number, use.backwards}});
@@ -67,7 +69,8 @@ BOOST_AUTO_TEST_CASE(groups_of_edges_that_are_not_clamped) {
   check_groups(std::vector<S>{s.swap_parameters(), s.clamp()});
 }
 
-// A closed edge over knots without symmetry, and the same curve over the mirrored knots: both begin at the same point.
+// A closed edge over knots without symmetry, and the same curve over the mirrored knots: both begin
+// at the same point.
 BOOST_AUTO_TEST_CASE(closed_edges) {
   std::mt19937_64 random = seeded();
   for (int i = 0; i < 8; ++i) {
@@ -96,7 +99,8 @@ BOOST_AUTO_TEST_CASE(points_that_are_the_same_backwards) {
   check_groups(std::vector<S>{late, early, late.reverse_u()});
 }
 
-// Edges with the same ends, other points, other weights, and points at infinity: out to a direction, and back.
+// Edges with the same ends, other points, other weights, and points at infinity: out to a
+// direction, and back.
 BOOST_AUTO_TEST_CASE(edges_with_weights) {
   typedef GC::Rational_bezier_patch<GC::Traits_3<Exact>> Rational;
   typedef Exact::Point_3 P;
@@ -135,7 +139,7 @@ BOOST_AUTO_TEST_CASE(collapsed_edges) {
   BOOST_CHECK_EQUAL(GC::internal::Edge_groups<S>(one).collapsed().size(), 1);
 }
 
-// What a model says of a shared edge is what the verb for two surfaces says.
+// A model and the function for two surfaces give the same verdict on a shared edge.
 BOOST_AUTO_TEST_CASE(a_model_and_its_pairs) {
   std::mt19937_64 random = seeded();
   const S s = random_surface(random, knots(0, 4, {1, 2, 3}), knots(0, 4, {1, 2}));

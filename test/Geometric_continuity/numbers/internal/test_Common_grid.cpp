@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The coarsest grid of 52 bits on which all coordinates of two ends lie, against one that is found bit by bit.
+// The coarsest grid of 52 bits on which all coordinates of two ends lie, against one that is found
+// bit by bit.
 
 #include <CGAL/Geometric_continuity/numbers/internal/Common_grid.h>
 
@@ -36,7 +37,8 @@ template <int k, std::size_t N> void check(const Points<N>& x, const Points<N>& 
   if (valid) BOOST_CHECK(all_on(grid.exponent()) && !all_on(grid.exponent() + 1));
 }
 
-// Numbers of `bits` bits, the last of them a multiple of 2^exponent, k + 1 points of which the others are not looked at.
+// Numbers of `bits` bits, the last of them a multiple of 2^exponent, k + 1 points of which the
+// others are not looked at.
 template <int k, std::size_t N> void check_random(std::mt19937_64& random, int bits, int exponent) {
   Points<N> x, y;
   for (Points<N>* points : {&x, &y})

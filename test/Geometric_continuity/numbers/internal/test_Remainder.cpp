@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Remainders by several moduli: the moduli are those that are documented and suffice for all joins, and the arithmetic is that of integers.
+// Remainders by several moduli: the moduli are those that are documented and suffice for all joins,
+// and the arithmetic is that of integers.
 
 #include <CGAL/Geometric_continuity/numbers/internal/Remainder.h>
 
@@ -80,7 +81,7 @@ BOOST_AUTO_TEST_CASE(remainders_of_long_numbers) {
     }
 }
 
-// Of doubles in one unit, from the smallest one to the largest.
+// The numbers are doubles in one unit, from the smallest one to the largest.
 BOOST_AUTO_TEST_CASE(doubles_of_all_sizes) {
   std::mt19937_64 random(first_seed());
   for (const int range : {0, 8, 100, 2000}) {

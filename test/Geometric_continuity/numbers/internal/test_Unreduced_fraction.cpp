@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The integers and fractions with which exact blends are computed: the same numbers as by the operators of each number type.
+// The integers and fractions with which exact blends are computed: the same numbers as by the
+// operators of each number type.
 
 #include "support/fractions.h"
 #include "support/test.h"
@@ -66,7 +67,8 @@ BOOST_AUTO_TEST_CASE(fractions) {
   check_fractions<boost::multiprecision::mpq_rational>();
 }
 
-// What is asked about one integer or fraction: zero, negative numbers, and those at the limits of what is called short.
+// The test asks the questions about one integer or fraction, for zero, negative numbers, and
+// numbers at the limits of short ones.
 BOOST_AUTO_TEST_CASE(single_numbers) {
   typedef GC::internal::Inline_integer Integer;
   Integer zero(0), quotient(5);

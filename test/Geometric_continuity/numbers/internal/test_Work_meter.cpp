@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// How many steps searches may take that can be stopped at any time: each a quarter of the limit, all together half of it.
+// How many steps searches may take that can be stopped at any time: each a quarter of the limit,
+// all together half of it.
 
 #include "support/test.h"
 

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Zero bits at the ends of words: as counted one by one, with the functions of the compiler and without.
+// Zero bits at the ends of words: as counted one by one, with the functions of the compiler and
+// without.
 
 #include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 

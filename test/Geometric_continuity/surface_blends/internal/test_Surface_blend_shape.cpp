@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The factor of the homogeneous points of an automatic shape, against the Taylor expansion of the weights.
+// The factor of the homogeneous points of an automatic shape, against the Taylor expansion of the
+// weights.
 
 #include "support/rational_surfaces.h"
 #include "support/series.h"
@@ -11,7 +12,8 @@
 
 BOOST_AUTO_TEST_SUITE(surface_blend_shape)
 
-// The automatic factor cancels the weights along one line across the edge: (1 + lambda_1 v + ...) w(phi(v)) is constant, up to v^3.
+// The automatic factor cancels the weights along one line across the edge: (1 + lambda_1 v + ...)
+// w(phi(v)) is constant, up to v^3.
 BOOST_AUTO_TEST_CASE(factor_of_one_line) {
   Random random;
   for (int round = 0; round < 20; ++round) {

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Tells whether a polynomial in two variables has a zero inside of the unit square, and what constructors say of such denominators.
+// Tells whether a polynomial in two variables has a zero inside of the unit square, and what
+// constructors say of such denominators.
 
 #include "support/test.h"
 
@@ -58,7 +59,8 @@ bool has_zero(const Polynomial& f) {
   return answer;
 }
 
-// The patch with this denominator: Bernstein coefficients by sums of w_ij = sum C(i, k) C(j, l) / (C(m, k) C(n, l)) f_kl.
+// The patch with this denominator: Bernstein coefficients by sums of w_ij = sum C(i, k) C(j, l) /
+// (C(m, k) C(n, l)) f_kl.
 GC::Rational_bezier_patch<Traits> patch(const Polynomial& f) {
   const int m = static_cast<int>(f.size()) - 1, n = static_cast<int>(f[0].size()) - 1;
   const auto binomial = [](int n, int k) {
@@ -115,7 +117,8 @@ BOOST_AUTO_TEST_CASE(single_points) {
 }
 
 BOOST_AUTO_TEST_CASE(closed_curves) {
-  // (8 (u - 1/3)^2 + 9 (v - 1/2)^2 - r)^2: an ellipse, inside for small r > 0, a point for r = 0, nothing for r < 0
+  // (8 (u - 1/3)^2 + 9 (v - 1/2)^2 - r)^2: an ellipse, inside for small r > 0, a point for r = 0,
+  // nothing for r < 0
   const auto ellipse = [](const Q& r) {
     return minus(
         sum(product(constant(Q(8)), squared(minus(u, Q(1) / 3))), product(constant(Q(9)), squared(minus(v, Q(1) / 2)))),
@@ -140,7 +143,8 @@ BOOST_AUTO_TEST_CASE(closed_curves) {
   BOOST_CHECK(!has_zero(constant(Q(1))) && !has_zero(minus(u, Q(5))) && !has_zero(minus(sum(u, v), Q(5))));
 }
 
-// Sums of two squares of random polynomials that are both zero at a random point, or one of them is not.
+// Sums of two squares of random polynomials that are both zero at a random point, or one of them is
+// not.
 BOOST_AUTO_TEST_CASE(random_points) {
   std::mt19937 engine = seeded(2026);
   const auto number = [&] { return Q(static_cast<int>(engine() % 19) - 9); };

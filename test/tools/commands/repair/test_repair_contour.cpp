@@ -2,13 +2,13 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Repair of contours: what stays, how far handles move, mirror images, and that repairing again changes nothing.
+// Repair of contours: what stays, how far handles move, mirror images, and that repairing again
+// changes nothing.
 
 #define BOOST_TEST_MODULE repair_contour
 #include "support/test.h"
 
 #include "commands/repair/repair_contour.h"
-
 
 typedef GC::Grid_vector Vector;
 typedef std::vector<Vector> Points;
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(mirror_images) {
   BOOST_CHECK(contours > 100);
 }
 
-// Of two cubics: against all positions of both handles.
+// The moves of two cubics are compared with all positions of both handles.
 BOOST_AUTO_TEST_CASE(least_change) {
   std::mt19937 random = seeded(29);
   int mended = 0;
@@ -189,7 +189,8 @@ BOOST_AUTO_TEST_CASE(symmetric_handles_stay_so) {
   BOOST_CHECK(c.curves[0].points[2] == (Vector{-21, 52}) && c.curves[1].points[1] == (Vector{21, 52}));
 }
 
-// The other end of a quadratic: as its leg gets longer, its handle would be off by more, though the angle would be smaller.
+// The other end of a quadratic: as its leg gets longer, its handle would be off by more, though the
+// angle would be smaller.
 BOOST_AUTO_TEST_CASE(kinks_that_are_left_do_not_grow) {
   const Grid_contour given =
       contour({{{-500, 0}, {0, 0}}, {{0, 0}, {100, 7}, {200, 103}}, {{200, 103}, {10200, 10050}}}, false);
@@ -200,7 +201,8 @@ BOOST_AUTO_TEST_CASE(kinks_that_are_left_do_not_grow) {
   BOOST_TEST(done.unrepaired[0].reason == "another join would be harmed");
 }
 
-// The handle behind the first node gets shorter, and then leads to the second one, whose own handle lies at it, in the right direction.
+// The handle behind the first node gets shorter, and then leads to the second one, whose own handle
+// lies at it, in the right direction.
 BOOST_AUTO_TEST_CASE(kinks_that_harmonising_mends_are_not_left) {
   Grid_contour c = contour({{{146, 301}, {146, 199}, {169, 29}, {231, 29}},
                             {{231, 29}, {290, 29}, {288, 168}, {288, 168}},

@@ -71,7 +71,8 @@ BOOST_AUTO_TEST_CASE(arcs) {
   BOOST_CHECK_EQUAL(grade<Double_2>("M0 0a5 5 0 0 1 1 0h9"), "corner");
 }
 
-// Arcs of circles over one chord: half of the angle of the arc is that between the arc and its chord.
+// Arcs of circles over one chord: half of the angle of the arc is that between the arc and its
+// chord.
 BOOST_AUTO_TEST_CASE(random_arcs) {
   std::mt19937 random = seeded(12);
   for (int i = 0; i < 300; ++i) {

@@ -243,7 +243,8 @@ BOOST_AUTO_TEST_CASE(arcs_that_are_rotated_by_multiples_of_45_degrees) {
     BOOST_REQUIRE(a.is_known() && a.is_rational());
     const GC::Curve_jet<Exact_2> jet = *a.start_jet(2);
     const Q r[2] = {Q(0) - jet[2][0], Q(0) - jet[2][1]}, t[2] = {jet[1][0], jet[1][1]};
-    // half of the ellipse with x - c and x' as conjugate radii: (u, v) . (u', v') = 0 for u = (x + y) / 7, v = (y - x) / 4
+    // half of the ellipse with x - c and x' as conjugate radii: (u, v) . (u', v') = 0 for u = (x +
+    // y) / 7, v = (y - x) / 4
     BOOST_CHECK(r[0] == -8 && r[1] == -12);
     BOOST_CHECK_EQUAL(Q((r[0] + r[1]) * (t[0] + t[1]) / 49 + (r[1] - r[0]) * (t[1] - t[0]) / 16), 0);
     BOOST_CHECK(Q(r[0] * t[1] - r[1] * t[0]) > 0);
@@ -252,14 +253,15 @@ BOOST_AUTO_TEST_CASE(arcs_that_are_rotated_by_multiples_of_45_degrees) {
   BOOST_CHECK_EQUAL(orders("M-9 0L0 0A7 4 44.999 0 1 33 65H9"), "00");
   const auto irrational = arc("M0 0A5 4 45 0 1 5 5.5");
   BOOST_CHECK(irrational.is_known() && !irrational.is_rational());
-  BOOST_CHECK_EQUAL(orders("M0 0A5 4 45 0 1 5 5.5A5 4 45 0 0 10 11"), "1"); // point by point symmetric: a turning point
+  // point by point symmetric: a turning point
+  BOOST_CHECK_EQUAL(orders("M0 0A5 4 45 0 1 5 5.5A5 4 45 0 0 10 11"), "1");
   BOOST_CHECK_EQUAL(orders("M100,20a6,3,45,0,1-6,0z"), "00");
 }
 
 namespace {
 
-// The angle of the tangents of an arc from (0, 0) with the x-axis, in degrees, at its start and its end: by the formulas of the
-// implementation notes of SVG, in floating-point numbers.
+// The angle of the tangents of an arc from (0, 0) with the x-axis, in degrees, at its start and its
+// end: by the formulas of the implementation notes of SVG, in floating-point numbers.
 std::array<double, 2> tangents_of_svg(double rx, double ry, double rotation, bool large, bool sweep, double x,
                                       double y) {
   const double radian = std::acos(-1.) / 180, c = std::cos(rotation * radian), s = std::sin(rotation * radian);
@@ -309,14 +311,16 @@ BOOST_AUTO_TEST_CASE(tangents_of_rotated_ellipses) {
   BOOST_CHECK_EQUAL(arcs, 704);
 }
 
-// Halves of ellipses of one shape, and arcs that are symmetric to their join, have one tangent exactly, though it is not rational.
+// Halves of ellipses of one shape, and arcs that are symmetric to their join, have one tangent
+// exactly, though it is not rational.
 BOOST_AUTO_TEST_CASE(joins_of_rotated_ellipses) {
   BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A2 1 30 0 1 0 0Z"), "33");
   BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A1 2 120 0 1 0 0Z"), "33");
   BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A1 .5 -330 1 1 0 0Z"), "33");
-  BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A1 .5 30 0 1 2 1"), "1");  // a smaller half
-  BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A2 1 30 0 0 8 4"), "1");   // a turning point
-  BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 0 1 4 2A9 4 30 0 0 8 4"), "1");   // the same of less than halves
+  BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A1 .5 30 0 1 2 1"), "1"); // a smaller half
+  BOOST_CHECK_EQUAL(orders("M0 0A2 1 30 0 1 4 2A2 1 30 0 0 8 4"), "1");  // a turning point
+  // the same of less than halves
+  BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 0 1 4 2A9 4 30 0 0 8 4"), "1");
   BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 1 0 4 2A9 4 30 1 1 8 4"), "1");   // and of more
   BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 0 1 4 2A18 8 30 0 0 12 6"), "1"); // and twice as large
   BOOST_CHECK_EQUAL(orders("M0 0A9 4 30 0 1 4 2A9 4 30 0 0 12 6"), "0");
@@ -352,10 +356,12 @@ BOOST_AUTO_TEST_CASE(joins_of_arcs) {
   BOOST_CHECK_EQUAL(orders("M2 0a2 1 0 0 1-2 1 2 1 0 0 1-2-1 2 1 0 0 1 2-1 2 1 0 0 1 2 1z"), "3333");
   BOOST_CHECK_EQUAL(orders("M0 0A1 1 0 0 1 2 0A1 1 0 0 0 4 0"), "1"); // S shape
   BOOST_CHECK_EQUAL(orders("M0 0A1 1 0 0 1 2 0A1 1 0 0 1 4 0"), "0"); // cusp
-  // centres that are not rational: D = 99, equal or opposite curvature, proved in the field with the root of 99
+  // centres that are not rational: D = 99, equal or opposite curvature, proved in the field with
+  // the root of 99
   BOOST_CHECK_EQUAL(orders("M0 0A5 5 0 0 1 1 0A5 5 0 0 0 2 0"), "1");
   BOOST_CHECK_EQUAL(orders("M0 0A5 5 0 0 1 1 0A5 5 0 0 1 2 0"), "0");
-  BOOST_CHECK_EQUAL(orders("M0 0A5 5 0 0 1 1 0A10 10 0 0 0 3 0"), "1"); // D = 99 again, other curvature
+  // D = 99 again, other curvature
+  BOOST_CHECK_EQUAL(orders("M0 0A5 5 0 0 1 1 0A10 10 0 0 0 3 0"), "1");
   BOOST_CHECK_EQUAL(orders("M0 0A5 5 0 0 1 1 0L2 0"), "0");
   BOOST_CHECK_EQUAL(orders("M-1 0L0 0A5 5 0 0 1 1 0"), "0");
   BOOST_CHECK_EQUAL(orders("M0 0A5 5 0 0 1 1 0A4 4 0 0 0 2 0"), "0"); // roots of 99 and 63: two extensions
@@ -378,7 +384,8 @@ BOOST_AUTO_TEST_CASE(random_arcs_of_one_ellipse) {
     const Q t[] = {Q(-1 - random_rational(random) * random_rational(random) / 1000000000), Q(1, 3), Q(2)};
     std::vector<Segment> segments;
     for (int j = 0; j < 2; ++j) {
-      const Q sine_sign = (t[j + 1] - t[j]) * (1 + t[j] * t[j + 1]); // of the angle between the points
+      // of the angle between the points
+      const Q sine_sign = (t[j + 1] - t[j]) * (1 + t[j] * t[j + 1]);
       const GC::Elliptical_arc_parameters<Q> parameters{rx, ry, Q(0), sine_sign < 0, true};
       segments.push_back({{GC::Elliptical_arc<Exact_2>(point(t[j]), point(t[j + 1]), parameters)}, j, 'A', 0});
       const GC::Curve_jet<Exact_2> x = *segments[j].arc()->end_jet(2);
@@ -441,7 +448,8 @@ BOOST_AUTO_TEST_CASE(errors_have_a_place_and_a_reason) {
   check_refused("M1e200 1l1e-300 1", 10, "a coordinate of more than 1280 bits");
   check_refused("M1 1A1e300 1e-300 0 0 1 2 2", 27, "the sizes of an arc differ too much");
   check_refused("M1 1A1e308 1e308 0 0 1 2 2", 26, "the sizes of an arc differ too much");
-  read("M1e308 1.7976931348623157e308l-1e300 0Q5e-324 0 4.9406564584124654e-324 1"); // the range of double
+  // the range of double
+  read("M1e308 1.7976931348623157e308l-1e300 0Q5e-324 0 4.9406564584124654e-324 1");
   BOOST_CHECK(error([] {
                 GC::read_svg_path<Exact_2>("M1 x", "a.svg:7: path");
               }).find("a.svg:7: path, character 4: 'x' where a number") != std::string::npos);
@@ -470,7 +478,8 @@ BOOST_AUTO_TEST_CASE(transforms) {
   BOOST_CHECK_EQUAL(image("translate(10,0) scale(2)", p), "16,8");
   BOOST_CHECK_EQUAL(image("scale(2),translate(10,0)", p), "26,8");
   BOOST_CHECK_EQUAL(image("scale(2)translate(10,0)rotate(90)", p), "12,6");
-  // other angles: a rotation exactly, by nearly the angle; tan() and cos() are within a few ulp of double
+  // other angles: a rotation exactly, by nearly the angle; tan() and cos() are within a few ulp of
+  // double
   for (const char* angle : {"30", "-12.5", "44.999", "45", "46", "100", "179.9", "-91", "720.5"}) {
     const Transform map = GC::parse_svg_transform<Exact_2>("rotate(" + std::string(angle) + ")");
     const std::array<Q, 6>& m = map.matrix();
@@ -519,7 +528,8 @@ BOOST_AUTO_TEST_CASE(rotations_about_one_centre_are_one) {
   BOOST_CHECK_EQUAL(GC::parse_svg_transform<Double_2>("rotate(30)rotate(60)").matrix()[0], 0);
 }
 
-// Products are exact as long as their numbers are short; longer ones are rounded, and do not grow with the list.
+// Products are exact as long as their numbers are short; longer ones are rounded, and do not grow
+// with the list.
 BOOST_AUTO_TEST_CASE(products_of_transforms_stay_short) {
   const std::vector<Subpath> path =
       GC::read_svg_path<Exact_2>("M0 0C1 2 3 3 5 3S7 4 9 2Q10 1 12 3T15 0A5 5 0 0 1 16 0");
@@ -621,7 +631,8 @@ BOOST_AUTO_TEST_CASE(random_round_trips) {
   std::mt19937 random(seed);
   for (int i = 0; i < 200; ++i) {
     std::string data = "M", expected;
-    const auto number = [&](const std::string& decimal, bool first) { // with a separator only where it is needed
+    // with a separator only where it is needed
+    const auto number = [&](const std::string& decimal, bool first) {
       const char c = decimal[0];
       const bool glued =
           first || c == '-' ||
@@ -781,7 +792,8 @@ BOOST_AUTO_TEST_CASE(arcs_of_all_sizes) {
       }
 }
 
-// Arcs with rational ends as rational curves: on all four arcs of an ellipse through two points, and on its halves.
+// Arcs with rational ends as rational curves: on all four arcs of an ellipse through two points,
+// and on its halves.
 BOOST_AUTO_TEST_CASE(arcs_are_rational_curves) {
   const auto on_ellipse = [](const GC::Rational_bezier_curve<Exact_2, 2>& c, const Exact_2::Point& centre, const Q& rx,
                              const Q& ry) {

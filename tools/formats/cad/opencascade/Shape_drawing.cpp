@@ -34,15 +34,18 @@
 
 namespace {
 
-// How far triangles are from their face, in parts of the extent of the shape, and how far their normals turn, in radians.
+// How far triangles are from their face, in parts of the extent of the shape, and how far their
+// normals turn, in radians.
 constexpr double drawn_distance = 1e-3, drawn_angle = 0.2;
 
-// A spline with more knots than this, such as measured ground, would be divided for minutes: the sides of its triangles are no shorter
-// than this part of its extent. A face has no more triangles than this.
+// A spline with more knots than this, such as measured ground, would be divided for minutes: the
+// sides of its triangles are no shorter than this part of its extent. A face has no more triangles
+// than this.
 constexpr int most_fine_knots = 1000, most_triangles = 15000;
 constexpr double coarse_side = 0.02;
 
-// Divides a shape into triangles the sides of which are no shorter than `least`, or as short as is needed for 0.
+// Divides a shape into triangles the sides of which are no shorter than `least`, or as short as is
+// needed for 0.
 void divide(const TopoDS_Shape& shape, double distance, double least) {
   IMeshTools_Parameters parameters;
   parameters.Deflection = distance;
@@ -68,7 +71,8 @@ bool has_many_triangles(const TopoDS_Face& face) {
   return !triangles.IsNull() && triangles->NbTriangles() > most_triangles;
 }
 
-// Divides a face that has many knots, or again, more coarsely, one that has become too many triangles.
+// Divides a face that has many knots, or again, more coarsely, one that has become too many
+// triangles.
 void divide_coarsely(const TopoDS_Face& face, double distance) {
   const double size = extent(face);
   for (double part = coarse_side; part < 1; part *= 2) {
@@ -99,7 +103,8 @@ std::vector<GC::Cad_point<3>> curve_points(const TopoDS_Edge& edge) {
   return result;
 }
 
-// Returns whether those curves of an edge that there are begin and end at finite points, in space and in the parameter plane.
+// Returns whether those curves of an edge that there are begin and end at finite points, in space
+// and in the parameter plane.
 bool has_finite_ends(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   double begin, end;
   if (const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, begin, end); !curve.IsNull())
@@ -115,7 +120,8 @@ bool has_finite_ends(const TopoDS_Edge& edge, const TopoDS_Face& face) {
   return true;
 }
 
-// Returns whether the edges of a face have finite parameters and ends, and the face a finite extent; includes it in a box then.
+// Returns whether the edges of a face have finite parameters and ends, and the face a finite
+// extent; includes it in a box then.
 bool include(const TopoDS_Shape& face, Bnd_Box& all) {
   for (TopExp_Explorer i(face, TopAbs_EDGE); i.More(); i.Next()) {
     double begin, end;
@@ -143,7 +149,8 @@ void append_triangles(const TopoDS_Face& face, Cad_mesh& mesh) {
   }
 }
 
-// The point of a triangle that is nearest to the origin, by its squared distance: inside, or on a side.
+// The point of a triangle that is nearest to the origin, by its squared distance: inside, or on a
+// side.
 double square_from_origin(const gp_XYZ& a, const gp_XYZ& b, const gp_XYZ& c) {
   const gp_XYZ normal = (b - a).Crossed(c - a);
   const auto is_inside = [&](const gp_XYZ& p, const gp_XYZ& q) { return p.Crossed(q).Dot(normal) >= 0; };
@@ -175,7 +182,8 @@ double distance(const TopoDS_Face& face, const Cad_mesh& mesh) {
   return mesh.triangles.empty() ? 0 : std::sqrt(most);
 }
 
-// Returns whether the edges of a face lie in the box of its triangles, up to this distance. OpenCASCADE may divide a part of a face only.
+// Returns whether the edges of a face lie in the box of its triangles, up to this distance.
+// OpenCASCADE may divide a part of a face only.
 bool has_edges(const TopoDS_Face& face, const Cad_mesh& mesh, double distance) {
   Bnd_Box box;
   for (const auto& triangle : mesh.triangles)

@@ -15,18 +15,20 @@
 
 namespace GC = CGAL::Geometric_continuity;
 
-// What cannot be expressed by the types of Cad_geometry.h; the message names it, e.g. "Geom_OffsetCurve".
+// Is thrown for geometry that the types of Cad_geometry.h cannot express; the message names it,
+// e.g. "Geom_OffsetCurve".
 struct Not_covered : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// The parameters where a curve, or a surface in one direction, is used: which periods of a spline are needed.
+// The parameters where a curve, or a surface in one direction, is used: which periods of a spline
+// are needed.
 struct Used_range {
   double begin, end;
 };
 
-// Return the curve by the numbers that OpenCASCADE holds: nothing is computed, but the knots of further periods.
-// Throw Not_covered, also for numbers that are not finite.
+// Return the curve by the numbers that OpenCASCADE holds: nothing is computed, but the knots of
+// further periods. Throw Not_covered, also for numbers that are not finite.
 GC::Cad_curve<2> cad_curve(const Handle(Geom2d_Curve) & curve, const Used_range& used);
 GC::Cad_curve<3> cad_curve(const Handle(Geom_Curve) & curve, const Used_range& used);
 

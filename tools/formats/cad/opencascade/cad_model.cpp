@@ -74,7 +74,8 @@ GC::Cad_placement placement(const TopLoc_Location& location) {
   return result;
 }
 
-// What both placements begin with: that of the part, and of the parts that it belongs to. The list of a placement ends with them.
+// Returns the common beginning of both placements: the placement of the part, and of the parts that
+// it belongs to. The list of a placement ends with them.
 TopLoc_Location common_placement(const TopLoc_Location& a, const TopLoc_Location& b) {
   const auto list = [](TopLoc_Location location) {
     std::vector<TopLoc_Location> steps;
@@ -91,7 +92,8 @@ TopLoc_Location common_placement(const TopLoc_Location& a, const TopLoc_Location
   return common;
 }
 
-// A placement that mirrors turns the images of normals around. Those of IGES may have a positive scale factor all the same.
+// A placement that mirrors turns the images of normals around. Those of IGES may have a positive
+// scale factor all the same.
 bool is_mirror(const TopLoc_Location& location) { return location.Transformation().VectorialPart().Determinant() < 0; }
 
 class Model_builder {
@@ -101,10 +103,12 @@ class Model_builder {
   std::vector<std::string> reasons_;                         // why a surface is not covered
   std::vector<Bnd_Box2d> boxes_;                             // of what the edges of a face use
   std::vector<std::vector<const Plane_curve*>> face_curves_; // those of finite length
-  std::vector<bool> inside_out_;                             // whether the faces of an edge are, as a shell has them
+  // whether the faces of an edge are, as a shell has them
+  std::vector<bool> inside_out_;
   Cad_model model_;
-  // What has been read: where a part is placed again, it is the same. Surfaces by that of the file and the ranges that are used, curves by
-  // their numbers, since those in planes are computed anew for each place.
+  // These maps hold the geometry that has been read, since a part that is placed again has the
+  // same. Surfaces are found by the surface of the file and the used ranges. Curves are found by
+  // their numbers, since curves in planes are computed anew for each place.
   typedef std::array<double, 4> Ranges;
   std::map<std::pair<const Standard_Transient*, Ranges>, std::shared_ptr<const GC::Cad_surface>> surfaces_of_file_;
   template <int D> using Curves = std::map<std::string, std::shared_ptr<const GC::Cad_curve<D>>>;
@@ -157,7 +161,8 @@ class Model_builder {
   void compare_orientations(const TopoDS_Shape& shape) {
     inside_out_.assign(uses_.size(), false);
     for (TopExp_Explorer shell(shape, TopAbs_SHELL); shell.More(); shell.Next()) {
-      std::vector<std::array<int, 3>> found(uses_.size(), {0, 0, 0}); // forward, reversed, otherwise
+      // forward, reversed, otherwise
+      std::vector<std::array<int, 3>> found(uses_.size(), {0, 0, 0});
       for (TopExp_Explorer i(shell.Current(), TopAbs_EDGE); i.More(); i.Next()) {
         const TopAbs_Orientation orientation = i.Current().Orientation();
         ++found[static_cast<std::size_t>(edges_.FindIndex(i.Current()) - 1)][orientation == TopAbs_FORWARD    ? 0
@@ -170,9 +175,10 @@ class Model_builder {
     }
   }
 
-  // The curve of an edge in the parameter plane of a face, if there is one. Where it is missing it is computed; that on a plane is never
-  // in a file. Throws Not_covered for numbers that are not finite, with which the computation would not end.
-  // Both are brought to where the face is not placed: curves that are computed are then the same for each place.
+  // The curve of an edge in the parameter plane of a face, if there is one. Where it is missing it
+  // is computed; that on a plane is never in a file. Throws Not_covered for numbers that are not
+  // finite, with which the computation would not end. Both are brought to where the face is not
+  // placed: curves that are computed are then the same for each place.
   static std::optional<Plane_curve> plane_curve(TopoDS_Edge edge, TopoDS_Face face, bool is_seam) {
     edge.Location(edge.Location().Predivided(face.Location()), false);
     face.Location(TopLoc_Location(), false);
@@ -252,7 +258,8 @@ class Model_builder {
     location = in_part(location);
     const bool is_left = use.orientation == TopAbs_FORWARD; // the face lies left of the curve
     const Used_range range{use.curve->begin, use.curve->end};
-    // The faces continue each other when one lies left of the edge and the other one right, as seen on the same side of both.
+    // The faces continue each other when one lies left of the edge and the other one right, as seen
+    // on the same side of both.
     return {surfaces_[use.face], shared(plane_curves_, cad_curve(use.curve->curve, range)), placement(location),
             (is_left == is_second) != is_mirror(location), is_left ? 1 : -1};
   }
@@ -343,7 +350,8 @@ class Model_builder {
                                           ", not compared: see --sew";
   }
 
-  // Adds the lines inside of a face where the formula of its surface changes, without those parts that lie outside.
+  // Adds the lines inside of a face where the formula of its surface changes, without those parts
+  // that lie outside.
   void add_knot_lines(std::size_t number, const Cad_reading& reading) {
     if (!surfaces_[number] || boxes_[number].IsVoid()) return;
     const TopoDS_Face face = this->face(number);
@@ -415,7 +423,8 @@ class Model_builder {
     model_.edges.push_back(std::move(e));
   }
 
-  // Faces and edges with uses, in the order of the model. All else has been read; most of the time that is left is for the drawing.
+  // Faces and edges with uses, in the order of the model. All else has been read; most of the time
+  // that is left is for the drawing.
   void draw(const Cad_reading& reading) {
     std::vector<TopoDS_Face> faces;
     for (std::size_t i = 0; i < boxes_.size(); ++i) faces.push_back(face(i));

@@ -21,8 +21,9 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-// The program that reads STEP, IGES and BREP for `geometric_continuity`, see Cad_answer.h. A damaged file can lead OpenCASCADE astray: to
-// a crash, to a loop without end, to any amount of memory. Then only this process ends.
+// The program that reads STEP, IGES and BREP for `geometric_continuity`, see Cad_answer.h. A
+// damaged file can lead OpenCASCADE astray: to a crash, to a loop without end, to any amount of
+// memory. Then only this process ends.
 
 namespace {
 
@@ -39,7 +40,8 @@ void limit_memory(rlim_t bytes) {
   ::setrlimit(RLIMIT_CORE, &limit);
 }
 
-// Ends this process when the other end of its standard input is closed: whoever asked is no longer there.
+// Ends this process when the other end of its standard input is closed: whoever asked is no longer
+// there.
 void end_with_parent() {
   std::thread([] {
     char c;

@@ -96,7 +96,8 @@ std::vector<std::string> open_shells(const std::vector<Closed_shell>& shells) {
         if (BRep_Tool::Degenerated(TopoDS::Edge(i.Current()))) continue;
         const auto edge = static_cast<std::size_t>(edges.Add(i.Current()) - 1);
         uses.resize(static_cast<std::size_t>(edges.Extent()), 0);
-        uses[edge] += orientation == TopAbs_FORWARD || orientation == TopAbs_REVERSED ? 1 : 2; // 2 inside of a face
+        // 2 inside of a face
+        uses[edge] += orientation == TopAbs_FORWARD || orientation == TopAbs_REVERSED ? 1 : 2;
       }
     std::size_t free = 0;
     for (const int n : uses) free += n == 1;

@@ -32,7 +32,8 @@
 
 namespace {
 
-// What the process passes on for a face: its triangles, and the points of those of its edges that have none yet.
+// The process passes this on for a face: its triangles, and the points of those of its edges that
+// have none yet.
 struct Face_drawing {
   Cad_mesh mesh;
   std::vector<std::pair<std::size_t, std::vector<GC::Cad_point<3>>>> edges;
@@ -153,7 +154,8 @@ class Drawing_in_processes {
     }
   }
 
-  // Draws as many of the faces that are left as one process does, and returns why it has ended before the last one.
+  // Draws as many of the faces that are left as one process does, and returns why it has ended
+  // before the last one.
   std::string draw_in_process() {
     Pipe pipe;
     const pid_t parent = ::getpid(), process = ::fork();

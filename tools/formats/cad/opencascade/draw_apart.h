@@ -18,15 +18,17 @@ struct Drawing_limits {
   double all;
 };
 
-// What is drawn: of each face its triangles, or why there are none, and of each edge its points.
+// The drawing of a model: the triangles of each face, or the reason why there are none, and the
+// points of each edge.
 struct Model_drawing {
   std::vector<Cad_mesh> meshes;
   std::vector<std::vector<GC::Cad_point<3>>> edges;
 };
 
-// Draws faces in a process apart, which divides all of them together. If OpenCASCADE crashes, or does not come to an end in half of the
-// time, a new process draws them one after the other; a face that ends that process is left out, and another one goes on behind it. Edges are
-// numbered from 1 on.
+// Draws faces in a process apart, which divides all of them together. If OpenCASCADE crashes, or
+// does not come to an end in half of the time, a new process draws them one after the other; a face
+// that ends that process is left out, and another one goes on behind it. Edges are numbered from 1
+// on.
 Model_drawing draw_apart(const std::vector<TopoDS_Face>& faces, const TopTools_IndexedMapOfShape& edges,
                          const Drawing_limits& limits);
 

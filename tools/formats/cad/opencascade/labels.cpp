@@ -52,7 +52,7 @@ class Label_reader {
   const Handle(XSControl_WorkSession) session_;
   Shape_labels result_;
 
-  // What an entity has become; nothing if it is no shape.
+  // Returns the shape of an entity, or nothing if it is no shape.
   TopoDS_Shape shape_of(const Handle(Standard_Transient) & entity) const {
     const Handle(Transfer_Binder) binder = session_->TransferReader()->TransientProcess()->Find(entity);
     return binder.IsNull() ? TopoDS_Shape() : TransferBRep::ShapeResult(binder);

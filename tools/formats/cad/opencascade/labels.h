@@ -16,10 +16,12 @@
 #include <utility>
 #include <vector>
 
-// What a file says of faces, wherever they are placed, and the names of the parts of an assembly.
+// The labels that a file gives faces, wherever they are placed, and the names of the parts of an
+// assembly.
 struct Shape_labels {
   std::map<const TopoDS_TShape*, Cad_label> faces;
-  std::vector<std::pair<TopoDS_Shape, std::string>> parts; // as they are placed in what they are parts of
+  // as they are placed in what they are parts of
+  std::vector<std::pair<TopoDS_Shape, std::string>> parts;
 };
 
 // Returns the labels of what has been translated.

@@ -17,7 +17,7 @@
 
 namespace {
 
-// What is a loss by itself, and not together with all that it has.
+// Is a shape a loss by itself, and not together with its parts?
 bool is_counted(const TopoDS_Shape& shape) {
   return shape.ShapeType() == TopAbs_FACE || shape.ShapeType() == TopAbs_WIRE || shape.ShapeType() == TopAbs_EDGE;
 }
@@ -57,7 +57,8 @@ std::vector<std::string> add_failures(XSControl_Reader& reader, Losses& losses) 
   std::vector<std::string> others;
   const Handle(Interface_InterfaceModel) model = reader.WS()->Model();
   const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
-  Interface_CheckIterator checks = reader.WS()->TransferReader()->LastCheckList(); // of the translation
+  // of the translation
+  Interface_CheckIterator checks = reader.WS()->TransferReader()->LastCheckList();
   for (checks.Start(); checks.More(); checks.Next()) {
     const Handle(Interface_Check) check = checks.Value();
     if (!check->HasFailed()) continue;

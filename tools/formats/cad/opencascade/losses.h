@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// What a file names and OpenCASCADE leaves out without a word.
+// These functions find the things that a file names and OpenCASCADE leaves out without a word.
 
 // Lists what of a file is lost, each entity once: "#60 EDGE_CURVE: ...".
 class Losses {
@@ -45,17 +45,18 @@ public:
   bool has(const TopoDS_Shape& shape) const;
 };
 
-// What an entity has become; nothing if it is no shape.
+// Returns the shape of an entity, or nothing if it is no shape.
 TopoDS_Shape shape_of(XSControl_Reader& reader, const Handle(Standard_Transient) & entity);
 
 // Adds what could not be translated as the reader says, and returns what it says of no entity.
 std::vector<std::string> add_failures(XSControl_Reader& reader, Losses& losses);
 
-// Adds the entities of a STEP file to which others refer and which are not there or of no known type, and its faces and edges that the shape does
-// not have.
+// Adds the entities of a STEP file to which others refer and which are not there or of no known
+// type, and its faces and edges that the shape does not have.
 void add_losses_of_step(const std::string& file, XSControl_Reader& reader, const TopoDS_Shape& shape, Losses& losses);
 
-// Adds the entities of an IGES file that are wrong or of no known type, and its faces and edges that the shape does not have.
+// Adds the entities of an IGES file that are wrong or of no known type, and its faces and edges
+// that the shape does not have.
 void add_losses_of_iges(XSControl_Reader& reader, const TopoDS_Shape& shape, Losses& losses);
 
 // Adds the faces, wires and edges of a BREP file that the shape does not have.

@@ -19,7 +19,8 @@ namespace {
 
 bool contains(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
-// Returns whether a word of a type begins like this: STYLE begins a word of STYLED_ITEM, and PRESENTATION none of REPRESENTATION.
+// Returns whether a word of a type begins like this: STYLE begins a word of STYLED_ITEM, and
+// PRESENTATION none of REPRESENTATION.
 bool has_word(const std::string& type, const std::string& word) {
   for (std::size_t at = type.find(word); at != std::string::npos; at = type.find(word, at + 1))
     if (at == 0 || type[at - 1] == '_' || type[at - 1] == ' ') return true;
@@ -30,7 +31,7 @@ bool is_face(const std::string& type) { return type == "ADVANCED_FACE" || contai
 bool is_edge(const std::string& type) { return contains(type, "EDGE_CURVE"); }
 bool is_bound(const std::string& type) { return has_word(type, "FACE_BOUND") || has_word(type, "FACE_OUTER_BOUND"); }
 
-// What says nothing of the shape: how it looks, what it is called, who made it.
+// Is a type a remark, which does not affect the shape: a look, a name, an author?
 bool is_remark(const std::string& type) {
   for (const char* word :
        {"STYLE", "COLOUR", "PRESENTATION", "DRAUGHTING", "ANNOTATION", "CAMERA", "APPROVAL", "DATE", "PERSON",
@@ -131,7 +132,8 @@ class Step_losses {
     losses_.add(id(entity.id), entity.type, std::string("it names no ") + names);
   }
 
-  // Returns the edges in the boundary of a face, as often as it uses them, and adds what of its boundary names none.
+  // Returns the edges in the boundary of a face, as often as it uses them, and adds what of its
+  // boundary names none.
   std::vector<const Step_entity*> edges_of(const Step_entity& face) {
     std::vector<const Step_entity*> result;
     for (const std::uint64_t b : face.references) {

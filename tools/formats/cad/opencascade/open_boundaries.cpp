@@ -148,8 +148,9 @@ public:
     return result;
   }
 
-  // Returns whether the points of two edges of one face are the two sides of a narrow part of it, and not those of a cut that closes it. Where
-  // the parameter plane does not tell, as of an edge that is there twice, they are not.
+  // Returns whether the points of two edges of one face are the two sides of a narrow part of it,
+  // and not those of a cut that closes it. Where the parameter plane does not tell, as of an edge
+  // that is there twice, they are not.
   bool is_across(double t, const Edge_samples& other, double s, double distance) const {
     const Handle(Geom_Surface) surface = BRep_Tool::Surface(edge_.face);
     if (surface.IsNull()) return true;
@@ -237,7 +238,8 @@ bool is_boundary_open(const TopoDS_Face& face) {
     for (TopoDS_Iterator i(wire.Current()); i.More(); i.Next()) {
       is_empty = false;
       const TopAbs_Orientation orientation = i.Value().Orientation();
-      if (orientation != TopAbs_FORWARD && orientation != TopAbs_REVERSED) continue; // inside of the face
+      // inside of the face
+      if (orientation != TopAbs_FORWARD && orientation != TopAbs_REVERSED) continue;
       TopoDS_Vertex first, last;
       TopExp::Vertices(TopoDS::Edge(i.Value()), first, last);
       for (const TopoDS_Vertex& end : {first, last}) {

@@ -18,9 +18,10 @@ struct Boundary_edge {
   TopoDS_Face face;
 };
 
-// Returns for each of these edges another one beside which it lies: along a part of one of them they are no farther apart than the gap, or than the
-// tolerances of the edges. Edges that only meet at their ends, and both long sides of a narrow face, do not lie beside each other. Samples
-// are compared.
+// Returns for each of these edges another one beside which it lies: along a part of one of them
+// they are no farther apart than the gap, or than the tolerances of the edges. Edges that only meet
+// at their ends, and both long sides of a narrow face, do not lie beside each other. Samples are
+// compared.
 std::vector<std::optional<std::size_t>> edges_beside(const std::vector<Boundary_edge>& edges, double gap);
 
 // Returns whether the boundary of a face does not close.

@@ -62,7 +62,8 @@ Shape_of_file translated(XSControl_Reader& reader, const std::string& file, cons
                          const First_failure& reported) {
   XSAlgo::SetAlgoContainer(new No_healing);
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
-  Interface_Static::SetRVal("read.encoderegularity.angle", 0); // what is decided from samples is of no use here
+  // what is decided from samples is of no use here
+  Interface_Static::SetRVal("read.encoderegularity.angle", 0);
   if (reader.ReadFile(file.c_str()) != IFSelect_RetDone)
     throw failure(reported, std::string("not a complete ") + format + " file");
   reader.TransferRoots();
@@ -74,7 +75,7 @@ Shape_of_file translated(XSControl_Reader& reader, const std::string& file, cons
   return result;
 }
 
-// What has failed somewhere, where nothing tells what.
+// Adds the failures if nothing else tells what has failed.
 void add_if_empty(const std::vector<std::string>& failures, Losses& losses) {
   if (losses.empty())
     for (const std::string& failure : failures) losses.add("", "", failure);

@@ -33,7 +33,8 @@ void replace_faces(const BRepBuilderAPI_Sewing& sewing, Shape_of_file& file) {
 } // namespace
 
 std::size_t sew(Shape_of_file& file, double distance) {
-  constexpr int most_rounds = 5; // what lies beside an edge that one round has sewn can be left to the next one
+  // what lies beside an edge that one round has sewn can be left to the next one
+  constexpr int most_rounds = 5;
   std::size_t sewn = 0;
   for (int round = 0, free = 0; round < most_rounds; ++round) {
     BRepBuilderAPI_Sewing sewing(distance);

@@ -34,16 +34,16 @@ template <class Coordinates> auto checked(const Coordinates& p) {
   return point;
 }
 
-// The knots of a spline in one direction, each as often as its multiplicity. With n control points of a period, control point i
-// of the spline is number i mod n of the file.
+// The knots of a spline in one direction, each as often as its multiplicity. With n control points
+// of a period, control point i of the spline is number i mod n of the file.
 struct Flat_knots {
   int degree;
   std::vector<double> knots;
   std::size_t points() const { return knots.size() - static_cast<std::size_t>(degree) - 1; }
 };
 
-// Returns the knots of a spline that is not periodic, or of as many periods as its use needs, with the knots before and behind them
-// that the first and the last span have.
+// Returns the knots of a spline that is not periodic, or of as many periods as its use needs, with
+// the knots before and behind them that the first and the last span have.
 inline Flat_knots flat_knots(int degree, bool periodic, const std::vector<double>& knots,
                              const std::vector<int>& multiplicities, const Used_range& used) {
   Flat_knots result{degree, {}};
@@ -73,7 +73,8 @@ inline Flat_knots flat_knots(int degree, bool periodic, const std::vector<double
     const std::size_t k = index(i);
     append(i == n ? knots[spans] : p == 0 ? knots[k] : knots[k] + double(p) * period, multiplicity(k));
   };
-  std::size_t before = multiplicity(0); // knots up to the begin; the first span needs as many as the order says
+  // knots up to the begin; the first span needs as many as the order says
+  std::size_t before = multiplicity(0);
   long i = begin;
   while (before < order) before += multiplicity(index(--i));
   for (; i <= begin; ++i) append_knot(i);

@@ -71,11 +71,12 @@ struct G2_size {
   int points, order;
 };
 
-// What the text says of one parameter of a spline.
+// The text gives these numbers for one parameter of a spline.
 template <class FT> struct G2_direction : G2_size { std::vector<FT> knots; };
 
-// Reads the parts of the objects of one class in a `.g2` text, one after the other. Everything that is not as it should
-// be is refused with file, line and reason. `FT` is the type of the numbers; `N` is the dimension, or 0 where the text tells it.
+// Reads the parts of the objects of one class in a `.g2` text, one after the other. Everything that
+// is not as it should be is refused with file, line and reason. `FT` is the type of the numbers;
+// `N` is the dimension, or 0 where the text tells it.
 template <class FT, int N, class Concurrency_tag = Sequential_tag> class G2_parser {
   typedef G2_direction<FT> Direction;
 
@@ -129,8 +130,8 @@ public:
     return true;
   }
 
-  // Reads the number of points and the order; for Bezier shapes they are equal. `in` names the parameter of a surface,
-  // e.g. " in u".
+  // Reads the number of points and the order; for Bezier shapes they are equal. `in` names the
+  // parameter of a surface, e.g. " in u".
   G2_size read_size(G2_shape shape, const char* in = "") {
     if (is_line_ || is_plane_) return {2, 2};
     const bool bezier = shape == G2_shape::bezier;
@@ -146,15 +147,16 @@ public:
     return {points, order};
   }
 
-  // Appends all knots, as `Knot_vector` takes them, to an empty sequence; for Bezier shapes there are no inner knots.
+  // Appends all knots, as `Knot_vector` takes them, to an empty sequence; for Bezier shapes there
+  // are no inner knots.
   template <class Knots> void read_knots(Knots& knots, const G2_size& size, G2_shape shape, const char* in = "") {
     const std::size_t all = static_cast<std::size_t>(size.points) + size.order;
     if (is_line_ || is_plane_) {
       for (int i = 0; i < 4; ++i) knots.push_back(typename Knots::value_type(line_knots_[i]));
       line_knots_.erase(line_knots_.begin(), line_knots_.begin() + 4);
     }
-    for (std::size_t first = 0; knots.size() < all;) // the number of the first knot that is equal to the last one
-      knots.push_back(read_knot(knots, first, size, all, shape, in));
+    // the number of the first knot that is equal to the last one
+    for (std::size_t first = 0; knots.size() < all;) knots.push_back(read_knot(knots, first, size, all, shape, in));
   }
 
   // Reads the size and the knots in one parameter.
@@ -180,7 +182,8 @@ public:
                                  : read_number<FT>(done, all, "control points");
   }
 
-  // Reads one homogeneous coordinate of the control point after `done` of `all` of a rational object.
+  // Reads one homogeneous coordinate of the control point after `done` of `all` of a rational
+  // object.
   Exact read_homogeneous_coordinate(long long done, long long all) {
     return read_number<Exact>(done, all, "control points");
   }
@@ -192,8 +195,8 @@ public:
     return row;
   }
 
-  // Returns f(), and refuses what is wrong with the object that has been read: a denominator that is not positive, or a quotient
-  // that is too large.
+  // Returns f(), and refuses what is wrong with the object that has been read: a denominator that
+  // is not positive, or a quotient that is too large.
   template <class Function> auto checked(Function f) const {
     try {
       return f();
@@ -335,7 +338,8 @@ private:
       tokens_.refuse(std::string("a rational ") + class_.name + " where a polynomial one is expected");
   }
 
-  // Reads the knot after those that are there; the knots from number `first` on are equal to the last one.
+  // Reads the knot after those that are there; the knots from number `first` on are equal to the
+  // last one.
   template <class Knots>
   typename Knots::value_type read_knot(const Knots& knots, std::size_t& first, const G2_size& size, std::size_t all,
                                        G2_shape shape, const char* in) {

@@ -14,8 +14,8 @@
 #include <vector>
 
 /// \file G2_plane.h
-/// Elementary surfaces of the format. Those with an angle among their parameters, in radians, have no exact ends; planes have, where
-/// their axes are exact.
+/// Elementary surfaces of the format. Those with an angle among their parameters, in radians, have
+/// no exact ends; planes have, where their axes are exact.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -23,8 +23,8 @@ namespace internal {
 
 constexpr int g2_plane = 250;
 
-// The part of a plane that the format writes as a location c, a normal n, an axis x, and parameters: c + u x + v (n x x), after
-// n and x have become unit vectors.
+// The part of a plane that the format writes as a location c, a normal n, an axis x, and
+// parameters: c + u x + v (n x x), after n and x have become unit vectors.
 template <class Exact> struct G2_plane {
   typedef Coordinate_vector<Exact, 3> Vector;
 
@@ -33,8 +33,8 @@ template <class Exact> struct G2_plane {
   std::array<Exact, 4> domain; // u and v that are the parameters of the surface at the bounds
   bool swapped = false;        // whether the parameters change places
 
-  // The corners with the indices (0, 0), (1, 0), (0, 1), (1, 1), or nothing when the axes are not orthogonal, or a length is not a
-  // rational number.
+  // The corners with the indices (0, 0), (1, 0), (0, 1), (1, 1), or nothing when the axes are not
+  // orthogonal, or a length is not a rational number.
   std::optional<std::vector<Vector>> corners() const {
     const std::optional<Exact> n = length(normal), x = length(axis);
     if (!n || !x || dot(normal, axis) != Exact(0)) return std::nullopt;
@@ -61,8 +61,9 @@ private:
   }
 };
 
-// Reads the location, the normal, an axis, 1 for a plane with bounds, and these; or 11, the bounds, and the domain. number() and
-// integer(what, low, high) read a word, refuse(reason) refuses the text.
+// Reads the location, the normal, an axis, 1 for a plane with bounds, and these; or 11, the bounds,
+// and the domain. number() and integer(what, low, high) read a word, refuse(reason) refuses the
+// text.
 template <class Exact, class Number, class Integer, class Refuse>
 G2_plane<Exact> read_g2_plane(Number number, Integer integer, Refuse refuse) {
   G2_plane<Exact> plane;

@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The knots of a spline as they are read, equal ones once with their multiplicity, and then as they are taken, from the first on.
+// The knots of a spline as they are read, equal ones once with their multiplicity, and then as they
+// are taken, from the first on.
 template <class Number> class G2_knot_runs {
   struct Run {
     Number knot;
@@ -49,7 +50,8 @@ public:
       runs_.push_back({knot, 1});
   }
 
-  // Returns one knot after the other, from the first on. \pre not called more often than there are knots
+  // Returns one knot after the other, from the first on. \pre not called more often than there are
+  // knots
   const Number& take() {
     if (taken_ == runs_[run_].multiplicity) {
       ++run_;
@@ -60,10 +62,12 @@ public:
   }
 };
 
-// Knots of floating-point type as they are, others as they stand in the text, which takes less memory.
+// Knots of floating-point type as they are, others as they stand in the text, which takes less
+// memory.
 template <class FT> using G2_knot = std::conditional_t<std::is_floating_point_v<FT>, FT, Decimal>;
 
-// A part of a B-spline curve: a curve of these knots and control points, which has one span or, if it is the whole curve, more.
+// A part of a B-spline curve: a curve of these knots and control points, which has one span or, if
+// it is the whole curve, more.
 template <class FT> struct G2_spline_part {
   typedef typename Exact_field<FT>::type Exact;
 
@@ -74,8 +78,8 @@ template <class FT> struct G2_spline_part {
   std::vector<Exact> homogeneous; // (w x, w) of one point after the other, if rational
 };
 
-// Reads the curves of a text in parts, one for each span: the curve of the points and knots that belong to it, which has this one span;
-// curves of an order above `highest_order` as a whole.
+// Reads the curves of a text in parts, one for each span: the curve of the points and knots that
+// belong to it, which has this one span; curves of an order above `highest_order` as a whole.
 template <class FT, int N, class Concurrency_tag = Sequential_tag> class G2_spline_parts {
   typedef G2_spline_part<FT> Part;
 
@@ -131,7 +135,8 @@ private:
     while (static_cast<int>(part_.knots.size()) < 2 * part_.degree + 1) part_.knots.push_back(knots_.take());
   }
 
-  // Returns whether the point belongs to the end of a part. The knots of a span are then in the middle of those that are there.
+  // Returns whether the point belongs to the end of a part. The knots of a span are then in the
+  // middle of those that are there.
   bool read_point() {
     const std::size_t width = static_cast<std::size_t>(part_.dimension + part_.rational);
     if (is_cut() && points_read_ >= size_.order) {
@@ -186,13 +191,14 @@ std::vector<typename Traits::Point> points_of_numbers(const std::vector<Number>&
   return points;
 }
 
-// The curve of a part, with numbers converted before anything is computed. \pre part.rational is false
+// The curve of a part, with numbers converted before anything is computed. \pre part.rational is
+// false
 template <class Traits, class Part> Bspline_curve<Traits> polynomial_curve(const Part& part) {
   const auto points = points_of_numbers<Traits>(part.coordinates, part.dimension);
   return {points.begin(), points.end(), knots_of<typename Traits::FT>(part)};
 }
 
-// The same for a rational one.
+// Makes a rational curve of its parts.
 template <class Traits, class Part> Rational_bspline_curve<Traits> rational_curve(const Part& part) {
   typedef Rational_bspline_curve<Traits> Curve;
   const auto rows = points_of_numbers<Homogeneous_traits<Traits>>(part.homogeneous, part.dimension + 1);

@@ -79,15 +79,17 @@ public:
   std::string_view text(const Word& word) const { return {text_.data() + word.begin, word.size}; }
   std::size_t place(const Word& word) const { return place_ + word.begin; }
 
-  // The number of lines that end in the block, and of those before a word, behind an earlier one if it is given.
+  // The number of lines that end in the block, and of those before a word, behind an earlier one if
+  // it is given.
   long long newlines() const { return newlines_; }
   long long newlines_before(const Word& word, const Word* behind = nullptr) const {
     return std::count(text_.begin() + (behind == nullptr ? 0 : behind->begin), text_.begin() + word.begin, '\n');
   }
 };
 
-// Cuts the text of a stream into blocks between words. It reads the buffer of the stream, so that neither the locale nor the flags
-// of the stream matter, and does not wait for more than the buffer has at hand.
+// Cuts the text of a stream into blocks between words. It reads the buffer of the stream, so that
+// neither the locale nor the flags of the stream matter, and does not wait for more than the buffer
+// has at hand.
 class Text_source {
   static constexpr std::size_t block_size = std::size_t(1) << 18;
 
@@ -100,8 +102,9 @@ class Text_source {
 public:
   explicit Text_source(std::istream& is) : buffer_(is.rdbuf()) {}
 
-  // Reads the next block, the first one without a byte order mark; an empty one at the end. Returns where it begins in the whole text, in bytes.
-  // Throws what the buffer of the stream throws, after the blocks before.
+  // Reads the next block, the first one without a byte order mark; an empty one at the end. Returns
+  // where it begins in the whole text, in bytes. Throws what the buffer of the stream throws, after
+  // the blocks before.
   std::size_t next(std::vector<char>& text) {
     text.swap(rest_);
     rest_.clear();
@@ -154,7 +157,8 @@ private:
   }
 };
 
-// The blocks of a text with their words, one after the other; with Parallel_tag some are split ahead, on other cores.
+// The blocks of a text with their words, one after the other; with Parallel_tag some are split
+// ahead, on other cores.
 template <class Concurrency_tag> class Text_blocks {
   typedef Task<Concurrency_tag> Splitting;
   const std::size_t blocks_ahead_ = Splitting::may_wait() ? 8 : 1;
@@ -173,8 +177,8 @@ template <class Concurrency_tag> class Text_blocks {
 public:
   explicit Text_blocks(std::istream& is) : source_(is) {}
 
-  // Reads the next block that has words, and adds the lines that are passed over, those of the old block and of empty ones. Returns
-  // false at the end of the text, and leaves the old block.
+  // Reads the next block that has words, and adds the lines that are passed over, those of the old
+  // block and of empty ones. Returns false at the end of the text, and leaves the old block.
   bool next(Text_block& block, long long& lines) {
     for (long long passed = block.newlines();;) {
       while (!ended_ && ahead_.size() < blocks_ahead_) read_ahead();
@@ -213,16 +217,17 @@ private:
   }
 };
 
-// The words of a text file in UTF-8, one at a time, with the lines in which they begin. With Parallel_tag they are found on several
-// cores.
+// The words of a text file in UTF-8, one at a time, with the lines in which they begin. With
+// Parallel_tag they are found on several cores.
 template <class Concurrency_tag = Sequential_tag> class Token_reader {
   Text_blocks<Concurrency_tag> blocks_;
   std::string name_;
   Text_block block_;
   const Word *word_ = nullptr, *next_ = nullptr, *end_ = nullptr; // of the block
   long long line_ = 1;                                            // in which the block begins
-  mutable const Word* counted_ = nullptr;                         // the last word of the block whose line was asked for
-  mutable long long newlines_ = 0;                                // before it
+  // the last word of the block whose line was asked for
+  mutable const Word* counted_ = nullptr;
+  mutable long long newlines_ = 0; // before it
 
 public:
   Token_reader(std::istream& is, std::string name) : blocks_(is), name_(std::move(name)) {
@@ -252,7 +257,8 @@ public:
       return number_value<FT>(token());
   }
 
-  // The line of the current word. To find it for one word after the other each character is looked at once.
+  // The line of the current word. To find it for one word after the other each character is looked
+  // at once.
   long long line() const {
     if (word_ == nullptr) return line_;
     newlines_ = (counted_ == nullptr ? 0 : newlines_) + block_.newlines_before(*word_, counted_);

@@ -23,9 +23,9 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Rational objects of a file: a control point is written as the products w x and the weight w. With floating-point
-// numbers the point x is what is kept; the quotient is rounded once when it is read, and the product is written
-// exactly, so that it is read back without loss.
+// Rational objects of a file: a control point is written as the products w x and the weight w. With
+// floating-point numbers the point x is what is kept; the quotient is rounded once when it is read,
+// and the product is written exactly, so that it is read back without loss.
 
 // The control points and weights of a rational object, as they are read one after the other.
 template <class Traits, class Exact> class G2_weighted_points {
@@ -47,7 +47,8 @@ public:
     infinite_ = infinite_ || weights.back() == FT(0);
   }
 
-  // Returns whether a point is infinite; then the rows are to be used instead of points and weights.
+  // Returns whether a point is infinite; then the rows are to be used instead of points and
+  // weights.
   bool infinite() const { return infinite_; }
 
   // (w x, w)
@@ -62,8 +63,9 @@ private:
   bool infinite_ = false;
 };
 
-// The text of the product w x, from which x is read back: of exact numbers the product itself, of floating-point numbers the
-// shortest of a few decimals from which x is the nearest quotient, and otherwise the exact fraction.
+// The text of the product w x, from which x is read back: of exact numbers the product itself, of
+// floating-point numbers the shortest of a few decimals from which x is the nearest quotient, and
+// otherwise the exact fraction.
 template <class FT> std::string product_text(const FT& x, const FT& w) {
   if constexpr (std::is_floating_point_v<FT>) {
     typedef typename Exact_field<FT>::type Exact;
@@ -89,8 +91,9 @@ template <class FT> std::string product_text(const FT& x, const FT& w) {
     return number_text(FT(w * x));
 }
 
-// Writes an object of a class in the `.g2` format, with an empty line after it: one knot vector for each parameter, and
-// `points` control points, of which row(j) has the words. The text is complete before any of it is written.
+// Writes an object of a class in the `.g2` format, with an empty line after it: one knot vector for
+// each parameter, and `points` control points, of which row(j) has the words. The text is complete
+// before any of it is written.
 template <class FT, class Row_of>
 void write_g2_text(std::ostream& os, int object_class, int dimension, bool rational,
                    std::initializer_list<const Knot_vector<FT>*> directions, long long points, Row_of row) {

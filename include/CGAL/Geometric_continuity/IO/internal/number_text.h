@@ -29,8 +29,8 @@
 #include <utility>
 
 /// \file number_text.h
-/// How numbers stand in texts. Nearly all numbers of files are decimals with few digits: integers times powers of ten, for which no numbers
-/// of any length are needed.
+/// Reads and writes numbers in texts. Nearly all numbers of files are decimals with few digits:
+/// integers times powers of ten, for which no numbers of any length are needed.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -68,14 +68,15 @@ inline std::uint64_t eight_characters(const char* p) {
   return byte(0) | byte(1) | byte(2) | byte(3) | byte(4) | byte(5) | byte(6) | byte(7);
 }
 
-// What the high halves of eight characters differ by from those of digits, zero for these. Behind the first one that is no digit it is
-// unspecified, because of a carry.
+// Returns the differences of the high halves of eight characters from those of digits, zero for
+// digits. After the first character that is no digit the result is unspecified, because of a carry.
 inline std::uint64_t no_digits(std::uint64_t characters) {
   constexpr std::uint64_t high = 0xf0f0f0f0f0f0f0f0, digit = 0x3030303030303030;
   return ((characters & high) ^ digit) | (((characters + 0x0606060606060606) & high) ^ digit);
 }
 
-// The number that eight characters are, digits or zeros: neighbours make pairs, pairs make fours, and fours the number.
+// The number that eight characters are, digits or zeros: neighbours make pairs, pairs make fours,
+// and fours the number.
 inline std::uint64_t number_of_eight(std::uint64_t characters) {
   std::uint64_t x = characters & 0x0f0f0f0f0f0f0f0f;
   x = (x * (10 * 0x100 + 1)) >> 8 & 0x00ff00ff00ff00ff;
@@ -83,7 +84,8 @@ inline std::uint64_t number_of_eight(std::uint64_t characters) {
   return (x * (10000 * std::uint64_t(0x100000000) + 1)) >> 32;
 }
 
-// These append all digits from `p` on to a number, modulo 2^64, and return where they end: one by one, for a few, or eight at once.
+// These append all digits from `p` on to a number, modulo 2^64, and return where they end: one by
+// one, for a few, or eight at once.
 inline const char* take_few_digits(const char* p, const char* end, std::uint64_t& value) {
   for (; p != end && is_digit(*p); ++p) value = 10 * value + static_cast<std::uint64_t>(*p - '0');
   return p;
@@ -100,8 +102,8 @@ inline const char* take_many_digits(const char* p, const char* end, std::uint64_
   return take_few_digits(p, end, value);
 }
 
-// Reads a decimal, as number_parts() describes it, from the text that begins at `p`, as far as it goes. Returns where it ends; `decimal`
-// is changed if it is a short one.
+// Reads a decimal, as number_parts() describes it, from the text that begins at `p`, as far as it
+// goes. Returns where it ends; `decimal` is changed if it is a short one.
 inline const char* read_short_decimal(const char* p, const char* end, Short_decimal& decimal) {
   const bool negative = p != end && *p == '-';
   if (p != end && (*p == '-' || *p == '+')) ++p;
@@ -134,7 +136,8 @@ inline const char* read_short_decimal(const char* p, const char* end, Short_deci
     p = q;
   }
   while (last != fraction && last[-1] == '0') --last;
-  std::ptrdiff_t digits = point - integer + (last - fraction); // that count: zeros at the ends do not
+  // that count: zeros at the ends do not
+  std::ptrdiff_t digits = point - integer + (last - fraction);
   for (const char* zero = integer; digits > Short_decimal::max_digits && (*zero == '0' || zero == point); ++zero)
     digits -= zero != point;
   if (digits > Short_decimal::max_digits) return p;
@@ -214,8 +217,8 @@ inline void check_number_length(std::string_view text) {
     throw Number_error("number longer than " + std::to_string(max_number_length) + " characters");
 }
 
-// Numbers that are evaluated on demand, such as those of Lazy_exact_nt, are read and written in the type of their exact
-// values.
+// Numbers that are evaluated on demand, such as those of Lazy_exact_nt, are read and written in the
+// type of their exact values.
 template <class FT, class = void> struct Evaluated { typedef FT type; };
 template <class FT> struct Evaluated<FT, std::void_t<decltype(std::declval<const FT&>().exact())>> {
   typedef std::decay_t<decltype(std::declval<const FT&>().exact())> type;
@@ -251,8 +254,9 @@ template <class FT> FT exact_value(const Number_parts& parts) {
   return parts.negative ? FT(FT(0) - value) : value;
 }
 
-// The floating-point number nearest to `x >= 0`, in a tie the even one. It is found by bisection, with exact
-// comparisons: floating-point numbers that are not negative are ordered as their bit patterns.
+// The floating-point number nearest to `x >= 0`, in a tie the even one. It is found by bisection,
+// with exact comparisons: floating-point numbers that are not negative are ordered as their bit
+// patterns.
 template <class FT> FT nearest_floating_point(const Exact_rational& x) {
   typedef std::conditional_t<sizeof(FT) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t> Bits;
   static_assert(sizeof(FT) == sizeof(Bits) && std::numeric_limits<FT>::is_iec559, "float or double is expected");
@@ -338,8 +342,8 @@ template <class FT> std::string short_rational_text(const FT& x) {
     return {};
 }
 
-// What the number type itself prints, with the sign in front and without a denominator 1. It is read back, because
-// some number types print approximations only.
+// Returns the text that the number type itself prints, with the sign in front and without a
+// denominator 1. The text is read back, because some number types print approximations only.
 template <class FT> std::string exact_text(const FT& x) {
   const std::string short_text = short_rational_text(x);
   if (!short_text.empty()) return short_text;
@@ -376,7 +380,8 @@ template <class FT> std::string number_text(const FT& x) {
     return exact_text(x.exact());
 }
 
-// A text that is complete is written at once, whatever the width, the flags and the locale of the stream.
+// A text that is complete is written at once, whatever the width, the flags and the locale of the
+// stream.
 inline void write_text(std::ostream& os, const std::string& text) {
   os.write(text.data(), static_cast<std::streamsize>(text.size()));
 }

@@ -9,8 +9,9 @@
 #include <string_view>
 
 /// \file utf8.h
-/// The characters of a text that should be UTF-8 but may hold any bytes, such as the name of a file. Well-formed are the
-/// sequences of table 3-7 of the Unicode Standard: no overlong forms, no surrogates, nothing beyond U+10FFFF.
+/// The characters of a text that should be UTF-8 but may hold any bytes, such as the name of a
+/// file. Well-formed are the sequences of table 3-7 of the Unicode Standard: no overlong forms, no
+/// surrogates, nothing beyond U+10FFFF.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -25,8 +26,8 @@ struct Utf8_character {
 constexpr char32_t replacement_character = 0xFFFD;
 constexpr std::string_view replacement_bytes = "\xEF\xBF\xBD";
 
-// The first character of a text that is not empty. What is ill-formed is taken as far as it could begin a character, at
-// least one byte ("maximal subpart").
+// The first character of a text that is not empty. Ill-formed text is taken as far as it could
+// begin a character, at least one byte ("maximal subpart").
 inline Utf8_character first_utf8_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);

@@ -11,8 +11,9 @@
 #include <cstdint>
 
 /// \file Bounded_polynomial.h
-/// Polynomials whose coefficients are integers of fixed length, without allocation. A bound of the coefficients is part of the type, and
-/// the compiler finds from it how long they are: sums and products of polynomials have the bounds of sums and products.
+/// Polynomials whose coefficients are integers of fixed length, without allocation. A bound of the
+/// coefficients is part of the type, and the compiler finds from it how long they are: sums and
+/// products of polynomials have the bounds of sums and products.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -35,14 +36,15 @@ template <int most> struct Binomial_table {
   constexpr std::int64_t operator()(int n, int k) const { return x[n][k]; }
 };
 
-// What becomes of a polynomial and a product.
+// A product is assigned to a polynomial, added to it or subtracted from it.
 enum class Accumulation { assign, add, subtract };
 
-// A polynomial sum_k c_k t^k (1-t)^(n-k), see Homogeneous_polynomial, of a degree 0 <= n <= most_degree, whose Bernstein coefficients
-// c_k / C(n,k) are at most 2^bits.
+// A polynomial sum_k c_k t^k (1-t)^(n-k), see Homogeneous_polynomial, of a degree 0 <= n <=
+// most_degree, whose Bernstein coefficients c_k / C(n,k) are at most 2^bits.
 //
-// Those of a product are means of products of coefficients of the factors: so its bound is the product of theirs, whatever the degrees
-// are. As C(n,k) < 2^n for n > 0 the c_k are less than 2^(bits + n), and need one more bit for the sign.
+// Those of a product are means of products of coefficients of the factors: so its bound is the
+// product of theirs, whatever the degrees are. As C(n,k) < 2^n for n > 0 the c_k are less than
+// 2^(bits + n), and need one more bit for the sign.
 template <int most_degree_, int bits_> struct Bounded_polynomial {
   static_assert(1 <= most_degree_ && 0 <= bits_);
   static constexpr int most_degree = most_degree_, bits = bits_, limbs = (bits + most_degree) / 64 + 1;
@@ -76,8 +78,9 @@ template <int most_degree_, int bits_> struct Bounded_polynomial {
     return p;
   }
 
-  // Adds or subtracts a product of the same degree, or makes it the product. Sums in between may be too long: they are right modulo the
-  // powers of two that decide, and the last one fits, see first_of_products().
+  // Adds or subtracts a product of the same degree, or makes it the product. Sums in between may be
+  // too long: they are right modulo the powers of two that decide, and the last one fits, see
+  // first_of_products().
   template <Accumulation operation, int m, int b, int n, int d>
   void accumulate(const Bounded_polynomial<m, b>& p, const Bounded_polynomial<n, d>& q) {
     static_assert(b + d <= bits && m + n <= most_degree, "there is room for the product");
@@ -134,7 +137,7 @@ void subtract_product(Bounded_polynomial<m, b>& r, const Bounded_polynomial<n, d
   r.template accumulate<Accumulation::subtract>(p, q);
 }
 
-// Of polynomials of one degree.
+// Takes polynomials of one degree.
 template <int m, int b, int n, int d>
 Bounded_polynomial<(std::max)(m, n), (std::max)(b, d) + 1> operator+(const Bounded_polynomial<m, b>& p,
                                                                      const Bounded_polynomial<n, d>& q) {

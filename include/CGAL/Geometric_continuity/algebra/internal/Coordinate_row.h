@@ -13,8 +13,8 @@
 #include <type_traits>
 
 /// \file Coordinate_row.h
-/// The coordinates of a point as local variables of arithmetic: where they fill a register of the processor, one instruction works
-/// on all of them.
+/// The coordinates of a point as local variables of arithmetic: where they fill a register of the
+/// processor, one instruction works on all of them.
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -15,16 +15,17 @@
 #include <vector>
 
 /// \file Homogeneous_polynomial.h
-/// Polynomials on [0, 1] in homogeneous form, which are computed with by additions and products only.
+/// Polynomials on [0, 1] in homogeneous form, which are computed with by additions and products
+/// only.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// A polynomial sum_k c_k t^k (1-t)^(n-k) on [0, 1]. The coefficients are those of the Bernstein form
-// times C(n, k); they have the same signs. In return a product is a convolution, and sums, products,
-// derivatives, elevation and bisection need no division: all operations but bernstein() are
-// those of a ring, e.g. of integers.
+// A polynomial sum_k c_k t^k (1-t)^(n-k) on [0, 1]. The coefficients are those of the Bernstein
+// form times C(n, k); they have the same signs. In return a product is a convolution, and sums,
+// products, derivatives, elevation and bisection need no division: all operations but bernstein()
+// are those of a ring, e.g. of integers.
 //
 // \tparam NT a ring number type, constructible from int
 template <class NT_> class Homogeneous_polynomial {
@@ -34,8 +35,8 @@ public:
   // Constructs zero.
   Homogeneous_polynomial() : c_(1, NT(0)) {}
 
-  // Constructs a polynomial from n + 1 >= 1 coefficients c_k. \throws Error wrong_number_of_points without
-  // coefficients
+  // Constructs a polynomial from n + 1 >= 1 coefficients c_k. \throws Error wrong_number_of_points
+  // without coefficients
   explicit Homogeneous_polynomial(std::vector<NT> coefficients) : c_(std::move(coefficients)) {
     // unreachable: an error of the package itself
     if (c_.empty()) throw Error(Error_code::wrong_number_of_points, "homogeneous polynomial without coefficients");
@@ -109,8 +110,8 @@ public:
   // Returns the function t -> p(1 - t).
   Homogeneous_polynomial reversed() const { return Homogeneous_polynomial(std::vector<NT>(c_.rbegin(), c_.rend())); }
 
-  // Returns the parts on [0, 1/2] and [1/2, 1], each reparametrised to [0, 1] and multiplied by 2^n.
-  // O(n^2)
+  // Returns the parts on [0, 1/2] and [1/2, 1], each reparametrised to [0, 1] and multiplied by
+  // 2^n. O(n^2)
   std::pair<Homogeneous_polynomial, Homogeneous_polynomial> halves() const {
     return {reversed().second_half().reversed(), second_half()};
   }
@@ -130,8 +131,8 @@ public:
 
   // Returns the quotient by t^k (1-t)^l, 0 <= k <= order_at_0(), 0 <= l <= order_at_1(),
   // k + l <= degree().
-  // \throws Error negative_count when k or l is negative, wrong_number_of_points when there are not as many
-  //   factors
+  // \throws Error negative_count when k or l is negative, wrong_number_of_points when there are not
+  //   as many factors
   Homogeneous_polynomial without_end_factors(int k, int l) const {
     if (k < 0 || l < 0) throw Error(Error_code::negative_count, "without_end_factors");
     const auto is_zero = [](const NT& x) { return bool(x == NT(0)); };

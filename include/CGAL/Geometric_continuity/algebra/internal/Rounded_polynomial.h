@@ -18,7 +18,8 @@
 #include <optional>
 
 /// \file Rounded_polynomial.h
-/// Polynomials on [0, 1] in integers of 128 bits that are rounded outwards: for bisection without exact coefficients, which become longer.
+/// Polynomials on [0, 1] in integers of 128 bits that are rounded outwards: for bisection without
+/// exact coefficients, which become longer.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -26,7 +27,8 @@ namespace internal {
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// A polynomial on [0, 1] whose Bernstein coefficients lie between c[k] and c[k] + error, in units of 2^exponent.
+// A polynomial on [0, 1] whose Bernstein coefficients lie between c[k] and c[k] + error, in units
+// of 2^exponent.
 class Rounded_polynomial {
 public:
   static constexpr int most_degree = 40;
@@ -35,8 +37,9 @@ public:
   Signed_128 error;
   Signed_128 c[most_degree + 1];
 
-  // The polynomial with the coefficients c_k of its homogeneous form, times a number that depends on its degree only. Returns nothing
-  // if the degree is too high, the numbers are too long, or the polynomial is zero.
+  // The polynomial with the coefficients c_k of its homogeneous form, times a number that depends
+  // on its degree only. Returns nothing if the degree is too high, the numbers are too long, or the
+  // polynomial is zero.
   template <class Ring> static std::optional<Rounded_polynomial> of(const Homogeneous_polynomial<Ring>& p) {
     if (p.degree() > most_degree) return std::nullopt;
     Rounded_polynomial r(p.degree());
@@ -78,7 +81,8 @@ public:
     return r;
   }
 
-  // Makes this the part on [0, 1/2] and returns that on [1/2, 1]. Means are rounded downwards, by half a unit.
+  // Makes this the part on [0, 1/2] and returns that on [1/2, 1]. Means are rounded downwards, by
+  // half a unit.
   Rounded_polynomial split() {
     error += (degree + 1) / 2;
     Rounded_polynomial right(degree);
@@ -91,7 +95,8 @@ public:
     return right;
   }
 
-  // 1 or -1 if that is the sign of the polynomial on all of [0, 1], and a few bisections prove it. Otherwise 0.
+  // 1 or -1 if that is the sign of the polynomial on all of [0, 1], and a few bisections prove it.
+  // Otherwise 0.
   template <class Polynomial> static int sign_of(const Polynomial& p) {
     const std::optional<Rounded_polynomial> rounded = of(p);
     return rounded ? rounded->sign(most_bisections) : 0;
@@ -113,7 +118,8 @@ private:
     return sign_of_left != 0 && right.sign(bisections - 1) == sign_of_left ? sign_of_left : 0;
   }
 
-  // The least common multiple of the binomial coefficients of degree n, divided by that of k; less than 2^53.
+  // The least common multiple of the binomial coefficients of degree n, divided by that of k; less
+  // than 2^53.
   static std::int64_t multiple(int n, int k) {
     struct Table {
       std::int64_t x[most_degree + 1][most_degree + 1];

@@ -18,8 +18,9 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-// A vector of unreduced fractions has one denominator. This is a specialisation of a public template, and so it must
-// stand in the namespace of the template; it is internal like its number type.
+// A vector of unreduced fractions has one denominator. This is a specialisation of a public
+// template, and so it must stand in the namespace of the template; it is internal like its number
+// type.
 template <class Rational, int N>
 class Coordinate_vector<internal::Unreduced_fraction<Rational>, N>
     : boost::additive<Coordinate_vector<internal::Unreduced_fraction<Rational>, N>>,

@@ -13,8 +13,9 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// x with A x = b for a symmetric positive definite matrix: Gaussian elimination, which needs no pivoting.
-// Matrix: a container of rows, each a Column; Column: a random-access container of field elements.
+// x with A x = b for a symmetric positive definite matrix: Gaussian elimination, which needs no
+// pivoting. Matrix: a container of rows, each a Column; Column: a random-access container of field
+// elements.
 template <class Matrix, class Column> Column solve_positive_definite(Matrix a, Column b) {
   typedef typename Column::value_type FT;
   const std::size_t n = b.size();

@@ -11,7 +11,8 @@
 #include <cmath>
 #include <cstddef>
 
-// All blends of two jets with joins of one kind, as a function of numbers that are free: in floating-point numbers, in dimension M.
+// All blends of two jets with joins of one kind, as a function of numbers that are free: in
+// floating-point numbers, in dimension M.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -31,12 +32,14 @@ template <Blend_kind kind, int M> struct Fair_end {
                                   : kind == Blend_kind::g3 ? 3
                                                            : 4;
   typedef std::array<double, unknowns> Unknowns;
-  typedef std::array<Vector, order> Points; // the control points next to the end, from there inwards
+  // the control points next to the end, from there inwards
+  typedef std::array<Vector, order> Points;
 
   std::array<Vector, order> d; // the derivatives of the given curve, scaled
   int direction;               // 1 at the start of the blend, -1 at its end
 
-  // The control points that have the derivatives g, relative to the end point: b_j = sum of C(j,i) (n-i)!/n! g_i.
+  // The control points that have the derivatives g, relative to the end point: b_j = sum of C(j,i)
+  // (n-i)!/n! g_i.
   Points points(const std::array<Vector, order>& g) const {
     const double s = direction;
     if constexpr (order == 2)
@@ -80,7 +83,8 @@ template <Blend_kind kind, int M> struct Fair_end {
   }
 };
 
-// The family of blends from the origin to `chord`. The free numbers are those of the start, then those of the end.
+// The family of blends from the origin to `chord`. The free numbers are those of the start, then
+// those of the end.
 template <Blend_kind kind, int M> struct Fair_family {
   typedef Fair_end<kind, M> End;
   typedef typename End::Vector Vector;

@@ -18,12 +18,14 @@
 #include <cstddef>
 #include <vector>
 
-// Tangents and curvatures at points through which a fair spline leads, in floating-point numbers. They start with those of circles
-// through three points; then one point after the other gets those with the least
+// Tangents and curvatures at points through which a fair spline leads, in floating-point numbers.
+// They start with those of circles through three points; then one point after the other gets those
+// with the least
 //
 //   sum over both neighbouring pieces of  int |(dK/ds)_perp|^2 ds,
 //
-// where a piece is the quintic blend of least energy whose tangents are as long as an arc of a circle with their angle, by Newton's method with differences.
+// where a piece is the quintic blend of least energy whose tangents are as long as an arc of a
+// circle with their angle, by Newton's method with differences.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -41,8 +43,9 @@ template <int N> double length(const Coordinate_vector<double, N>& x) {
   return length;
 }
 
-// The tangent, unless it is given, and the curvature of the circle through a point and its neighbours, with the chords u to the point
-// and v from it. `place` is 0 where the circle is wanted at the middle one of the points, -1 at the first, 1 at the last.
+// The tangent, unless it is given, and the curvature of the circle through a point and its
+// neighbours, with the chords u to the point and v from it. `place` is 0 where the circle is wanted
+// at the middle one of the points, -1 at the first, 1 at the last.
 template <int N>
 void take_circle(Fair_joint<N>& joint, const Coordinate_vector<double, N>& u, const Coordinate_vector<double, N>& v,
                  int place) {
@@ -118,8 +121,9 @@ private:
   static double piece(const Joint& a, const Joint& b) {
     typedef Fair_family<Blend_kind::g2, M> Family;
     const Vector chord = b.point - a.point;
-    const double sine = std::sqrt((std::max)(0., (1 - dot(a.tangent, b.tangent)) / 2)), // of half the angle of an arc
-        size = std::sqrt(dot(chord, chord)) * (sine > 1e-6 ? std::asin((std::min)(sine, 1.)) / sine : 1),
+    // of half the angle of an arc
+    const double sine = std::sqrt((std::max)(0., (1 - dot(a.tangent, b.tangent)) / 2)),
+                 size = std::sqrt(dot(chord, chord)) * (sine > 1e-6 ? std::asin((std::min)(sine, 1.)) / sine : 1),
                  square = size * size;
     const Family family{
         chord, {{size * a.tangent, square * a.curvature}, 1}, {{size * b.tangent, square * b.curvature}, -1}};
@@ -128,7 +132,7 @@ private:
     return std::isfinite(e) ? quadrature.integral() : e;
   }
 
-  // Of the pieces at a point.
+  // Returns the variation of the pieces at a point.
   double value(int i, const Joint& joint) const {
     const int n = static_cast<int>(joints_.size());
     double sum = 0;
@@ -137,7 +141,8 @@ private:
     return sum;
   }
 
-  // The free numbers: the angle by which the tangent turns, and the change of the curvature in units of 1/h, for each normal.
+  // The free numbers: the angle by which the tangent turns, and the change of the curvature in
+  // units of 1/h, for each normal.
   static constexpr int normals = M - 1, unknowns = 2 * normals;
   typedef std::array<double, unknowns> Numbers;
 

@@ -18,8 +18,9 @@
 #include <limits>
 #include <utility>
 
-// The fairest blend of a family, by the method of Levenberg and Marquardt, and where the search starts: blends of least energy, and
-// fair ones with less freedom. Deterministic; nothing is allocated.
+// The fairest blend of a family, by the method of Levenberg and Marquardt, and where the search
+// starts: blends of least energy, and fair ones with less freedom. Deterministic; nothing is
+// allocated.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -102,23 +103,27 @@ template <Blend_kind kind, int M> class Fair_minimum {
   template <int nodes> using Quadrature = Fairness_quadrature<kind, M, nodes>;
   static constexpr int unknowns = Family::unknowns, shape_unknowns[2] = {0, Family::End::unknowns};
   static constexpr double log2 = 0.6931471805599453;
-  static constexpr double most_change = 2 * log2; // of the logarithm of a shape parameter: a factor of 4
-  static constexpr double longest_step = 0.75;    // of the same
-  static constexpr double precision = 1e-3;       // of E, as far as the expansion tells
-  static constexpr double agreement = 1e-2;       // of two quadratures
-  static constexpr double rough_agreement = 0.5;  // when they see the same curve, which almost has a cusp
-  static constexpr double negligible = 1e-6;      // E of a curve that nobody can tell from an arc of a circle
-  static constexpr double doubtful = 400;         // E of a curve near which there may be a better one
-  static constexpr double ugly = 5e3;             // E of a curve that nobody would draw
-  static constexpr int most_iterations = 100;     // of one descent
-  static constexpr int patience = 4;              // iterations, after which a descent is given up
-  static constexpr double hopeless = 3;           // when its E is so many times that of another one
+  // of the logarithm of a shape parameter: a factor of 4
+  static constexpr double most_change = 2 * log2;
+  static constexpr double longest_step = 0.75; // of the same
+  static constexpr double precision = 1e-3;    // of E, as far as the expansion tells
+  static constexpr double agreement = 1e-2;    // of two quadratures
+  // when they see the same curve, which almost has a cusp
+  static constexpr double rough_agreement = 0.5;
+  // E of a curve that nobody can tell from an arc of a circle
+  static constexpr double negligible = 1e-6;
+  // E of a curve near which there may be a better one
+  static constexpr double doubtful = 400;
+  static constexpr double ugly = 5e3;         // E of a curve that nobody would draw
+  static constexpr int most_iterations = 100; // of one descent
+  static constexpr int patience = 4;          // iterations, after which a descent is given up
+  static constexpr double hopeless = 3;       // when its E is so many times that of another one
 
   const Family& family_;
   const Shape_choice shape_;
   const Unknowns automatic_; // the blend of least energy with the automatic shape
-  const std::array<double, 2>
-      short_; // the logarithms of the changes that shorten the tangents to the diameters of curvature
+  // the logarithms of the changes that shorten the tangents to the diameters of curvature
+  const std::array<double, 2> short_;
 
 public:
   Unknowns x;                   // the blend that was found, rounded
@@ -155,7 +160,8 @@ public:
   }
 
 private:
-  // A tangent that is longer than the diameter of the circle of curvature makes the blend leave it at once.
+  // A tangent that is longer than the diameter of the circle of curvature makes the blend leave it
+  // at once.
   static double shortening(const typename Family::End& end) {
     const double g = dot(end.d[0], end.d[0]), h = dot(end.d[0], end.d[1]) / g;
     const typename Family::Vector normal = end.d[1] - h * end.d[0];
@@ -163,8 +169,8 @@ private:
     return ratio < 1 ? std::log(ratio) : 0;
   }
 
-  // Takes y, which at least is not far away, where it is fairer than x, or where x is an automatic blend with a cusp that no
-  // quadrature sees.
+  // Takes y, which at least is not far away, where it is fairer than x, or where x is an automatic
+  // blend with a cusp that no quadrature sees.
   void shorten(const Unknowns& y) {
     Quadrature<96> quadrature(family_);
     const double e = quadrature.value(y);
@@ -190,16 +196,17 @@ private:
     return automatic_;
   }
 
-  // Blends with the longest tangents: curves that turn in a wide bow, where the automatic blend leads to a narrow one. Chosen by
-  // trial on some thousand pairs; the same for the reversed blend.
+  // Blends with the longest tangents: curves that turn in a wide bow, where the automatic blend
+  // leads to a narrow one. Chosen by trial on some thousand pairs; the same for the reversed blend.
   std::array<Unknowns, 4> long_starts() const {
     const bool free = shape_ == Shape_choice::free;
     const double a = free ? short_[0] + most_change : 0, b = free ? short_[1] + most_change : 0;
     return {{{a, 4, b, 2}, {a, -2, b, -4}, {a, -12, b, 2}, {a, -2, b, 12}}};
   }
 
-  // The automatic blend may be in the reach of a bad minimum only, as when it has a small loop. Of a coarse grid of blends,
-  // those with the least E, of different shapes, where the shape is free.
+  // The automatic blend may be in the reach of a bad minimum only, as when it has a small loop.
+  // Returns the blends of a coarse grid that have the least E, with different shapes where the
+  // shape is free.
   std::array<std::pair<double, Unknowns>, 4> starts_from_everywhere() const {
     Quadrature<24> quadrature(family_);
     std::array<std::pair<double, Unknowns>, 4> best; // in increasing order
@@ -223,8 +230,8 @@ private:
     return best;
   }
 
-  // Minimises the quadrature with so many nodes, from y. Takes what was found if it is better than x, unless twice as
-  // many nodes see another curve; returns whether they agree.
+  // Minimises the quadrature with so many nodes, from y. Takes what was found if it is better than
+  // x, unless twice as many nodes see another curve; returns whether they agree.
   template <int nodes, class Rounding> bool descend(Unknowns y, const Rounding& rounded) {
     Quadrature<nodes> quadrature(family_);
     const std::pair<double, bool> found = minimise(quadrature, y);
@@ -256,7 +263,8 @@ private:
     return false;
   }
 
-  // From y; returns the least value that was found, which is that of y then, and whether it is a minimum.
+  // From y; returns the least value that was found, which is that of y then, and whether it is a
+  // minimum.
   template <int nodes> std::pair<double, bool> minimise(Quadrature<nodes>& quadrature, Unknowns& y) {
     double here = quadrature.value(y), damping = 1e-2;
     Fairness_expansion<unknowns> expansion = quadrature.expand(y);

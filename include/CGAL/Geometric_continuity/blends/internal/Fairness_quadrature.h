@@ -16,8 +16,8 @@
 #include <cstddef>
 #include <limits>
 
-// The fairness E = L^3 int |(dK/ds)_perp|^2 ds of a blend, and its first derivatives, by Gauss's quadrature with a fixed number
-// of nodes. With a = d1.d2/g, b = d1.d3/g, g = d1.d1,
+// The fairness E = L^3 int |(dK/ds)_perp|^2 ds of a blend, and its first derivatives, by Gauss's
+// quadrature with a fixed number of nodes. With a = d1.d2/g, b = d1.d3/g, g = d1.d1,
 //
 //   f = M / g^(5/4),   M = d3 - 3a d2 + (3a^2 - b) d1,   E = L^3 int |f|^2 dt,   L = int sqrt(g) dt.
 //
@@ -35,7 +35,8 @@ template <int degree, int nodes> struct Gauss_nodes {
   typedef std::array<double, nodes> Row;
 
   Row weight, root_of_weight;
-  std::array<std::array<Row, degree + 1>, 3> b; // b[k-1][j]: derivative number k of the polynomial number j
+  // b[k-1][j]: derivative number k of the polynomial number j
+  std::array<std::array<Row, degree + 1>, 3> b;
 
   static const Gauss_nodes& instance() {
     static const Gauss_nodes table;
@@ -44,11 +45,13 @@ template <int degree, int nodes> struct Gauss_nodes {
 
 private:
   Gauss_nodes() {
-    typedef boost::math::quadrature::gauss<double, nodes> Rule; // its nodes on one side of 0, in [-1, 1]
+    // its nodes on one side of 0, in [-1, 1]
+    typedef boost::math::quadrature::gauss<double, nodes> Rule;
     for (int i = 0; i < nodes; ++i) {
       const bool left = i < nodes / 2;
       const std::size_t from_middle = left ? nodes / 2 - 1 - i : i - nodes / 2;
-      const double z = left ? Rule::abscissa()[from_middle] : -Rule::abscissa()[from_middle]; // of the node (1 - z)/2
+      // of the node (1 - z)/2
+      const double z = left ? Rule::abscissa()[from_middle] : -Rule::abscissa()[from_middle];
       weight[i] = Rule::weights()[from_middle] / 2;
       root_of_weight[i] = std::sqrt(weight[i]);
       for (int j = 0; j <= degree; ++j) {
@@ -110,7 +113,8 @@ public:
   // The integral of |(dK/ds)_perp|^2 ds, for the x of the last call of value().
   double integral() const { return sum_; }
 
-  // Returns whether the tangent turns by more than a right angle from one node to the next: the last blend has a cusp, or almost.
+  // Returns whether the tangent turns by more than a right angle from one node to the next: the
+  // last blend has a cusp, or almost.
   bool turns_back() const {
     for (int i = 0; i + 1 < nodes; ++i) {
       double product = 0;
@@ -123,7 +127,8 @@ public:
   // At the x of the last call of value().
   Fairness_expansion<unknowns> expand(const Unknowns& x) {
     Fairness_expansion<unknowns> r;
-    std::array<double, unknowns> relative_length, product; // of each derivative: that of L / L, its product with f
+    // of each derivative: that of L / L, its product with f
+    std::array<double, unknowns> relative_length, product;
     const auto starts = family_.start.tangents(Family::start_of(x));
     const auto ends = family_.end.tangents(Family::end_of(x));
     for (int k = 0; k < unknowns; ++k) {
@@ -197,7 +202,8 @@ private:
     sum_ = dot(f_, f_);
   }
 
-  // The derivative of f, times sqrt(weight), when the control points at one end move by h; returns that of L, divided by L.
+  // The derivative of f, times sqrt(weight), when the control points at one end move by h; returns
+  // that of L, divided by L.
   double differentiate(const typename End::Points& h, bool at_start, Rows& df) const {
     std::array<Rows, 3> dd;
     for (int k = 0; k < 3; ++k)

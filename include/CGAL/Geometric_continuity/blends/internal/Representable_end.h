@@ -27,7 +27,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// All of this holds in every rounding mode: what is computed in floating-point numbers is exact, or a choice near to others.
+// All of this holds in every rounding mode: what is computed in floating-point numbers is exact, or
+// a choice near to others.
 
 // 2^n, also where that is no double.
 inline Exact_rational exact_power_of_two(int n) {
@@ -54,11 +55,13 @@ template <class Float> bool overflows(Float m, int n) {
   return m != Float(0) && std::ilogb(m) >= std::numeric_limits<Float>::max_exponent - n;
 }
 
-// The multiple of 2^n nearest to the number x, or of two the one with the even quotient; nothing when it is too large.
+// The multiple of 2^n nearest to the number x, or of two the one with the even quotient; nothing
+// when it is too large.
 template <class Float> std::optional<Float> rounded_to_grid(Float x, int n) {
   if (x == Float(0) || std::ilogb(x) - std::numeric_limits<Float>::digits >= n) return x;
   if (std::ilogb(x) < n - 1) return Float(0);
-  const Float multiple = nearest_integer(std::ldexp(x, -n)); // the quotient has at most as many digits as x
+  // the quotient has at most as many digits as x
+  const Float multiple = nearest_integer(std::ldexp(x, -n));
   if (overflows(multiple, n)) return std::nullopt;
   return std::ldexp(multiple, n);
 }
@@ -70,11 +73,13 @@ inline Exact_rational short_number(const Exact_rational& x, int digits) {
   return Exact_rational(nearest_integer(std::ldexp(approximation, -n))) * exact_power_of_two(n);
 }
 
-// How a curve leaves, read inward from the join: its degree m, and by which lengths of the parameter the first and the second difference
-// of control points are divided, for the derivatives m (b_0 - b_1) / first and m (m-1) ((b_0 - b_1) / first - (b_1 - b_2) / second) / first.
+// How a curve leaves, read inward from the join: its degree m, and by which lengths of the
+// parameter the first and the second difference of control points are divided, for the derivatives
+// m (b_0 - b_1) / first and m (m-1) ((b_0 - b_1) / first - (b_1 - b_2) / second) / first.
 template <class Float> struct Inward_lengths {
   int degree;
-  Float first, second; // the length of the domain of a Bezier curve, of a clamped spline its first knots
+  // the length of the domain of a Bezier curve, of a clamped spline its first knots
+  Float first, second;
 };
 
 // One end of a blend with control points that are numbers of type Float. With the end points A = b_0, b_1, b_2 of a curve
@@ -82,16 +87,19 @@ template <class Float> struct Inward_lengths {
 //
 //   B = A + c p,   C = 2B - A + c^2 f q + e p,   f = 5(m-1)/(4m),
 //
-// is a G^2 join for each c > 0 and each e. When the odd parts of the denominators of f and r divide c, both points lie on a
-// grid that has a few digits more than that of b_0, b_1, b_2, if c and e have few digits.
+// is a G^2 join for each c > 0 and each e. When the odd parts of the denominators of f and r divide
+// c, both points lie on a grid that has a few digits more than that of b_0, b_1, b_2, if c and e
+// have few digits.
 template <class Float, int N> class Representable_end {
 public:
   typedef Coordinate_vector<Exact_rational, N> Vector;
 
 private:
   static constexpr int most_digits = 8, fewest_digits = 3; // of c / n
-  static constexpr int finest_e = 16, coarsest_e = 4;      // e is a multiple of 2^-finest, ..., 2^-coarsest
-  static constexpr int plenty = 5, plenty_e = 10;          // more digits of c / n only where e has so many
+  // e is a multiple of 2^-finest, ..., 2^-coarsest
+  static constexpr int finest_e = 16, coarsest_e = 4;
+  // more digits of c / n only where e has so many
+  static constexpr int plenty = 5, plenty_e = 10;
 
   const std::array<Coordinate_vector<Float, N>, 3> given_; // b_0, b_1, b_2
   const int sign_;                                         // of the difference p = sign (b_0 - b_1)
@@ -136,7 +144,8 @@ public:
   const std::array<Coordinate_vector<Float, N>, 3>& points() const { return b_; }
   // The shape parameter of the join, rounded; it stays positive.
   Float beta() const {
-    const Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST); // next to zero, no number is near the next one
+    // next to zero, no number is near the next one
+    const Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
     const double x = CGAL::to_double(Exact_rational(5 * c_ * Exact_rational(lengths_.first) / lengths_.degree));
     if (!(x <= static_cast<double>((std::numeric_limits<Float>::max)()))) refuse("the shape parameter overflows");
     return (std::max)(static_cast<Float>(x), std::numeric_limits<Float>::denorm_min());
@@ -144,10 +153,12 @@ public:
   const std::vector<int>& grid() const { return grid_; }
 
   Vector a() const { return a_; }
-  Vector tangent() const { return Exact_rational(5 * c_) * p_; }                      // of the blend
-  Vector second_derivative() const { return Exact_rational(20 * c_ * c_ * f_) * q_; } // of the blend when e = 0
-  Vector second_point() const { return a_ + Exact_rational(sign_ * c_) * p_; }        // B
-  Vector third_point() const { return base() + e_ * p_; }                             // C
+  // of the blend
+  Vector tangent() const { return Exact_rational(5 * c_) * p_; }
+  // of the blend when e = 0
+  Vector second_derivative() const { return Exact_rational(20 * c_ * c_ * f_) * q_; }
+  Vector second_point() const { return a_ + Exact_rational(sign_ * c_) * p_; } // B
+  Vector third_point() const { return base() + e_ * p_; }                      // C
 
   // Chooses e so that C is near `wish` and representable, as near as the digits allow.
   bool choose(const Vector& wish) {
@@ -163,7 +174,8 @@ public:
     return false;
   }
 
-  // No more digits of c than plenty, then fewer, then a coarser grid, where there are none to spare.
+  // No more digits of c than plenty, then fewer, then a coarser grid, where there are none to
+  // spare.
   void simplify() {
     if (digits_ > fewest_digits)
       digits_ = (std::min)(digits_ - 1, plenty);

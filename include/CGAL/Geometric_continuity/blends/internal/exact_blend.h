@@ -25,20 +25,23 @@
 #include <utility>
 #include <vector>
 
-// Exact blends by a strategy that works in every field: on rational numbers the formulas are computed with unreduced fractions,
-// and each number of the result is reduced once; on lazy numbers with intervals, and with fractions when an exact value is asked
-// for. A template Ends is Quintic_ends or Septic_ends, whose formulas these are.
+// Exact blends by a strategy that works in every field: on rational numbers the formulas are
+// computed with unreduced fractions, and each number of the result is reduced once; on lazy numbers
+// with intervals, and with fractions when an exact value is asked for. A template Ends is
+// Quintic_ends or Septic_ends, whose formulas these are.
 
 namespace CGAL {
 
-// Types of CGAL that are declared here and not defined: who has such numbers has included their header.
+// Types of CGAL that are declared here and not defined: who has such numbers has included their
+// header.
 template <class ET> class Lazy_exact_nt;
 template <class ET> struct Lazy_exact_nt_rep;
 
 namespace Geometric_continuity {
 namespace internal {
 
-// The exact values of lazy numbers that one function computes together, when the first of them is asked for.
+// The exact values of lazy numbers that one function computes together, when the first of them is
+// asked for.
 template <class ET, class Function> class Joint_evaluation {
   std::mutex mutex_;
   std::optional<Function> function_;
@@ -68,21 +71,24 @@ public:
       : Lazy_exact_nt_rep<ET>(enclosure), evaluation_(std::move(evaluation)), i_(i) {}
 
   void update_exact() const override {
-    auto* exact = new typename Lazy_exact_nt_rep<ET>::Indirect(evaluation_->value(i_)); // owned by the base class
+    // owned by the base class
+    auto* exact = new typename Lazy_exact_nt_rep<ET>::Indirect(evaluation_->value(i_));
     this->set_at(exact);
     this->set_ptr(exact);
     evaluation_.reset();
   }
 };
 
-// The numbers of the vector that function() returns as lazy numbers, given intervals that contain them.
+// The numbers of the vector that function() returns as lazy numbers, given intervals that contain
+// them.
 template <class ET, class Function>
 std::vector<Lazy_exact_nt<ET>> jointly_lazy(const std::vector<Interval_nt<false>>& enclosures, Function function) {
   const auto evaluation = std::make_shared<Joint_evaluation<ET, Function>>(std::move(function));
   std::vector<Lazy_exact_nt<ET>> numbers;
   numbers.reserve(enclosures.size());
   for (std::size_t i = 0; i < enclosures.size(); ++i)
-    numbers.emplace_back(new Jointly_lazy<ET, Function>(enclosures[i], evaluation, i)); // owned by the handle
+    // owned by the handle
+    numbers.emplace_back(new Jointly_lazy<ET, Function>(enclosures[i], evaluation, i));
   return numbers;
 }
 
@@ -115,7 +121,8 @@ reduced_points(const Coordinate_vector<FT, N>& first,
   return {first, b[i].reduced()..., last};
 }
 
-// A blend of jets of rational numbers, which have been checked. Each vector of the jets gets one denominator.
+// A blend of jets of rational numbers, which have been checked. Each vector of the jets gets one
+// denominator.
 template <template <class, int> class Ends, class FT, int N, class Strategy>
 Exact_blend<Ends, FT, N> blend_on_fractions(const Coordinate_jet<FT, N>& phi, const Coordinate_jet<FT, N>& psi,
                                             const Strategy& strategy, const Shape_parameters<FT>& shape) {
@@ -162,7 +169,8 @@ template <template <class, int> class Ends, class FT, int N, class Strategy> con
     return false;
 }
 
-// The function that blend_lazily() leaves for later: the inner control points and the parameters, one after the other.
+// The function that blend_lazily() leaves for later: the inner control points and the parameters,
+// one after the other.
 template <template <class, int> class Ends, class ET, int N, class Strategy> struct Exact_numbers_of_blend {
   Derivatives<Ends, Lazy_exact_nt<ET>, N> phi, psi;
   Strategy strategy;
@@ -186,8 +194,9 @@ template <template <class, int> class Ends, class ET, int N, class Strategy> str
   }
 };
 
-// A blend of jets of lazy numbers as one lazy construction: intervals at once, the numbers on fractions when the exact value
-// of one of them is asked for. Nothing where the intervals do not tell which case of its definition the strategy is in.
+// A blend of jets of lazy numbers as one lazy construction: intervals at once, the numbers on
+// fractions when the exact value of one of them is asked for. Nothing where the intervals do not
+// tell which case of its definition the strategy is in.
 template <template <class, int> class Ends, class ET, int N, class Strategy>
 std::optional<Exact_blend<Ends, Lazy_exact_nt<ET>, N>>
 blend_lazily(const Coordinate_jet<Lazy_exact_nt<ET>, N>& phi, const Coordinate_jet<Lazy_exact_nt<ET>, N>& psi,

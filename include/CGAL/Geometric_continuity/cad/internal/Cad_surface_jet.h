@@ -14,7 +14,8 @@
 #include <vector>
 
 /// \file Cad_surface_jet.h
-/// The Taylor coefficients of surfaces at all parameters of a rectangle; the pieces and the knots of a surface.
+/// The Taylor coefficients of surfaces at all parameters of a rectangle; the pieces and the knots
+/// of a surface.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -48,8 +49,8 @@ struct Surface_orders {
   bool contains(int i, int j) const { return i <= u && j <= v && i + j <= sum; }
 };
 
-// Encloses the derivatives of S by u and v, i and j times, divided by i! j!, at all parameters of a box, of one piece
-// of the surface, which is continued beyond its ends.
+// Encloses the derivatives of S by u and v, i and j times, divided by i! j!, at all parameters of a
+// box, of one piece of the surface, which is continued beyond its ends.
 struct Cad_surface_jet {
   Triangle<Interval_vector<3>> s;
   int u_degree = highest_order, v_degree = highest_order; // those of higher numbers are zero
@@ -141,7 +142,8 @@ inline Cad_surface_jet jet_of(const Cad_revolution& surface, const Parameter_box
 inline Cad_surface_jet cad_surface_jet(const Cad_surface& surface, const Parameter_box& box,
                                        const Surface_orders& order);
 
-// The coefficients on one piece about a point, times the denominator if rational, relative to one of its control points.
+// The coefficients on one piece about a point, times the denominator if rational, relative to one
+// of its control points.
 class Spline_piece_polynomial {
   int p_, q_; // the highest powers that are kept
   int coordinates_;
@@ -188,7 +190,8 @@ public:
       }
   }
 
-  // Takes the coefficients about all points at the distances in du and dv. \pre of directions in which one is not zero all powers are kept
+  // Takes the coefficients about all points at the distances in du and dv. \pre of directions in
+  // which one is not zero all powers are kept
   const Spline_piece_polynomial& move(const Interval& du, const Interval& dv) {
     for (int k = 0; k < coordinates_; ++k) {
       for (int j = 0; j <= q_ && !is_exact_zero(du); ++j)
@@ -225,7 +228,8 @@ public:
   }
 };
 
-// About a point, with the powers that are needed to move it, and for the derivatives that are wanted.
+// About a point, with the powers that are needed to move it, and for the derivatives that are
+// wanted.
 inline Spline_piece_polynomial spline_polynomial(const Cad_spline_surface& s, const Parameter_box& box, double u,
                                                  double v, const Interval& du, const Interval& dv,
                                                  const Surface_orders& order) {
@@ -315,7 +319,8 @@ inline Surface_jets surface_jets(const Cad_surface& surface, double u, double v,
   return {cad_surface_jet(surface, {u, v, box.u_span, box.v_span}, order), cad_surface_jet(surface, box, order)};
 }
 
-// The pieces of a surface that ranges of parameters touch, by their spans in u and v; sides of knots as for curves.
+// The pieces of a surface that ranges of parameters touch, by their spans in u and v; sides of
+// knots as for curves.
 inline std::array<std::vector<int>, 2> intersected_pieces(const Cad_surface& surface, const Interval& u,
                                                           const Interval& v, int u_side, int v_side) {
   const std::array<Spline_parameter, 2> parameters = spline_parameters(surface);

@@ -18,15 +18,16 @@
 #include <vector>
 
 /// \file Edge_bounds.h
-/// Bounds of gap, angle and curvature jump of two sides on a range of the parameter; where an edge is divided first, and where the normal
-/// of a surface is proved to vanish on it.
+/// Bounds of gap, angle and curvature jump of two sides on a range of the parameter; where an edge
+/// is divided first, and where the normal of a surface is proved to vanish on it.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-// Where the normal of a surface is proved to vanish on an edge. That it cannot be told from zero is not enough: it may turn there.
+// Where the normal of a surface is proved to vanish on an edge. It is not enough that it cannot be
+// told from zero, because it may turn there.
 class Vanishing_normal {
   const Edge_side& side_;
   std::vector<std::pair<int, double>>
@@ -52,9 +53,11 @@ public:
     add(1, s->v_knots, s->v_degree, columns, rows, [&](int j, int i) { return s->points[i * columns + j]; });
   }
 
-  // Returns whether the normal, or if asked for the derivative of the edge in the parameter plane, is proved to vanish at a point of the range, or
-  // beside it by no more than the rounding of curves: at the apex of a cone, the pole of a sphere, a cusp of a torus, a line of a spline
-  // that is a point; and at an end of the range where the derivatives of the surface are computed without an error.
+  // Returns whether the normal, or if asked for the derivative of the edge in the parameter plane,
+  // is proved to vanish at a point of the range, or beside it by no more than the rounding of
+  // curves: at the apex of a cone, the pole of a sphere, a cusp of a torus, a line of a spline that
+  // is a point; and at an end of the range where the derivatives of the surface are computed
+  // without an error.
   bool is_on(const Edge_range& range, bool or_derivative) const {
     const Cad_curve<2>& curve = *side_.curve;
     const Interval_vector<2> c = cad_curve_jet(curve, range.t, 0).c[0];
@@ -168,7 +171,8 @@ inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, 
   };
   const Interval s = range.place(t), at_point = jump(difference(s), k1(s), k2(s));
   double upper = jump(difference.range(), k1.range(), k2.range()).sup();
-  // where both change along the edge it is closer as |d| / max(1, |1 - d|), d = (k1 - k2) / k1, or (k2 - k1) / k2 if k2 is larger
+  // where both change along the edge it is closer as |d| / max(1, |1 - d|), d = (k1 - k2) / k1, or
+  // (k2 - k1) / k2 if k2 is larger
   const bool second = std::fabs(k1.c[0]) < std::fabs(k2.c[0]);
   const Taylor_model d = (second ? -difference : difference) * reciprocal(second ? k2 : k1);
   if (d.known()) {
@@ -181,8 +185,10 @@ inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, 
   return {at_point.inf(), upper, t, true, upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf())};
 }
 
-// The range of an edge, divided at the knots of the curves of its sides, and on both sides of the parameters near which a curve crosses a
-// knot line of its surface. (What is not found here will be found by halving.) \pre the numbers of the sides have been checked. \throws Error `parameter_outside_domain`
+// The range of an edge, divided at the knots of the curves of its sides, and on both sides of the
+// parameters near which a curve crosses a knot line of its surface. (What is not found here will be
+// found by halving.) \pre the numbers of the sides have been checked. \throws Error
+// `parameter_outside_domain`
 inline std::vector<double> divided_range(std::initializer_list<const Edge_side*> sides, double first, double last) {
   std::vector<double> ends{first, last};
   for (const Edge_side* side : sides)
@@ -249,7 +255,8 @@ public:
   Edge_bounds(const Edge_side& a, const Edge_side& b)
       : sides_{Side_evaluator(a), Side_evaluator(b)}, vanishing_{Vanishing_normal(a), Vanishing_normal(b)} {}
 
-  // For questions about quantities up to `most` that begin with the parts of a range. \throws Error as divided_range()
+  // For questions about quantities up to `most` that begin with the parts of a range. \throws Error
+  // as divided_range()
   Edge_bounds(const Edge_side& a, const Edge_side& b, double first, double last, Edge_quantity most)
       : Edge_bounds(a, b) {
     most_ = most;
@@ -257,10 +264,11 @@ public:
     first_models_.resize(ends_.size());
   }
 
-  // Of the parts of the range.
+  // Returns the ends of the parts of the range.
   const std::vector<double>& ends() const { return ends_; }
 
-  // Returns whether it is proved that a normal vanishes at a point of the range, or for curvatures the direction of the edge.
+  // Returns whether it is proved that a normal vanishes at a point of the range, or for curvatures
+  // the direction of the edge.
   bool is_undefined(double lower, double upper, Edge_quantity quantity) const {
     const Edge_range range(lower, upper);
     return quantity != Edge_quantity::gap &&
@@ -276,7 +284,8 @@ public:
     Bounds_on_range bounds{0, 0, range.middle, false};
     const bool several = a.size() * b.size() > 1, may_jump = several && quantity != Edge_quantity::gap;
     std::optional<double> at;
-    for (const Side_models& x : a) // the largest of what all combinations of pieces allow, at one parameter the least
+    // the largest of what all combinations of pieces allow, at one parameter the least
+    for (const Side_models& x : a)
       for (const Side_models& y : b) {
         const Bounds_on_range of_pieces = quantity == Edge_quantity::gap ? square_on(range, x.point - y.point, at)
                                           : quantity == Edge_quantity::angle

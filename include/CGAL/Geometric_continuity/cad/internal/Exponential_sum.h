@@ -25,9 +25,10 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// A real function sum c t^n exp(i (w + f t)) with complex rational c and rational frequencies f and phases w. It vanishes identically
-// if and only if all c do: the functions t^n exp(i f t) are linearly independent over the complex numbers, and the numbers exp(i w) with
-// different algebraic w are linearly independent over the algebraic numbers (Lindemann and Weierstrass).
+// A real function sum c t^n exp(i (w + f t)) with complex rational c and rational frequencies f and
+// phases w. It vanishes identically if and only if all c do: the functions t^n exp(i f t) are
+// linearly independent over the complex numbers, and the numbers exp(i w) with different algebraic
+// w are linearly independent over the algebraic numbers (Lindemann and Weierstrass).
 class Exponential_sum {
   typedef Model_number Number;
   typedef std::tuple<Number, Number, int> Exponent; // f, w, n
@@ -96,7 +97,8 @@ public:
     return r;
   }
 
-  // The sign that it has in all of [first, last]; empty when it vanishes there, or so nearly that it is not found out.
+  // The sign that it has in all of [first, last]; empty when it vanishes there, or so nearly that
+  // it is not found out.
   std::optional<int> sign_on(double first, double last) const {
     struct Term {
       Interval f, w, re, im;

@@ -17,7 +17,8 @@
 #include <vector>
 
 /// \file Foot_finder.h
-/// The foot points of a curve C in space on a surface S: the zeros (u, v) of F = ((S - C) . S_u, (S - C) . S_v).
+/// The foot points of a curve C in space on a surface S: the zeros (u, v) of F = ((S - C) . S_u,
+/// (S - C) . S_v).
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -49,13 +50,15 @@ public:
   };
   struct Enclosed {
     Interval_vector<3> point, normal; // the normal of unit length
-    Interval curvature;               // in the direction of the tangent plane that is orthogonal to the curve
+    // in the direction of the tangent plane that is orthogonal to the curve
+    Interval curvature;
   };
 
   Foot_finder(const Side_evaluator& side, const Placed_curve& curve)
       : side_(side), curve_(curve), domain_(cad_domain(*side.given().surface)) {}
 
-  // The foot point next to the curve of the side, rounded. Where the surface is singular a parameter that does not matter stays.
+  // The foot point next to the curve of the side, rounded. Where the surface is singular a
+  // parameter that does not matter stays.
   Foot near_curve(double t) const {
     const auto [point, tangent] = curve_.jet(t);
     Foot foot{start(t), {0, 0}};
@@ -78,9 +81,10 @@ public:
     return foot;
   }
 
-  // The foot point at an end t of a range of the curve. Where a parameter of the surface does not matter, as the longitude at a pole, it is
-  // the one to which those of the foot points at t + step and t + 2 step lead, by the cubic through both, and the curve leaves along the
-  // line on which the other one varies.
+  // The foot point at an end t of a range of the curve. Where a parameter of the surface does not
+  // matter, as the longitude at a pole, it is the one to which those of the foot points at t + step
+  // and t + 2 step lead, by the cubic through both, and the curve leaves along the line on which
+  // the other one varies.
   Foot near_end(double t, double step) const {
     Foot foot = near_curve(t);
     const auto [point, tangent] = curve_.jet(t);
@@ -102,7 +106,7 @@ public:
     return foot;
   }
 
-  // What is proved of the foot point next to the curve of the side, or of the point of that curve.
+  // Encloses the foot point next to the curve of the side, or the point of that curve.
   std::optional<Enclosed> enclosed(double t, bool is_projected) const {
     const auto [point, tangent] = curve_.jet(t);
     const std::optional<Box> box = is_projected ? foot_box(near_curve(t).point, point) : own_box(t);
@@ -190,7 +194,8 @@ private:
     return e;
   }
 
-  // The solution of (a, b; b, c) x = (f, g), rounded; by the first fundamental form where that is not positive.
+  // The solution of (a, b; b, c) x = (f, g), rounded; by the first fundamental form where that is
+  // not positive.
   static std::array<double, 2> solved(const Equations& e, double f, double g) {
     double a = middle(e.a), b = middle(e.b), c = middle(e.c);
     // equivalent [> -> >=, 3]: a limit without meaning to the last digit
@@ -213,8 +218,9 @@ private:
     return at;
   }
 
-  // A box in which there is one foot point, by Krawczyk's test. At an end of the domain the distance must fall beyond the end, or the foot
-  // point may lie beyond it by rounding. \pre x is close to it
+  // A box in which there is one foot point, by Krawczyk's test. At an end of the domain the
+  // distance must fall beyond the end, or the foot point may lie beyond it by rounding. \pre x is
+  // close to it
   std::optional<Box> foot_box(const Cad_point<2>& x, const Interval_vector<3>& point) const {
     const std::array<int, 2> at = at_ends(x);
     if (const std::optional<Box> box = foot_box(x, point, {true, true}); box && is_in_domain(*box)) return box;
@@ -233,7 +239,8 @@ private:
     return std::nullopt;
   }
 
-  // The same among the points with the given values of the parameters that are not free.
+  // Encloses the foot point among the points with the given values of the parameters that are not
+  // free.
   std::optional<Box> foot_box(const Cad_point<2>& x, const Interval_vector<3>& point,
                               const std::array<bool, 2>& is_free) const {
     const Equations at = equations({Interval(x[0]), Interval(x[1])}, point);

@@ -15,7 +15,8 @@
 #include <vector>
 
 /// \file Maximum_enclosure.h
-/// The largest value of a function on a range of parameters by branch and bound: always the part with the largest upper bound is halved.
+/// The largest value of a function on a range of parameters by branch and bound: always the part
+/// with the largest upper bound is halved.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -30,7 +31,8 @@ struct Bounds_on_range {
   double least = 0;   // a lower bound on the whole range
 };
 
-// When bounds are narrow enough, see `Edge_precision`: by a function that rises, such as the root of a square.
+// When bounds are narrow enough, see `Edge_precision`: by a function that rises, such as the root
+// of a square.
 struct Largest_options {
   double relative, floor;
   double (*measure)(double);
@@ -73,13 +75,15 @@ public:
   double upper_at;      // in the middle of the part with the largest bound
   bool defined = false; // somewhere
   int evaluated = 0;
-  bool exhausted = false;                            // more ranges were needed than may be evaluated
+  // more ranges were needed than may be evaluated
+  bool exhausted = false;
   std::vector<std::pair<double, double>> undefined;  // points where the function is not defined
   std::vector<std::pair<double, double>> unresolved; // where nothing is known
 
-  // On the ranges between successive numbers of `ends`. Parts where the function is not defined are halved until they are tiny, and in them
-  // it is proved that it is not: is_undefined(from, to). So are those with knot lines, unless the bounds are narrow with them:
-  // where a surface itself is not smooth, which of its pieces meets which of the other is not known.
+  // On the ranges between successive numbers of `ends`. Parts where the function is not defined are
+  // halved until they are tiny, and in them it is proved that it is not: is_undefined(from, to). So
+  // are those with knot lines, unless the bounds are narrow with them: where a surface itself is
+  // not smooth, which of its pieces meets which of the other is not known.
   template <class Evaluate, class Is_undefined>
   Maximum_enclosure(const std::vector<double>& ends, const Largest_options& options, const Evaluate& evaluate,
                     const Is_undefined& is_undefined)
@@ -87,7 +91,8 @@ public:
     const double length = ends.back() - ends.front();
     const int ranges = static_cast<int>(
         (std::min)(double(options.most_ranges), double(options.ranges) + 8 * static_cast<double>(ends.size())));
-    std::vector<double> points; // parts where it is proved that the function is not defined begin there
+    // parts where it is proved that the function is not defined begin there
+    std::vector<double> points;
     const auto add = [&](double from, double to, const Part* parent) {
       const Bounds_on_range b = evaluate(from, to);
       ++evaluated;
@@ -167,7 +172,8 @@ private:
     upper_at = part.middle();
   }
 
-  // Ranges are points when they are as short as these, and hold a point where it is proved that the function is not defined.
+  // Ranges are points when they are as short as these, and hold a point where it is proved that the
+  // function is not defined.
   void divide_undefined(const std::vector<double>& points, double longest) {
     std::vector<std::pair<double, double>> all;
     all.swap(undefined);

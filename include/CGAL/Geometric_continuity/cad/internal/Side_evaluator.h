@@ -13,7 +13,8 @@
 #include <cmath>
 
 /// \file Side_evaluator.h
-/// Point, normal and normal curvature of one side of an edge, as Taylor models over a range of the parameter.
+/// Point, normal and normal curvature of one side of an edge, as Taylor models over a range of the
+/// parameter.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -35,8 +36,10 @@ enum class Edge_quantity { gap, angle, curvature };
 
 struct Side_models {
   Taylor_vector point, normal; // the normal of unit length
-  Taylor_model curvature;      // in the direction of the tangent plane that is orthogonal to the edge
-  bool along_knots = false;    // the edge is a knot line, and on which side of it the face lies is not known
+  // in the direction of the tangent plane that is orthogonal to the edge
+  Taylor_model curvature;
+  // the edge is a knot line, and on which side of it the face lies is not known
+  bool along_knots = false;
 };
 
 // A curve on a range: one coordinate and its derivative.
@@ -44,8 +47,9 @@ struct Coordinate_models {
   Taylor_model value, derivative;
   Interval range; // of the value; a point when the coordinate is constant
 
-  // From the Taylor coefficients about the middle, and of the next order on all of the range (Lagrange's form of the remainder). Where
-  // the coordinate rises or falls its range is that between its ends, so that it does not reach beyond a knot that it ends on.
+  // From the Taylor coefficients about the middle, and of the next order on all of the range
+  // (Lagrange's form of the remainder). Where the coordinate rises or falls its range is that
+  // between its ends, so that it does not reach beyond a knot that it ends on.
   template <int D>
   Coordinate_models(const Cad_curve_jet<D>& about_middle, const Cad_curve_jet<D>& on_range, const Interval& at_ends,
                     int i, double half) {
@@ -176,9 +180,10 @@ public:
   const Validated_transform& placed() const { return placed_; }
   bool is_flipped() const { return flipped_; }
 
-  // On each range the quantity asked for and those before it, by the formula of each piece of the surface that the edge may touch there,
-  // continued to all of the range: at each parameter one of these is the surface. None when nothing is known, or when there
-  // are too many. \pre the range lies between the knots of the curve
+  // On each range the quantity asked for and those before it, by the formula of each piece of the
+  // surface that the edge may touch there, continued to all of the range: at each parameter one of
+  // these is the surface. None when nothing is known, or when there are too many. \pre the range
+  // lies between the knots of the curve
   std::vector<Side_models> models(const Edge_range& range, Edge_quantity quantity) const {
     constexpr int n = Taylor_model::size;
     const Cad_curve<2>& curve = *side_.curve;
@@ -221,7 +226,8 @@ private:
     if (quantity == Edge_quantity::gap) return m;
     const Taylor_vector sv = placed_(compose(0, 1), false);
     Taylor_vector su = placed_(compose(1, 0), false);
-    // On spheres and cones S_u = rho(v) R'(u), and rho is zero at poles and apices, where R' x S_v is still a normal.
+    // On spheres and cones S_u = rho(v) R'(u), and rho is zero at poles and apices, where R' x S_v
+    // is still a normal.
     const auto* elementary = std::get_if<Cad_elementary_surface>(&*side_.surface);
     const int sign = elementary ? sign_of_rho(*elementary, v.range) : 0;
     const bool sphere = sign != 0 && elementary->kind == Cad_elementary_surface::Kind::sphere;
@@ -242,15 +248,16 @@ private:
       su = in_u;
     }
     const Unit_normal of_forms = sign != 0 && !sphere ? Unit_normal(su, sv, flipped_) : normal;
-    // The second fundamental form, with its first two numbers over rho^2 and rho for a sphere of the axes x, y, z: there
-    // R'' . (R' x S_v) / rho = -(x, y, z) and R' . (R' x S_v) = 0.
+    // The second fundamental form, with its first two numbers over rho^2 and rho for a sphere of
+    // the axes x, y, z: there R'' . (R' x S_v) / rho = -(x, y, z) and R' . (R' x S_v) = 0.
     Taylor_model l, m_, n = dot(of_forms.vector, placed_(compose(0, 2), false));
     if (sphere)
       l = -frame_determinant(*elementary) * of_forms.factor;
     else
       l = dot(of_forms.vector, placed_(compose(2, 0), false)), m_ = dot(of_forms.vector, placed_(compose(1, 1), false));
-    // With the first fundamental form (e, f; f, g) the direction a S_u + b S_v is orthogonal to the edge's S_u u' + S_v v',
-    // and its square is (e g - f^2) times that of the edge's, with e g - f^2 = |N|^2.
+    // With the first fundamental form (e, f; f, g) the direction a S_u + b S_v is orthogonal to the
+    // edge's S_u u' + S_v v', and its square is (e g - f^2) times that of the edge's, with e g -
+    // f^2 = |N|^2.
     const Taylor_model e = dot(su, su), f = dot(su, sv), g = dot(sv, sv);
     const Taylor_model b = e * u_derivative + f * v.derivative, a = -(f * u_derivative + g * v.derivative);
     const Taylor_model square = b * u_derivative - a * v.derivative;
@@ -271,7 +278,8 @@ private:
     }
   };
 
-  // The sign of rho where it has one in a range of v, but for roundings at a pole or an apex; 0 for other surfaces.
+  // The sign of rho where it has one in a range of v, but for roundings at a pole or an apex; 0 for
+  // other surfaces.
   static int sign_of_rho(const Cad_elementary_surface& surface, const Interval& v) {
     typedef Cad_elementary_surface::Kind Kind;
     if (surface.kind == Kind::sphere)
@@ -284,7 +292,7 @@ private:
     // equivalent [>= -> >, 1]: a limit without meaning to the last digit
     return rho.sup() > rounding && rho.inf() >= -rounding ? 1 : rho.inf() < -rounding && rho.sup() <= rounding ? -1 : 0;
   }
-  // Of the placed axes of a frame.
+  // Returns the determinant of the placed axes of a frame.
   Taylor_model frame_determinant(const Cad_elementary_surface& surface) const {
     const Cad_frame& f = surface.frame;
     Taylor_vector axes[3];
@@ -311,8 +319,8 @@ private:
     return p;
   }
 
-  // A derivative of S by u and v along the curve: its Taylor polynomial about the point in the middle, where the coefficients of the
-  // last order are those of all points of the box.
+  // A derivative of S by u and v along the curve: its Taylor polynomial about the point in the
+  // middle, where the coefficients of the last order are those of all points of the box.
   struct Composition {
     const Surface_jets& jets;
     const Powers u, v;

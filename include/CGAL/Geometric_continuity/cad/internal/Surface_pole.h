@@ -22,17 +22,18 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The poles of a side next to its points. A surface that is rotated has one where a parameter line is a circle that is small enough. A
-// spline has one only where a side, or a knot line, is a point up to rounding: next to a side that is nearly one, its normal turns. Numbers that are
-// apart by far less than rounding are meant to be apart.
+// The poles of a side next to its points. A surface that is rotated has one where a parameter line
+// is a circle that is small enough. A spline has one only where a side, or a knot line, is a point
+// up to rounding: next to a side that is nearly one, its normal turns. Numbers that are apart by
+// far less than rounding are meant to be apart.
 class Surface_pole {
   const Side_evaluator& side_;
 
 public:
   explicit Surface_pole(const Side_evaluator& side) : side_(side) {}
 
-  // The points of space, rounded, within the distance `radius` of which it is proved that a whole parameter line lies next to the point of
-  // the side at t.
+  // The points of space, rounded, within the distance `radius` of which it is proved that a whole
+  // parameter line lies next to the point of the side at t.
   std::vector<Cad_point<3>> next_to(double t, double radius) const {
     const Interval_vector<2> c = cad_curve_jet(*side_.given().curve, Interval(t), 0).c[0];
     std::vector<Cad_point<3>> poles;
@@ -102,8 +103,9 @@ private:
     return cad_surface_jet(surface, {all, Interval(v), 0, spans[1].front()}, 0).s(0, 0);
   }
 
-  // A side, or a knot line that has a row of control points of its own: it lies in their convex hull, since weights are positive. Nothing when
-  // these are neither one point nor as far apart as rounding leaves them.
+  // A side, or a knot line that has a row of control points of its own: it lies in their convex
+  // hull, since weights are positive. Nothing when these are neither one point nor as far apart as
+  // rounding leaves them.
   static std::optional<Interval_vector<3>> point_of_line(const Cad_spline_surface& s, bool constant_u, double knot) {
     const std::vector<double>& knots = constant_u ? s.u_knots : s.v_knots;
     const std::ptrdiff_t degree = constant_u ? s.u_degree : s.v_degree;

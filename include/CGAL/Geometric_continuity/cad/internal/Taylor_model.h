@@ -13,22 +13,25 @@
 #include <limits>
 
 /// \file Taylor_model.h
-/// Functions on a range by a polynomial and a bound of what it leaves out: differences of functions that nearly agree keep their
-/// digits, where intervals would lose all. (Makino, Berz: Taylor models and other validated functional inclusion methods, 2003.)
+/// Functions on a range by a polynomial and a bound of what it leaves out: differences of functions
+/// that nearly agree keep their digits, where intervals would lose all. (Makino, Berz: Taylor
+/// models and other validated functional inclusion methods, 2003.)
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The functions f on [-1, 1] with |f(s) - (c_0 + c_1 s + ... + c_7 s^7)| <= r. When r is infinite or not a number nothing is known.
+// The functions f on [-1, 1] with |f(s) - (c_0 + c_1 s + ... + c_7 s^7)| <= r. When r is infinite
+// or not a number nothing is known.
 //
-// Coefficients are rounded in any mode, by less than e = 2^-52 of each result; what all roundings of an operation come to is added to
-// r. The sums of numbers that are not negative, of which r is made, are less than 2^-44 too small relatively, whatever the mode, and are
-// enlarged by that.
+// Coefficients are rounded in any mode, by less than e = 2^-52 of each result; what all roundings
+// of an operation come to is added to r. The sums of numbers that are not negative, of which r is
+// made, are less than 2^-44 too small relatively, whatever the mode, and are enlarged by that.
 struct Taylor_model {
   static constexpr int size = 8;
   static constexpr double epsilon = 0x1p-52, tiny = 1e-300 /* more than all underflow */, enlarged = 1 + 0x1p-44,
-                          largest = 1e300; // with which sums and quotients of intervals are still finite
+                          // with which sums and quotients of intervals are still finite
+      largest = 1e300;
   std::array<double, size> c{};
   double r = 0;
 
@@ -41,7 +44,7 @@ struct Taylor_model {
   }
 
   bool known() const { return r <= largest; }
-  // Of the polynomial.
+  // Bounds the absolute value of the polynomial.
   double norm() const {
     double sum = 0;
     for (double x : c) sum += std::fabs(x);
@@ -64,8 +67,8 @@ struct Taylor_model {
     z.r = (x.r + y.r + z.norm() * epsilon) * enlarged;
     return z;
   }
-  // Each coefficient is a sum of at most 8 products: at most 9 e of the sum of their magnitudes are rounded off. Products of the
-  // degrees 8 to 14 are bounded by their magnitudes.
+  // Each coefficient is a sum of at most 8 products: at most 9 e of the sum of their magnitudes are
+  // rounded off. Products of the degrees 8 to 14 are bounded by their magnitudes.
   friend Taylor_model operator*(const Taylor_model& x, const Taylor_model& y) {
     Taylor_model z;
     for (int i = 0; i < size; ++i)
@@ -92,8 +95,9 @@ struct Taylor_model {
   }
 };
 
-// The coefficients of 35 * 3 = 105 times s^k in the Bernstein polynomials of degree 7 on [-1, 1]: with s = t - (1 - t),
-// sum over i of (-1)^(k-i) (k over i) (7-k over j-i) / (7 over j) for the j-th.
+// The coefficients of 35 * 3 = 105 times s^k in the Bernstein polynomials of degree 7 on [-1, 1]:
+// with s = t - (1 - t), sum over i of (-1)^(k-i) (k over i) (7-k over j-i) / (7 over j) for the
+// j-th.
 inline const std::array<std::array<double, Taylor_model::size>, Taylor_model::size>& bernstein_of_powers() {
   constexpr int n = Taylor_model::size;
   typedef std::array<std::array<double, n>, n> Matrix;
@@ -123,7 +127,8 @@ inline Interval Taylor_model::range() const {
   std::array<double, size> b{};
   for (int k = 0; k < size; ++k)
     for (int j = 0; j < size; ++j) b[j] += m[k][j] * c[k];
-  // |entries| <= 105: the sums of 8 products are wrong by at most 9 e 105 norm, the quotients by e norm more
+  // |entries| <= 105: the sums of 8 products are wrong by at most 9 e 105 norm, the quotients by e
+  // norm more
   lower = upper = b[0] / 105;
   for (double x : b) {
     lower = (std::min)(lower, x / 105);
@@ -158,8 +163,10 @@ public:
   }
 };
 
-// 1/x or 1/sqrt(x). The series p of the polynomial of x is computed without care; then with e = p x - 1 or p^2 x - 1 and |e| <= 1/2
-// |1/x - p| = |p| |1/(1+e) - 1| <= 2 |p| |e| and |1/sqrt(x) - p| = |p| |1/sqrt(1+e) - 1| <= |p| |e|, as x > 0 where p^2 x > 0.
+// 1/x or 1/sqrt(x). The series p of the polynomial of x is computed without care; then with e = p
+// x - 1 or p^2 x - 1 and |e| <= 1/2
+// |1/x - p| = |p| |1/(1+e) - 1| <= 2 |p| |e| and |1/sqrt(x) - p| = |p| |1/sqrt(1+e) -
+// 1| <= |p| |e|, as x > 0 where p^2 x > 0.
 inline Taylor_model reciprocal(const Taylor_model& x) {
   constexpr int n = Taylor_model::size;
   if (!x.known() || x.c[0] == 0) return Taylor_model::unknown();

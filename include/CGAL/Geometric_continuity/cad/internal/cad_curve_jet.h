@@ -21,14 +21,16 @@
 #include <vector>
 
 /// \file cad_curve_jet.h
-/// The Taylor coefficients of curves at all parameters of an interval; the polynomial pieces of splines that it touches.
+/// The Taylor coefficients of curves at all parameters of an interval; the polynomial pieces of
+/// splines that it touches.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-// The numbers of a knot vector, checked. \throws Error `not_finite`, `wrong_number_of_points`, `knot_multiplicity`
+// The numbers of a knot vector, checked. \throws Error `not_finite`, `wrong_number_of_points`,
+// `knot_multiplicity`
 inline void check_knots(const std::vector<double>& knots, int degree, std::size_t points) {
   if (degree < 1 || degree > 60 || points < static_cast<std::size_t>(degree) + 1 ||
       knots.size() != points + static_cast<std::size_t>(degree) + 1)
@@ -42,9 +44,10 @@ inline void check_knots(const std::vector<double>& knots, int degree, std::size_
   if (!(knots[degree] < knots[points])) throw Error(Error_code::empty_domain, "the domain of a spline");
 }
 
-// The pieces [knots[s], knots[s + 1]] that an interval of parameters touches in more than an end, by the numbers s; 0 without knots. The first
-// and the last piece are continued beyond the domain: parameters leave it by rounding. A point on a knot touches the pieces on
-// both sides, or the one below (`side` < 0) or above (`side` > 0).
+// The pieces [knots[s], knots[s + 1]] that an interval of parameters touches in more than an end,
+// by the numbers s; 0 without knots. The first and the last piece are continued beyond the domain:
+// parameters leave it by rounding. A point on a knot touches the pieces on both sides, or the one
+// below (`side` < 0) or above (`side` > 0).
 inline std::vector<int> intersected_pieces(const Spline_parameter& parameter, const Interval& t, int side) {
   if (!parameter) return {0};
   const std::vector<double>& knots = *parameter.knots;
@@ -71,8 +74,9 @@ inline std::vector<int> intersected_pieces(const Spline_parameter& parameter, co
   return spans;
 }
 
-// The Taylor coefficients of the degree+1 basis functions that do not vanish on a piece, about a point m and up to a power: the function of
-// the number s - degree + a is the sum of coefficient(a, i) d^i at m + d.
+// The Taylor coefficients of the degree+1 basis functions that do not vanish on a piece, about a
+// point m and up to a power: the function of the number s - degree + a is the sum of coefficient(a,
+// i) d^i at m + d.
 class Basis_polynomials {
   struct Interval_knots {
     const std::vector<double>& u;
@@ -94,7 +98,8 @@ public:
   const Interval& operator()(int a, int i) const { return c_[static_cast<std::size_t>(i) * n_ + a]; }
 };
 
-// Replaces the coefficients x(0), ..., x(degree) about a point by those about all points at the distances in d.
+// Replaces the coefficients x(0), ..., x(degree) about a point by those about all points at the
+// distances in d.
 template <class Coefficient> void move_centre(int degree, const Interval& d, Coefficient x) {
   for (int i = 0; i < degree; ++i)
     for (int k = degree - 1; k >= i; --k) x(k) += d * x(k + 1);
@@ -105,15 +110,16 @@ inline double middle(const Interval& t) {
   return (std::min)((std::max)(m, t.inf()), t.sup());
 }
 
-constexpr int highest_order = Taylor_model::size + 3; // of the bases of offsets; of others one less suffices
+// of the bases of offsets; of others one less suffices
+constexpr int highest_order = Taylor_model::size + 3;
 
 // Numbers that start as 0, which those of CGAL do not.
 template <int D> struct Interval_vector : std::array<Interval, D> {
   Interval_vector() { this->fill(Interval(0)); }
 };
 
-// Encloses the derivatives c^(k)(t) / k!, k <= order, at all t of an interval, of one piece of the curve, which is continued beyond its
-// ends.
+// Encloses the derivatives c^(k)(t) / k!, k <= order, at all t of an interval, of one piece of the
+// curve, which is continued beyond its ends.
 template <int D> struct Cad_curve_jet { std::array<Interval_vector<D>, highest_order + 1> c; };
 
 template <int D> Cad_curve_jet<D> cad_curve_jet(const Cad_curve<D>& curve, const Interval& t, int order, int span);
@@ -172,8 +178,8 @@ template <int D> Cad_curve_jet<D> jet_of(const Cad_conic<D>& conic, const Interv
   return jet;
 }
 
-// The polynomials of the points, relative to one of them so that what is constant stays exact, and of the weights, about the middle,
-// moved to all of the interval; the series of a quotient.
+// The polynomials of the points, relative to one of them so that what is constant stays exact, and
+// of the weights, about the middle, moved to all of the interval; the series of a quotient.
 template <int D> Cad_curve_jet<D> jet_of(const Cad_spline_curve<D>& spline, const Interval& t, int order, int span) {
   const int n = spline.degree;
   const bool rational = !spline.weights.empty();
@@ -290,13 +296,15 @@ template <int D> struct Check_cad_curve {
   }
 };
 
-// \throws Error `not_finite`, `empty_domain` when the ends of the range of an edge are not two numbers in order
+// \throws Error `not_finite`, `empty_domain` when the ends of the range of an edge are not two
+//   numbers in order
 inline void check_range(double first, double last, const char* place) {
   check_finite({first, last}, place);
   if (!(first <= last)) throw Error(Error_code::empty_domain, place);
 }
 
-// A domain of parameters. \throws Error `parameter_outside_domain` for a number that lies outside by more than rounding
+// A domain of parameters. \throws Error `parameter_outside_domain` for a number that lies outside
+// by more than rounding
 struct Cad_domain {
   double first = -(std::numeric_limits<double>::infinity)(), last = -first;
 

@@ -19,8 +19,8 @@
 #include <variant>
 
 /// \file exact_analytic_edge.h
-/// Continuity along edges on which both surfaces are sums of exponential functions: the gap, the tangent planes and the curvatures agree
-/// when identities hold between such sums.
+/// Continuity along edges on which both surfaces are sums of exponential functions: the gap, the
+/// tangent planes and the curvatures agree when identities hold between such sums.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -182,8 +182,9 @@ private:
   }
 };
 
-// The sign of the product of two oriented normals that are parallel on the whole range; empty when one vanishes there, or so nearly that it
-// is not found out. It is the same everywhere: the square of the difference of the unit normals is 0 or 4.
+// The sign of the product of two oriented normals that are parallel on the whole range; empty when
+// one vanishes there, or so nearly that it is not found out. It is the same everywhere: the square
+// of the difference of the unit normals is 0 or 4.
 inline std::optional<int> sign_of_parallel_normals(const Edge_side& a, const Edge_side& b, double first, double last) {
   const Protect_FPU_rounding<true> rounding_upwards;
   const Edge_bounds bounds(a, b);
@@ -202,11 +203,14 @@ inline std::optional<int> sign_of_parallel_normals(const Edge_side& a, const Edg
   return found ? sign : std::nullopt;
 }
 
-// The verdict where points at equal parameters are compared and angles are those of the oriented normals.
+// The verdict where points at equal parameters are compared and angles are those of the oriented
+// normals.
 //
-// G2 where the tangent planes agree: both shape operators map the direction of the edge to the derivative of the same unit normal. Their
-// difference, a symmetric map that vanishes on this direction, vanishes when its trace does, the difference of the mean curvatures. With
-// M = 2 H |N|^3 and N_2 = r N_1 that is M_1 r^3 = M_2, where r is the quotient of two coordinates that do not vanish identically.
+// G2 where the tangent planes agree: both shape operators map the direction of the edge to the
+// derivative of the same unit normal. Their difference, a symmetric map that vanishes on this
+// direction, vanishes when its trace does, the difference of the mean curvatures. With M = 2
+// H |N|^3 and N_2 = r N_1 that is M_1 r^3 = M_2, where r is the quotient of two coordinates that do
+// not vanish identically.
 inline std::optional<Edge_continuity<Model_number>> exact_analytic_edge(const Edge_side& a, const Edge_side& b,
                                                                         double first, double last) {
   Exponential_jet x, y;

@@ -20,21 +20,24 @@
 #include <vector>
 
 /// \file exact_cad_geometry.h
-/// Placements, knots and straight curves of CAD models, by the rational numbers that their floating-point numbers are.
+/// Placements, knots and straight curves of CAD models, by the rational numbers that their
+/// floating-point numbers are.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-typedef Exact_field<double>::type Model_number; // the numbers of a model, and what is computed from them
+// the numbers of a model, and what is computed from them
+typedef Exact_field<double>::type Model_number;
 
 // The function w + f t.
 struct Linear_function {
   Model_number constant, slope;
 };
 
-// A placement by the rational numbers that its floating-point numbers are. \throws Error `singular_frame`
+// A placement by the rational numbers that its floating-point numbers are. \throws Error
+// `singular_frame`
 class Cad_map {
   typedef Model_number Number;
   std::array<Coordinate_vector<Number, 3>, 3> columns_;
@@ -58,8 +61,8 @@ public:
   bool is_mirror() const { return mirror_; }
 };
 
-// Returns whether the normal of a face is that of the placed surface times -1: of a mirrored surface the image of the normal is opposite to that
-// of the images of the derivatives.
+// Returns whether the normal of a face is that of the placed surface times -1: of a mirrored
+// surface the image of the normal is opposite to that of the images of the derivatives.
 inline bool is_flipped(const Edge_side& side) { return side.reversed != Cad_map(side.placement).is_mirror(); }
 
 inline bool are_equal(const std::vector<double>& weights) {
@@ -69,7 +72,8 @@ inline Knot_vector<Model_number> given_knots(int degree, const std::vector<doubl
   return knots_over<Model_number>(Knot_vector<double>(degree, knots));
 }
 
-// The two coordinates of a curve in the parameter plane, if both are linear functions. \pre its numbers have been checked
+// The two coordinates of a curve in the parameter plane, if both are linear functions. \pre its
+// numbers have been checked
 inline std::optional<std::array<Linear_function, 2>> straight_line(const Cad_curve<2>& curve) {
   std::array<Linear_function, 2> r;
   if (const auto* line = std::get_if<Cad_line<2>>(&curve)) {

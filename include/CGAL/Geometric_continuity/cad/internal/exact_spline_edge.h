@@ -22,23 +22,28 @@
 #include <vector>
 
 /// \file exact_spline_edge.h
-/// Continuity along edges that are parameter lines of spline surfaces, by the rows of coefficients along these lines.
+/// Continuity along edges that are parameter lines of spline surfaces, by the rows of coefficients
+/// along these lines.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// A parameter line of a spline surface that an edge runs along, and on which side of it the face lies.
+// A parameter line of a spline surface that an edge runs along, and on which side of it the face
+// lies.
 struct Edge_on_parameter_line {
   const Cad_spline_surface* surface;
   Parameter_line line;
   Linear_function along; // the parameter on the line, as a function of that of the edge
   Model_number across;
   Line_side part;
-  int orientation; // 1 when the oriented normal of the face is a positive multiple of C' x T, with T into the part; otherwise -1
+  // 1 when the oriented normal of the face is a positive multiple of C' x T, with T into the part;
+  // otherwise -1
+  int orientation;
 };
 
-// Empty unless an edge is such a line within the domain, and the part of the surface is known, or does not matter.
+// Empty unless an edge is such a line within the domain, and the part of the surface is known, or
+// does not matter.
 inline std::optional<Edge_on_parameter_line> edge_on_parameter_line(const Edge_side& side, double first, double last) {
   const auto* s = std::get_if<Cad_spline_surface>(side.surface.get());
   if (!s) return std::nullopt;
@@ -55,7 +60,8 @@ inline std::optional<Edge_on_parameter_line> edge_on_parameter_line(const Edge_s
   if (!knots_across.contains(across)) return std::nullopt;
   for (double t : {first, last})
     if (!knots_along.contains(Model_number(along.constant + along.slope * Model_number(t)))) return std::nullopt;
-  // the left side of the edge is that of larger v along growing u, and that of smaller u along growing v
+  // the left side of the edge is that of larger v along growing u, and that of smaller u along
+  // growing v
   const int forward = along.slope > zero ? 1 : -1, left = along_u ? forward : -forward;
   int into = across == begin ? 1 : across == end ? -1 : left * side.face_side;
   if (into == 0) {
@@ -141,13 +147,15 @@ std::optional<Edge_continuity<Model_number>> exact_spline_edge(const Spline_edge
   //   neither or both are whole
   if (e.g_order >= 0 && e.whole_a && e.whole_b)
     return e.reversed ? std::nullopt : std::optional<Edge_continuity<Model_number>>(e);
-  // polynomial edges that are the same at equal parameters would have been found; rational ones may be the same nevertheless
+  // polynomial edges that are the same at equal parameters would have been found; rational ones may
+  // be the same nevertheless
   return N == 3 ? std::optional<Edge_continuity<Model_number>>(Edge_continuity<Model_number>()) : std::nullopt;
 }
 
-// The verdict where points at equal parameters are compared and angles are those of the oriented normals. That the faces lie on different
-// sides of the edge is the same, if their orientations are opposite with respect to it; otherwise the normal of one of them is turned, and
-// the surface continued beyond the edge in place of the face.
+// The verdict where points at equal parameters are compared and angles are those of the oriented
+// normals. That the faces lie on different sides of the edge is the same, if their orientations are
+// opposite with respect to it; otherwise the normal of one of them is turned, and the surface
+// continued beyond the edge in place of the face.
 template <int N>
 std::optional<Edge_continuity<Model_number>> exact_spline_edge(const Edge_side& a, const Edge_on_parameter_line& on_a,
                                                                const Edge_side& b, const Edge_on_parameter_line& on_b,

@@ -19,8 +19,9 @@
 #include <utility>
 #include <vector>
 
-// The curvature of a Bezier curve as polynomials of the local parameter t in [0, 1], in an exact field. With the derivatives
-// d1, d2, the speed g = d1.d1 and the components w_ij = d1_i d2_j - d1_j d2_i, i < j, of the area d1 ^ d2,
+// The curvature of a Bezier curve as polynomials of the local parameter t in [0, 1], in an exact
+// field. With the derivatives d1, d2, the speed g = d1.d1 and the components w_ij = d1_i d2_j -
+// d1_j d2_i, i < j, of the area d1 ^ d2,
 //
 //   kappa^2 = S / g^3,  S = sum of w_ij^2,     in the plane  kappa = w / g^(3/2),  w = w_01.
 //
@@ -28,15 +29,18 @@
 //
 //   2 g w' - 3 g' w  in the plane,             g S' - 3 g' S  in other dimensions, where kappa >= 0,
 //
-// which for degree m >= 2 are of degree 4m - 7 and 6m - 11: 2 g w' - 3 g' w = 2 (g det(d1, d3) - 3 (d1.d2) det(d1, d2)). The
-// leading coefficients cancel, so that w is of degree 2m - 4 and S of degree 4m - 8.
+// which for degree m >= 2 are of degree 4m - 7 and 6m - 11: 2 g w' - 3 g' w = 2 (g det(d1, d3) - 3
+// (d1.d2) det(d1, d2)). The leading coefficients cancel, so that w is of degree 2m - 4 and S of
+// degree 4m - 8.
 //
-// Of a rational curve p / v, with the denominator v, the numerator d1 = p' v - p v' of its derivative takes the place of the derivative,
-// and d2 = d1'. It is v^2 x', and w is v^4 times that of x', x'', so that
+// For a rational curve p / v with the denominator v, the numerator d1 = p' v - p v' of its
+// derivative takes the place of the derivative, and d2 = d1'. It is v^2 x', and w is v^4 times the
+// determinant of x', x'', so that
 //
 //   kappa^2 = S v^4 / g^3,  in the plane  kappa = w v^2 / g^(3/2),
 //
-// and the derivative of the curvature has the sign of 2 g (w' v + 2 w v') - 3 g' w v, or g (S' v + 4 S v') - 3 g' S v.
+// and the derivative of the curvature has the sign of 2 g (w' v + 2 w v') - 3 g' w v, or g (S' v +
+// 4 S v') - 3 g' S v.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -55,7 +59,8 @@ public:
   template <int N> Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational) {
     const int dimension = rows.front().dimension() - (rational ? 1 : 0);
     const Work_guard work("curvature_extrema");
-    // S is of degree 4 in the points, and the degree below 4n; with a denominator both are twice as high
+    // S is of degree 4 in the points, and the degree below 4n; with a denominator both are twice as
+    // high
     const double n = static_cast<double>(rows.size()) * (rational ? 2 : 1);
     work_meter().charge_products(16 * n * n * dimension * dimension, (rational ? 8 : 4) * common_words<NT>(rows));
     const auto coordinate = [&](int i) -> Polynomial {
@@ -94,7 +99,8 @@ public:
   Polynomial slope() const {
     const NT two(2), three(3);
     const auto times_v = [&](const Polynomial& p) -> Polynomial { return v_.degree() == 0 ? p : p * v_; };
-    const auto derivative = [&](const Polynomial& p, int k) -> Polynomial { // of p v^k, divided by v^(k-1)
+    // of p v^k, divided by v^(k-1)
+    const auto derivative = [&](const Polynomial& p, int k) -> Polynomial {
       return v_.degree() == 0 ? p.derivative() : p.derivative() * v_ + Polynomial{NT(k)} * p * v_.derivative();
     };
     if (is_planar())
@@ -102,8 +108,8 @@ public:
     return g_ * derivative(s_, 4) - Polynomial{three} * g_.derivative() * times_v(s_);
   }
 
-  // The zeros of the curvature. At an inflection d1 ^ d2 changes its direction: it is (t - t0)^k times what is not zero, with an
-  // odd k.
+  // The zeros of the curvature. At an inflection d1 ^ d2 changes its direction: it is (t - t0)^k
+  // times what is not zero, with an odd k.
   std::vector<Isolated_root<NT>> inflections(const NT& width) const {
     std::vector<Isolated_root<NT>> roots = isolate_roots(is_planar() ? w_[0] : s_, width, default_bisections);
     const int even = is_planar() ? 1 : 2; // the multiplicity is k times this
@@ -117,12 +123,13 @@ public:
   Signed_square<NT> start_curvature() const { return end_curvature(false); }
   Signed_square<NT> end_curvature() const { return end_curvature(true); }
 
-  // A positive multiple of d1 ^ d2 near an end: as the Bernstein polynomials fall off one by one, its first coefficient that is
-  // not zero. \pre the curve is not straight
+  // A positive multiple of d1 ^ d2 near an end: as the Bernstein polynomials fall off one by one,
+  // its first coefficient that is not zero. \pre the curve is not straight
   std::vector<NT> start_area() const { return area(false); }
   std::vector<NT> end_area() const { return area(true); }
 
-  // The values of the curvature on [from, to], signed in the plane. Empty unless the speed is proved to be positive there.
+  // The values of the curvature on [from, to], signed in the plane. Empty unless the speed is
+  // proved to be positive there.
   std::optional<Enclosure> curvature(const NT& from, const NT& to) const {
     const std::pair<NT, NT> g = range(g_, from, to), s = range(s_, from, to);
     if (!(NT(0) < g.first)) return std::nullopt;

@@ -14,8 +14,9 @@
 #include <optional>
 #include <vector>
 
-// A polyline to which curves are fitted, by arc length, and the joints of these curves: points, tangents and curvatures near its vertices. In
-// floating-point numbers, in a unit of which all coordinates are multiples. See curves/internal/Polyline_fit.h.
+// A polyline to which curves are fitted, by arc length, and the joints of these curves: points,
+// tangents and curvatures near its vertices. In floating-point numbers, in a unit of which all
+// coordinates are multiples. See curves/internal/Polyline_fit.h.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -71,8 +72,8 @@ public:
     return p_[k] + t * (p_[k + 1] - p_[k]);
   }
 
-  // The joint at a vertex: of the cubic polynomial on the largest window, of those that are doubled, in which it is near.
-  // The second difference is that of a curve of this degree.
+  // The joint at a vertex: of the cubic polynomial on the largest window, of those that are
+  // doubled, in which it is near. The second difference is that of a curve of this degree.
   Joint joint(int k, Side side, int degree) const {
     const int n = segments(), before = k == 0 && periodic_ ? n : k;
     const double length_before = before > 0 ? s_[before] - s_[before - 1] : 0,
@@ -125,7 +126,8 @@ private:
     return v;
   }
 
-  // A cubic polynomial near a window of the polyline, in a parameter that is 0 at the vertex and 1 at the end of the window.
+  // A cubic polynomial near a window of the polyline, in a parameter that is 0 at the vertex and 1
+  // at the end of the window.
   struct Window {
     std::array<Vector, 4> c;
     double residual; // the largest one

@@ -18,9 +18,9 @@
 
 // A Bezier curve near some segments of a polyline, and the proof that it is near.
 //
-// x and p run monotonically along both, over [t0, t1] and along a segment at one time. There x is a Bezier curve, and so is x - p, which
-// is not larger than the largest of its control points. So no point of either is farther from the other than that, nor is it the distance
-// of Frechet.
+// x and p run monotonically along both, over [t0, t1] and along a segment at one time. There x is a
+// Bezier curve, and so is x - p, which is not larger than the largest of its control points. So no
+// point of either is farther from the other than that, nor is it the distance of Frechet.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -52,7 +52,8 @@ public:
     return square > 0 ? t - dot(x[0], x[1]) / square : t;
   }
 
-  // Returns whether the piece is near the polyline with the vertices p from the first one on; if so, `worst` is at least the square of its distance.
+  // Returns whether the piece is near the polyline with the vertices p from the first one on; if
+  // so, `worst` is at least the square of its distance.
   template <class NT>
   bool is_near(typename std::vector<Vector>::const_iterator p, double squared_tolerance, double& worst) const {
     Points_of<NT> b; // from the first one, which is the origin: small numbers have small errors
@@ -84,7 +85,8 @@ private:
     }
   }
 
-  // Point and derivatives, as many as there are free points, at a parameter: as differences of control points.
+  // Point and derivatives, as many as there are free points, at a parameter: as differences of
+  // control points.
   template <class NT> struct Place {
     double t;
     std::array<Vector_of<NT>, free_points + 1> x;
@@ -141,7 +143,8 @@ private:
     return halves || suffices;
   }
 
-  // As projected(), again and again, between two parameters, also where the curve is slow: a step that leaves the interval halves it.
+  // As projected(), again and again, between two parameters, also where the curve is slow: a step
+  // that leaves the interval halves it.
   double parameter_between(double low, double high, const Vector& p) const {
     double t = low + (high - low) / 2;
     for (int repetition = 0; repetition < 40; ++repetition) {

@@ -16,11 +16,13 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The control points and the knots of a range of Bezier curves, each of which starts exactly where the one before it ends;
-// neighbours share a point. The degree is the highest of theirs, and `degree` at least; the others are elevated. The pieces keep
-// the lengths of their domains, and domains that continue each other are taken over as they are.
-// \throws Error `wrong_number_of_points` for an empty range, `dimension_mismatch`, `curves_do_not_meet` when two neighbours do
-//   not fit, `empty_domain` when knots become equal by rounding
+// The control points and the knots of a range of Bezier curves, each of which starts exactly where
+// the one before it ends; neighbours share a point. The degree is the highest of theirs, and
+// `degree` at least; the others are elevated. The pieces keep the lengths of their domains, and
+// domains that continue each other are taken over as they are.
+// \throws Error `wrong_number_of_points` for an empty range, `dimension_mismatch`,
+//   `curves_do_not_meet` when two neighbours do not fit, `empty_domain` when knots become equal by
+//   rounding
 template <class Traits> struct Joined_bezier_curves {
   typedef typename Traits::FT FT;
 
@@ -54,8 +56,8 @@ private:
   }
 };
 
-// The curves of the homogeneous points of rational Bezier curves, each multiplied by a factor, so that it starts exactly where the one
-// before it ends.
+// The curves of the homogeneous points of rational Bezier curves, each multiplied by a factor, so
+// that it starts exactly where the one before it ends.
 // \throws Error `dimension_mismatch`, `curves_do_not_meet` when two neighbours do not fit
 template <class Traits, class ForwardIterator>
 std::vector<Bezier_curve<Homogeneous_traits<Traits>>> meeting_homogeneous_curves(ForwardIterator first,
@@ -75,7 +77,8 @@ std::vector<Bezier_curve<Homogeneous_traits<Traits>>> meeting_homogeneous_curves
       throw Error(end.dimension() == n + 1 ? Error_code::curves_do_not_meet : Error_code::dimension_mismatch,
                   "Rational_bspline_curve: Bezier curve " + std::to_string(curves.size()));
     const FT factor = FT(end[n] / start[n]);
-    std::vector<typename Homogeneous::Point> points{end}; // not factor * start, which may be rounded
+    // not factor * start, which may be rounded
+    std::vector<typename Homogeneous::Point> points{end};
     for (int j = 1; j <= c.degree(); ++j) points.push_back(factor * c.control_point(j));
     curves.emplace_back(points.begin(), points.end(), c.domain().first, c.domain().second);
   }

@@ -22,14 +22,16 @@
 #include <utility>
 #include <vector>
 
-// A polyline by few Bezier curves, in floating-point numbers: all coordinates are multiples of one unit, which is 1 here. See curves/fit.h.
+// A polyline by few Bezier curves, in floating-point numbers: all coordinates are multiples of one
+// unit, which is 1 here. See curves/fit.h.
 //
 // At a joint there are three vectors of integers: its point A, a short difference D along the tangent and the second difference Q that a
 // curve with this difference has. With integers b, f the control points
 //
 //   A,   A + b D,   A + f D + b^2 Q     (the third one for G2 only)
 //
-// and those of the curve before it, with -b and -f, have one tangent and one curvature vector, exactly: no sum or product is rounded.
+// and those of the curve before it, with -b and -f, have one tangent and one curvature vector,
+// exactly: no sum or product is rounded.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -104,8 +106,8 @@ public:
     return result;
   }
 
-  // Proves that the pieces are near: with intervals, under the protection of the rounding mode. Every vertex is within `radius` of the
-  // given one in each coordinate.
+  // Proves that the pieces are near: with intervals, under the protection of the rounding mode.
+  // Every vertex is within `radius` of the given one in each coordinate.
   Result proved(const std::vector<Piece>& pieces, std::vector<int> vertices, double radius) const {
     typedef Interval_nt<false> Interval;
     Result result{{}, std::move(vertices), 0};
@@ -247,7 +249,8 @@ private:
         }
       }
     }
-    for (int i = 0; i < unknowns; ++i) { // a little towards the natural ones: then it is never singular
+    // a little towards the natural ones: then it is never singular
+    for (int i = 0; i < unknowns; ++i) {
       for (int j = 0; j < i; ++j) a[i][j] = a[j][i];
       const double weight = 1e-4 * samples * (i < free_points ? start_square : end_square);
       a[i][i] += weight;

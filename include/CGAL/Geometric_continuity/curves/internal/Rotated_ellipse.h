@@ -13,9 +13,9 @@
 #include <utility>
 
 /// \file Rotated_ellipse.h
-/// What an arc of an ellipse needs of a rotation by an angle \f$ \varphi \f$. Its quarter turn and \f$ \lambda \f$, see
-/// `Elliptical_arc`, are linear in \f$ \cos 2\varphi \f$ and \f$ \sin 2\varphi \f$: with \f$ p, q = \frac12
-/// (\frac{r_y}{r_x} \pm \frac{r_x}{r_y}) \f$
+/// The data that an arc of an ellipse needs of a rotation by an angle \f$ \varphi \f$. Its quarter
+/// turn and \f$ \lambda \f$, see `Elliptical_arc`, are linear in \f$ \cos 2\varphi \f$ and
+/// \f$ \sin 2\varphi \f$: with \f$ p, q = \frac12 (\frac{r_y}{r_x} \pm \frac{r_x}{r_y}) \f$
 /// \f[ k = p\,(-h_y, h_x) + q \cos 2\varphi\,(h_y, h_x) + q \sin 2\varphi\,(-h_x, h_y), \quad
 ///     \lambda r_x r_y = p\,(h_x^2 + h_y^2) + q \cos 2\varphi\,(h_x^2 - h_y^2) + q \sin 2\varphi\,2 h_x h_y. \f]
 /// So both are rational for multiples of 45 degrees.
@@ -31,14 +31,14 @@ template <class Number, class FT> Number turned(const Turned_number<FT>& x, cons
   return Number(Number(Number(x[0]) + Number(Number(x[1]) * cosine)) + Number(Number(x[2]) * sine));
 }
 
-// The quarter turn of half a chord and lambda, as functions of an angle between 0 and 90 degrees, which is not
-// rational.
+// The quarter turn of half a chord and lambda, as functions of an angle between 0 and 90 degrees,
+// which is not rational.
 template <class FT> struct Rotated_ellipse {
   FT degrees; // of the angle, twice that of the rotation up to half turns and the sign
   std::array<Turned_number<FT>, 2> k;
   Turned_number<FT> lambda;
 
-  // Of an ellipse with these radii, rotated by so many degrees.
+  // Makes an ellipse with these radii, rotated by so many degrees.
   Rotated_ellipse(const FT& rx, const FT& ry, const FT& rotation, const std::array<FT, 2>& h) {
     const FT area = FT(rx * ry), half = FT(FT(2) * area), p = FT(FT(rx * rx + ry * ry) / half),
              q = FT(FT(ry * ry - rx * rx) / half), x = h[0], y = h[1];

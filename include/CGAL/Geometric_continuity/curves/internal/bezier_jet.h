@@ -22,8 +22,8 @@
 CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
 
 /// \file bezier_jet.h
-/// Jets of polynomial and of rational Bezier curves from their control points: coordinate(j, i) is the i-th coordinate of the j-th
-/// point. They are written to `jet`, which has the dimension n.
+/// Jets of polynomial and of rational Bezier curves from their control points: coordinate(j, i) is
+/// the i-th coordinate of the j-th point. They are written to `jet`, which has the dimension n.
 
 namespace CGAL {
 template <bool is_protected> class Interval_nt;
@@ -31,8 +31,9 @@ template <bool is_protected> class Interval_nt;
 namespace Geometric_continuity {
 namespace internal {
 
-// Degree and order are known at compile time, and everything is unrolled by templates: then a compiler keeps the
-// coefficients in registers, and vectorises a loop over many parameters around it.
+// Degree and order are known at compile time, and everything is unrolled by templates: then a
+// compiler keeps the coefficients in registers, and vectorises a loop over many parameters around
+// it.
 
 // The forward difference of order m of c_0, ..., c_m; c is overwritten.
 template <int m, class FT> CGAL_GC_FORCEINLINE FT forward_difference(FT* c) {
@@ -43,9 +44,9 @@ template <int m, class FT> CGAL_GC_FORCEINLINE FT forward_difference(FT* c) {
     return c[0];
 }
 
-// Replaces the coefficient i of the level of de Casteljau's algorithm with m+1 coefficients by that of the next level, which is
-// reckoned from e = c_(i+1) - c_i, on the left side as c_i + t e and on the right side as c_(i+1) - s e: rounded numbers give
-// c_0 for t = 0 and c_m for t = 1, exactly.
+// Replaces the coefficient i of the level of de Casteljau's algorithm with m+1 coefficients by that
+// of the next level, which is reckoned from e = c_(i+1) - c_i, on the left side as c_i + t e and on
+// the right side as c_(i+1) - s e: rounded numbers give c_0 for t = 0 and c_m for t = 1, exactly.
 template <class FT, class Coefficient>
 CGAL_GC_FORCEINLINE void step_to_next_level(Coefficient* c, int i, int m, const FT& s, const FT& t,
                                             const Coefficient& e) {
@@ -55,15 +56,15 @@ CGAL_GC_FORCEINLINE void step_to_next_level(Coefficient* c, int i, int m, const 
     c[i] = c[i + 1] - s * e;
 }
 
-// The same for all i. No lambda expression, which a compiler may refuse to inline.
+// Does so for all i. This is no lambda expression, which a compiler may refuse to inline.
 template <class FT, class Coefficient, int... i>
 CGAL_GC_FORCEINLINE void steps_to_next_level(Coefficient* c, const FT& s, const FT& t, const Coefficient* e,
                                              std::integer_sequence<int, i...>) {
   (step_to_next_level(c, i, static_cast<int>(sizeof...(i)), s, t, e[i]), ...);
 }
 
-// The differences of order j of the level of de Casteljau's algorithm with j+1 coefficients, for j = k, ..., 0. c holds the
-// level with m+1.
+// The differences of order j of the level of de Casteljau's algorithm with j+1 coefficients, for
+// j = k, ..., 0. c holds the level with m+1.
 template <int m, int k, class FT, class Coefficient>
 CGAL_GC_FORCEINLINE void bernstein_differences(Coefficient* c, const FT& s, const FT& t, Coefficient* d) {
   if constexpr (m == 0)
@@ -80,16 +81,17 @@ CGAL_GC_FORCEINLINE void bernstein_differences(Coefficient* c, const FT& s, cons
   }
 }
 
-// The derivatives at t = 1-s up to order k of the polynomial with the Bernstein coefficients c, each divided by n!/(n-j)!;
-// those of higher order than n are zero. c is overwritten.
+// The derivatives at t = 1-s up to order k of the polynomial with the Bernstein coefficients c,
+// each divided by n!/(n-j)!; those of higher order than n are zero. c is overwritten.
 template <int n, int k, class FT, class Coefficient>
 CGAL_GC_FORCEINLINE void bernstein_jet(std::array<Coefficient, n + 1>& c, const FT& s, const FT& t, Coefficient* d) {
   for (int j = n + 1; j <= k; ++j) d[j] = FT(0) * c[0];
   bernstein_differences<n, (k < n ? k : n)>(c.data(), s, t, d);
 }
 
-// Splits the polynomial of degree n with the Bernstein coefficients c at t = 1-s: c becomes the right part. The numbers are those of
-// bernstein_split() for a degree known at run time only, algebra/Bernstein_polynomial.h.
+// Splits the polynomial of degree n with the Bernstein coefficients c at t = 1-s: c becomes the
+// right part. The numbers are those of bernstein_split() for a degree known at run time only,
+// algebra/Bernstein_polynomial.h.
 template <int n, class FT> CGAL_GC_FORCEINLINE void bernstein_split(FT* c, const FT& s, const FT& t, FT* left) {
   left[0] = c[0];
   if constexpr (n > 0) {
@@ -98,8 +100,8 @@ template <int n, class FT> CGAL_GC_FORCEINLINE void bernstein_split(FT* c, const
   }
 }
 
-// The factors n!/(n-j)! / h^j of the derivatives of order j = 0, ..., k with respect to a parameter on an interval of
-// length h.
+// The factors n!/(n-j)! / h^j of the derivatives of order j = 0, ..., k with respect to a parameter
+// on an interval of length h.
 template <int k, class FT> CGAL_GC_FORCEINLINE std::array<FT, k + 1> derivative_factors(int n, const FT& h) {
   std::array<FT, k + 1> f;
   f[0] = FT(1);
@@ -111,14 +113,15 @@ template <int k, class FT> CGAL_GC_FORCEINLINE std::array<FT, k + 1> derivative_
   return f;
 }
 
-// Tells whether jets of low order are unrolled: for a degree known at compile time, and else for numbers with which that pays; for
-// intervals as for the floating-point numbers whose rounding errors they enclose.
+// Tells whether jets of low order are unrolled: for a degree known at compile time, and else for
+// numbers with which that pays; for intervals as for the floating-point numbers whose rounding
+// errors they enclose.
 template <class FT> struct Is_floating_point_or_interval : std::is_floating_point<FT> {};
 template <bool is_protected> struct Is_floating_point_or_interval<Interval_nt<is_protected>> : std::true_type {};
 template <class FT, int Degree> constexpr bool unrolls_jets = Degree >= 0 || Is_floating_point_or_interval<FT>::value;
 
-// A jet of order k of a Bezier curve: for a small one of fixed(a constant that is at least k), where the degree is fixed k itself, if
-// that is unrolled; otherwise any().
+// A jet of order k of a Bezier curve: for a small one of fixed(a constant that is at least k),
+// where the degree is fixed k itself, if that is unrolled; otherwise any().
 template <class FT, int Degree, class Fixed, class Any> auto with_largest_order(int k, Fixed fixed, Any any) {
   typedef std::integral_constant<int, 3> Three;
   if constexpr (!unrolls_jets<FT, Degree>)
@@ -135,9 +138,10 @@ template <class FT, int Degree, class Fixed, class Any> auto with_largest_order(
     }
 }
 
-// Of the curves below, Level and k are known at compile time, and N is n, or 0 when it is known at run time only. The coordinates are
-// those of the level of de Casteljau's algorithm at u with Level + 1 points; the first one of a curve has Level == degree. The
-// jet has the given order, which is not higher than k.
+// For the curves below, Level and k are known at compile time, and N is n, or 0 when n is known at
+// run time only. The coordinates belong to the level of de Casteljau's algorithm at u with Level +
+// 1 points; the first one of a curve has Level == degree. The jet has the given order, which is not
+// higher than k.
 template <int Level, int k, int N, class FT, class Coordinate, class Jet>
 CGAL_GC_FORCEINLINE void bezier_jet(int dimension, int degree, const FT& u, const FT& a, const FT& b,
                                     const Coordinate& coordinate, int order, Jet& jet) {
@@ -157,7 +161,8 @@ CGAL_GC_FORCEINLINE void bezier_jet(int dimension, int degree, const FT& u, cons
   }
 }
 
-// The same for a rational curve, from its homogeneous points of dimension n + 1, see homogeneous_point().
+// Computes the jet of a rational curve, from its homogeneous points of dimension n + 1, see
+// homogeneous_point().
 template <int Level, int k, int N, class FT, class Coordinate, class Jet>
 CGAL_GC_FORCEINLINE void rational_bezier_jet(int dimension, int degree, const FT& u, const FT& a, const FT& b,
                                              const Coordinate& coordinate, int order, Jet& jet) {
@@ -177,8 +182,8 @@ CGAL_GC_FORCEINLINE void rational_bezier_jet(int dimension, int degree, const FT
   project_order<k, FT>(p, dimension, order, jet);
 }
 
-// Calls f with the degree as a constant. Of a degree known at run time only, f is compiled for 0 to 9; returns false, without a
-// call, for higher ones.
+// Calls f with the degree as a constant. For a degree that is known at run time only, f is compiled
+// for 0 to 9; returns false, without a call, for higher ones.
 template <int Degree, class Function> CGAL_GC_FORCEINLINE bool with_constant_degree(int degree, const Function& f) {
   if constexpr (Degree >= 0)
     return f(std::integral_constant<int, Degree>()), true;
@@ -198,8 +203,9 @@ template <int Degree, class Function> CGAL_GC_FORCEINLINE bool with_constant_deg
     }
 }
 
-// Calls f(level, coordinate) for one of the two functions above, for points of dimension M, where level is the degree as a
-// constant; for a degree above 9 that is known at run time only, the level of degree 9 is computed first.
+// Calls f(level, coordinate) for one of the two functions above, for points of dimension M, where
+// level is the degree as a constant; for a degree above 9 that is known at run time only, the level
+// of degree 9 is computed first.
 template <int Degree, int M, class FT, class Coordinate, class Function>
 CGAL_GC_FORCEINLINE void with_constant_level(int dimension, int degree, const FT& u, const FT& a, const FT& b,
                                              const Coordinate& coordinate, const Function& f) {
@@ -213,7 +219,8 @@ CGAL_GC_FORCEINLINE void with_constant_level(int dimension, int degree, const FT
   f(std::integral_constant<int, 9>(), [&](int j, int i) { return c[j][i]; });
 }
 
-// Splits a curve with the points `right` at the local parameter t, which become those of the right part.
+// Splits a curve with the points `right` at the local parameter t, which become those of the right
+// part.
 template <int Degree, class FT, class Rows>
 CGAL_GC_FORCEINLINE void bezier_split(Rows& right, int degree, const FT& t, Rows& left) {
   if constexpr (Is_floating_point_or_interval<FT>::value) {
@@ -232,7 +239,8 @@ CGAL_GC_FORCEINLINE void bezier_split(Rows& right, int degree, const FT& t, Rows
   bernstein_split(right, degree, t, left);
 }
 
-// All coordinates together where their number is known to the compiler, otherwise one after the other.
+// All coordinates together where their number is known to the compiler, otherwise one after the
+// other.
 template <int Degree, int N, class FT, class Coordinate, class Jet>
 void bezier_jet_of_any_order(int dimension, int degree, const FT& u, const FT& a, const FT& b, int k,
                              const Coordinate& coordinate, Jet& jet) {

@@ -42,8 +42,8 @@ template <class Traits, class Function> void for_each_bezier(const Rational_bspl
   for (const Rational_bezier_curve<Traits>& piece : curve.bezier_pieces()) f(piece);
 }
 
-// The same, where rational curves are given in parts whose weights are positive, so that each lies in the convex hull of its control
-// points.
+// Applies the function to the pieces of a curve, where rational curves are given in parts whose
+// weights are positive, so that each lies in the convex hull of its control points.
 template <class Curve, class Function>
 auto for_each_piece(const Curve& curve, Function f) -> decltype(for_each_bezier(curve, f)) {
   for_each_bezier(curve, [&](const auto& piece) {
@@ -54,8 +54,8 @@ auto for_each_piece(const Curve& curve, Function f) -> decltype(for_each_bezier(
   });
 }
 
-// What the algorithms of Bernstein and de Casteljau are applied to: the coordinates of the control points, or of a rational curve
-// its homogeneous points.
+// Returns the coordinates to which the algorithms of Bernstein and de Casteljau are applied: those
+// of the control points, or of the homogeneous points of a rational curve.
 template <class Traits, int Degree>
 std::vector<Coordinates<Traits>> control_rows(const Bezier_curve<Traits, Degree>& curve) {
   std::vector<Coordinates<Traits>> rows;
@@ -110,7 +110,8 @@ template <class FT, int N> FT rounding_allowance(const std::vector<Coordinate_ve
     return FT(0);
 }
 
-// The same for the homogeneous rows of a rational curve with positive weights. An error e in w x and in w makes one of 2 e / w in x.
+// Takes the homogeneous rows of a rational curve with positive weights. An error e in w x and in w
+// makes one of 2 e / w in x.
 template <class Curve, class Rows> typename Curve::FT rounding_allowance_of(const Rows& rows) {
   typedef typename Curve::FT FT;
   const FT allowance = rounding_allowance(affine_rows<Curve>(rows));

@@ -15,7 +15,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The exact field for the numbers of a kernel, that of its predicates and never a rounded one; and the type of its values.
+// The exact field for the numbers of a kernel, that of its predicates and never a rounded one; and
+// the type of its values.
 template <class Traits> using Decision_FT = typename Exact_field<Predicate_FT<Traits>>::type;
 template <class Traits> using Decision_number = typename Exact_number<Decision_FT<Traits>>::type;
 

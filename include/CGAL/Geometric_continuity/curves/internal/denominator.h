@@ -30,8 +30,8 @@ template <class Weights> void check_finite_weights(const Weights& weights, const
   for (const auto& w : weights) check_finite(w, place);
 }
 
-// Refuses weights with which the denominator \f$ \sum_i w_i B_i(t) \f$ is not positive for all t in [0, 1]. Where not all weights
-// are positive, this is decided exactly.
+// Refuses weights with which the denominator \f$ \sum_i w_i B_i(t) \f$ is not positive for all t in
+// [0, 1]. Where not all weights are positive, this is decided exactly.
 template <class FT, class Weights> void check_denominator(const Weights& weights, const char* place) {
   check_finite_weights(weights, place);
   if (all_positive(weights)) return;
@@ -39,8 +39,8 @@ template <class FT, class Weights> void check_denominator(const Weights& weights
   if (sign_pattern(w) != Sign_pattern::positive) throw Error(Error_code::zero_weight, place);
 }
 
-// Refuses weights with which the denominator \f$ \sum_i w_i N_i(u) \f$ is not positive in the whole domain of the knots, from both
-// sides of each knot.
+// Refuses weights with which the denominator \f$ \sum_i w_i N_i(u) \f$ is not positive in the whole
+// domain of the knots, from both sides of each knot.
 template <class FT>
 void check_denominator(const Knot_vector<FT>& knots, const std::vector<FT>& weights, const char* place) {
   typedef typename Exact_field<FT>::type Field;
@@ -55,8 +55,8 @@ void check_denominator(const Knot_vector<FT>& knots, const std::vector<FT>& weig
     check_denominator<Field>(std::vector<Field>(first, first + n), place);
 }
 
-// Halves a rational curve until all weights are positive. This ends, because the Bernstein coefficients of the denominator tend
-// to its values.
+// Halves a rational curve until all weights are positive. This ends, because the Bernstein
+// coefficients of the denominator tend to its values.
 template <class Curve> void add_positive_parts(const Curve& curve, int halvings, std::vector<Curve>& parts) {
   if (all_positive(curve.weights())) return parts.push_back(curve);
   if (halvings == 0) throw Error(Error_code::work_limit, "positive_parts: the denominator is too close to zero");
@@ -66,7 +66,8 @@ template <class Curve> void add_positive_parts(const Curve& curve, int halvings,
   add_positive_parts(halves.second, halvings - 1, parts);
 }
 
-// The image of a control point under an affine map of points; that of an infinite one, a direction, under its linear part.
+// The image of a control point under an affine map of points; that of an infinite one, a direction,
+// under its linear part.
 template <class Traits, class Map>
 typename Traits::Point image_of_control_point(const Map& map, const typename Traits::Point& p,
                                               const typename Traits::FT& weight) {

@@ -17,8 +17,9 @@
 #include <utility>
 #include <vector>
 
-// The first three derivatives of the pieces of a curve in floating-point numbers, by a parameter in [0, 1] on each piece. What
-// they are for depends neither on the scale nor on the parameter of the curve.
+// The first three derivatives of the pieces of a curve in floating-point numbers, by a parameter in
+// [0, 1] on each piece. Their purpose depends neither on the scale nor on the parameter of the
+// curve.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -26,7 +27,7 @@ namespace internal {
 
 template <int N> using Double_derivatives = std::array<Coordinate_vector<double, N>, 3>;
 
-// Of a Bezier curve.
+// Evaluates the derivatives of a Bezier curve.
 template <int N> class Bezier_derivatives {
   typedef Coordinate_vector<double, N> Vector;
   std::array<std::vector<Vector>, 3> rows_; // the control points of the derivatives
@@ -55,7 +56,7 @@ public:
   }
 };
 
-// Of a rational one, from its control points and weights.
+// Evaluates the derivatives of a rational curve, from its control points and weights.
 template <int N> class Rational_derivatives {
   static constexpr int M = N == 0 ? 0 : N + 1;
   std::vector<Coordinate_vector<double, M>> rows_;
@@ -75,7 +76,8 @@ public:
   }
 };
 
-// Of any model of ParametricCurve, divided by the length of the first derivative in the middle, if it is not zero.
+// Evaluates the derivatives of any model of ParametricCurve, divided by the length of the first
+// derivative in the middle, if it is not zero.
 template <class Curve> class Curve_derivatives {
   typedef typename Curve::Traits Traits;
   typedef typename Traits::FT FT;
@@ -106,8 +108,8 @@ public:
   }
 };
 
-// The pieces of a curve that is made of Bezier curves, moved to the origin and divided by their size, so that numbers of any
-// size become doubles.
+// The pieces of a curve that is made of Bezier curves, moved to the origin and divided by their
+// size, so that numbers of any size become doubles.
 template <class Curve> auto bezier_derivatives(const Curve& curve) {
   typedef typename Curve::FT FT;
   constexpr int N = Curve::N;

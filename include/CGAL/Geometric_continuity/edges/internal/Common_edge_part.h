@@ -18,15 +18,17 @@
 #include <vector>
 
 /// \file Common_edge_part.h
-/// The rows along an edge of a piecewise polynomial surface, one Bernstein form for each span of the knots; the parts of two piecewise polynomial edges that are the same curve, and the spans on which both are polynomials.
+/// The rows along an edge of a piecewise polynomial surface, one Bernstein form for each span of
+/// the knots; the parts of two piecewise polynomial edges that are the same curve, and the spans on
+/// which both are polynomials.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-// Takes note of the conversion of a row to powers, and of as many operations again: about n^2 for n coefficients, with their
-// common denominator.
+// Takes note of the conversion of a row to powers, and of as many operations again: about n^2 for n
+// coefficients, with their common denominator.
 template <class Field, class Row> void charge_powers(const Row& row) {
   Common_denominator<Field> denominator;
   for (const auto& p : row)
@@ -46,7 +48,8 @@ template <class Field, int N = 3> struct Edge_piece {
   Field length() const { return Field(end - begin); }
 };
 
-// On each span of the knots, in an exact field. \throws Error `wrong_number_of_points`, `not_finite`
+// On each span of the knots, in an exact field. \throws Error `wrong_number_of_points`,
+// `not_finite`
 template <class Field, class FT, int N>
 std::vector<Edge_piece<Field, N>> edge_pieces(const Spline_edge_rows<FT, N>& edge) {
   typedef typename Edge_rows<Field, N>::Row Row;
@@ -89,7 +92,7 @@ template <class Field> std::vector<Edge_piece<Field, 4>> lifted(const std::vecto
   return result;
 }
 
-// Of an edge of a surface. A patch has one piece, which needs no knots.
+// Takes an edge of a surface. A patch has one piece, which needs no knots.
 template <class Surface>
 std::vector<Edge_piece<Edge_field<typename Surface::Traits>, row_dimension<Surface>>>
 edge_pieces(const Surface& surface, Patch_edge edge, int order = 2) {
@@ -111,8 +114,8 @@ std::vector<Edge_piece<Edge_field<typename Surface::Traits>, N>> edge_pieces_in(
     return lifted(edge_pieces(surface, edge, order));
 }
 
-// The coefficients on [x, y], x < y and 0 < y, of a polynomial with Bernstein coefficients on [0, 1], which need not contain
-// x and y; none of none.
+// The coefficients on [x, y], x < y and 0 < y, of a polynomial with Bernstein coefficients on [0,
+// 1], which need not contain x and y; none of none.
 template <class Field, class Row> Row restricted(Row row, const Field& x, const Field& y) {
   if (row.empty()) return row;
   const int n = static_cast<int>(row.size()) - 1;
@@ -133,8 +136,9 @@ Edge_rows<Field, N> rows_on(const Edge_piece<Field, N>& piece, const Field& begi
           restricted(piece.rows.second_cross, x, y), restricted(piece.rows.third_cross, x, y)};
 }
 
-// The rows of two homogeneous edges, the second divided by a factor so that their first points have equal weights: then edges
-// that are the same curve have the same coefficients. Rows of points stay as they are.
+// The rows of two homogeneous edges, the second divided by a factor so that their first points have
+// equal weights: then edges that are the same curve have the same coefficients. Rows of points stay
+// as they are.
 template <class Field, int N>
 std::pair<Edge_rows<Field, N>, Edge_rows<Field, N>> with_equal_weights(Edge_rows<Field, N> a, Edge_rows<Field, N> b) {
   if constexpr (N == 4) {
@@ -156,10 +160,10 @@ template <class Field> struct Affine_parameter_map {
   bool reverses() const { return scale < Field(0); }
 };
 
-// A polynomial curve sum_k a_k (t - centre)^k of degree n with a_{n-1} . a_n = 0, which is a normal form: curves that differ
-// by an affine map of the parameter have the a_k in common, up to the factor scale^k; curves of homogeneous points, N = 4, up to
-// one more factor. (With a factor that is not constant they are the same curve, too, which is not recognised unless they are a
-// point.)
+// A polynomial curve sum_k a_k (t - centre)^k of degree n with a_{n-1} . a_n = 0, which is a normal
+// form: curves that differ by an affine map of the parameter have the a_k in common, up to the
+// factor scale^k; curves of homogeneous points, N = 4, up to one more factor. (With a factor that
+// is not constant they are the same curve, too, which is not recognised unless they are a point.)
 template <class Field, int N> class Centred_curve {
   typedef Coordinate_vector<Field, N> Vector;
 
@@ -204,9 +208,10 @@ public:
     return true;
   }
 
-  // The map with b(map(t)) = a(t), if there is only one and it is found without roots: the exponents k > 0 that occur have no
-  // common divisor. Then scale = scale^gcd is a product of powers of the factors a_k / b_k = scale^k, by Euclid's algorithm. Of
-  // homogeneous points these are (a_n / b_n) / (a_{n-k} / b_{n-k}).
+  // The map with b(map(t)) = a(t), if there is only one and it is found without roots: the
+  // exponents k > 0 that occur have no common divisor. Then scale = scale^gcd is a product of
+  // powers of the factors a_k / b_k = scale^k, by Euclid's algorithm. For homogeneous points these
+  // are (a_n / b_n) / (a_{n-k} / b_{n-k}).
   friend std::optional<Affine_parameter_map<Field>> unique_map(const Centred_curve& a, const Centred_curve& b) {
     if (a.degree() != b.degree()) return std::nullopt;
     int gcd = 0;
@@ -233,7 +238,7 @@ public:
   }
 
 private:
-  // Of two parallel vectors.
+  // Returns the ratio of two parallel vectors.
   static Field ratio(const Vector& x, const Vector& y) { return Field(dot(x, y) / dot(y, y)); }
 
   // Returns whether all homogeneous points are multiples of the first, which is not infinite.
@@ -246,7 +251,8 @@ private:
   }
 };
 
-// A span of the common refinement of two edges, in the parameters of the first, and the pieces that contain it.
+// A span of the common refinement of two edges, in the parameters of the first, and the pieces that
+// contain it.
 template <class Field> struct Common_span {
   Field begin, end;
   std::size_t a, b;
@@ -263,7 +269,8 @@ template <class Field, int N>
 std::vector<Common_span<Field>> common_spans(const std::vector<Edge_piece<Field, N>>& a,
                                              const std::vector<Edge_piece<Field, N>>& b,
                                              const Affine_parameter_map<Field>& map) {
-  std::vector<Common_span<Field>> mapped; // the pieces of the second edge in the parameters of the first
+  // the pieces of the second edge in the parameters of the first
+  std::vector<Common_span<Field>> mapped;
   for (std::size_t j = 0; j < b.size(); ++j) mapped.push_back({map.inverse(b[j].begin), map.inverse(b[j].end), 0, j});
   if (map.reverses()) {
     std::reverse(mapped.begin(), mapped.end());
@@ -290,7 +297,7 @@ Affine_parameter_map<Field> whole_map(const std::vector<Edge_piece<Field, N>>& a
   return {scale, Field(begin - scale * a.front().begin)};
 }
 
-// Of two edges that are the same as a whole.
+// Takes two edges that are the same as a whole.
 template <class Field, int N>
 Edge_match<Field> whole_match(const std::vector<Edge_piece<Field, N>>& a, const std::vector<Edge_piece<Field, N>>& b,
                               Edge_direction direction) {
@@ -298,7 +305,8 @@ Edge_match<Field> whole_match(const std::vector<Edge_piece<Field, N>>& a, const 
   return {map, common_spans(a, b, map)};
 }
 
-// The rows of both edges on a common span, in the direction of the first, with equal weights where it begins.
+// The rows of both edges on a common span, in the direction of the first, with equal weights where
+// it begins.
 template <class Field, int N>
 std::pair<Edge_rows<Field, N>, Edge_rows<Field, N>>
 rows_on(const std::vector<Edge_piece<Field, N>>& a, const std::vector<Edge_piece<Field, N>>& b,
@@ -309,8 +317,9 @@ rows_on(const std::vector<Edge_piece<Field, N>>& a, const std::vector<Edge_piece
   return with_equal_weights(rows_on(a[span.a], span.begin, span.end), reversed ? rows.reversed() : rows);
 }
 
-// Finds the part that two edges have in common. The test for whole edges is also made, faster, by Edge_sides::align() for two
-// polynomials, by same_edge() in Edge_input.h for control points, and by Edge_key for all edges of a model.
+// Finds the part that two edges have in common. The test for whole edges is also made, faster, by
+// Edge_sides::align() for two polynomials, by same_edge() in Edge_input.h for control points, and
+// by Edge_key for all edges of a model.
 template <class Field, int N = 3> class Common_edge_part {
   typedef std::vector<Edge_piece<Field, N>> Pieces;
   typedef Affine_parameter_map<Field> Map;
@@ -335,8 +344,8 @@ public:
     return std::nullopt;
   }
 
-  // The whole edges if they are the same; otherwise the longest common part that contains an end piece of one of them. No
-  // spans if there is none.
+  // The whole edges if they are the same; otherwise the longest common part that contains an end
+  // piece of one of them. No spans if there is none.
   Edge_match<Field> operator()() const {
     if (std::optional<Edge_match<Field>> match = whole()) return *std::move(match);
     Edge_match<Field> best{whole_map(a_, b_, Edge_direction::same), {}};
@@ -357,7 +366,8 @@ private:
     return agree(curves_a_[span.a], curves_b_[span.b], map);
   }
 
-  // The longest run of common spans under the map that is found from two pieces, if it is longer than the best one.
+  // The longest run of common spans under the map that is found from two pieces, if it is longer
+  // than the best one.
   void propose(std::size_t i, std::size_t j, Edge_match<Field>& best) const {
     const std::optional<Map> map = unique_map(curves_a_[i], curves_b_[j]);
     if (!map) return;

@@ -23,16 +23,18 @@
 #include <vector>
 
 /// \file Edge_decision.h
-/// The order of two surfaces along an edge on which both are polynomials, the reason why it is not higher, and the place:
-/// by the stages of Edge_ladder.h where the edge is smooth, otherwise in multi-precision. And the verdict on several spans.
+/// The order of two surfaces along an edge on which both are polynomials, the reason why it is not
+/// higher, and the place: by the stages of Edge_ladder.h where the edge is smooth, otherwise in
+/// multi-precision. And the verdict on several spans.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The verdict on [0, 1] along two edges that are the same curve in one direction, where the tangent planes differ somewhere but
-// nowhere by a right angle or more, so that no normal vanishes. Empty if numbers of fixed length do not prove that, or the meter
-// does not allow to look for the largest angle. See Edge_measure for the polynomials p and s.
+// The verdict on [0, 1] along two edges that are the same curve in one direction, where the tangent
+// planes differ somewhere but nowhere by a right angle or more, so that no normal vanishes. Empty
+// if numbers of fixed length do not prove that, or the meter does not allow to look for the largest
+// angle. See Edge_measure for the polynomials p and s.
 template <class Field>
 std::optional<Edge_continuity<Field>> crease_on_grid(Edge_ladder& ladder,
                                                      Crease_angles angles = Crease_angles::enclosed) {
@@ -62,7 +64,8 @@ std::optional<Edge_continuity<Field>> crease_on_grid(Edge_ladder& ladder,
   return std::nullopt;
 }
 
-// In multi-precision, for edges that are the same curve in one direction. `Sides` is Edge_sides or what has its derivatives.
+// In multi-precision, for edges that are the same curve in one direction. `Sides` is Edge_sides or
+// what has its derivatives.
 template <class Field, int N = 3> class Edge_decision {
   typedef Edge_normals<Field, N> Normals;
   typedef typename Normals::Polynomial Polynomial;
@@ -94,7 +97,8 @@ private:
   Edge_defect first_order_defect() const {
     if (!edge_.coplanar) return Edge_defect::crease;
     switch (edge_.side) {
-    case Sign_pattern::negative: return Edge_defect::curvature; // until second order has been decided
+    // until second order has been decided
+    case Sign_pattern::negative: return Edge_defect::curvature;
     case Sign_pattern::nonpositive:
     case Sign_pattern::zero: return Edge_defect::vanishing_normal;
     default: return Edge_defect::fold;
@@ -118,7 +122,7 @@ private:
   }
 };
 
-// What Edge_decision answers for the orders 1 and 2, which have no reasons and places but these.
+// Edge_decision answers this for the orders 1 and 2, which have no other reasons and places.
 template <class Field> Edge_continuity<Field> smooth_continuity(int order, const std::pair<Field, Field>& domain) {
   Edge_continuity<Field> e;
   e.g_order = order;

@@ -20,24 +20,27 @@
 #include <utility>
 
 /// \file Edge_equations.h
-/// The conditions of continuity along an edge in forms of any kind: rounded numbers with a bound (here), integers of fixed length
-/// (Edge_on_grid.h), polynomials over a ring (Edge_normals.h).
+/// The conditions of continuity along an edge in forms of any kind: rounded numbers with a bound
+/// (here), integers of fixed length (Edge_on_grid.h), polynomials over a ring (Edge_normals.h).
 ///
-/// Along two edges that are the same curve C in one direction, let T1, T2 be the first and W1, W2 the second derivatives across it, and
-/// N = C' x T1, n2 = C' x T2, n3 = T2 x T1. The tangent planes agree when N . T2 = 0; that both surfaces continue each other is the sign
-/// of N . n2. The curvatures agree when, for each coordinate i,
+/// Along two edges that are the same curve C in one direction, let T1, T2 be the first and W1, W2
+/// the second derivatives across it, and N = C' x T1, n2 = C' x T2, n3 = T2 x T1. The tangent
+/// planes agree when N . T2 = 0; that both surfaces continue each other is the sign of N . n2. The
+/// curvatures agree when, for each coordinate i,
 ///   N_i^2 (N . W2) = n3_i^2 (N . C'') + 2 n3_i n2_i (N . T1') + n2_i^2 (N . W1);
-/// as n2 = q N and n3 = p N with rational functions p and q, one coordinate with N_i != 0 decides for all. For homogeneous points the
-/// normals are planes.
+/// as n2 = q N and n3 = p N with rational functions p and q, one coordinate with N_i != 0 decides
+/// for all. For homogeneous points the normals are planes.
 ///
-/// The third derivatives X1 and X2 agree when, for a coordinate i with N_i != 0 and the derivatives of second order p2 and q2 of the
-/// reparametrisation, V = N_i^2 (p2 C' + q2 T1) = N_i^2 W2 - n3_i^2 C'' - 2 n3_i n2_i T1' - n2_i^2 W1, v2 = C' x V, v3 = V x T1,
+/// The third derivatives X1 and X2 agree when, for a coordinate i with N_i != 0 and the derivatives
+/// of second order p2 and q2 of the reparametrisation, V = N_i^2 (p2 C' + q2 T1) = N_i^2 W2 -
+/// n3_i^2 C'' - 2 n3_i n2_i T1' - n2_i^2 W1, v2 = C' x V, v3 = V x T1,
 ///   N_i^4 (N . X2) = N_i (n3_i^3 (N . C''') + 3 n3_i^2 n2_i (N . T1'') + 3 n3_i n2_i^2 (N . W1') + n2_i^3 (N . X1))
 ///                  + 3 (n3_i v3_i (N . C'') + (n3_i v2_i + v3_i n2_i) (N . T1') + n2_i v2_i (N . W1)).
-/// Homogeneous points have T2 = l C + p C' + q T1 with another factor l: then V has - 2 l_i (n3_i C' + n2_i T1), and the right side
-/// 3 l_i N_i^3 (N . W2), where l_i = l N_i is a minor as n2_i and n3_i are. Order 3 is decided by multi-precision only.
+/// Homogeneous points have T2 = l C + p C' + q T1 with another factor l: then V has - 2 l_i (n3_i
+/// C' + n2_i T1), and the right side 3 l_i N_i^3 (N . W2), where l_i = l N_i is a minor as n2_i and
+/// n3_i are. Order 3 is decided by multi-precision only.
 ///
-/// Of control points, with the degrees n along the edge and q1, q2 across it, the differences
+/// With control points, the degrees n along the edge and q1, q2 across it, the differences
 ///   d = C'/n, a = T1/q1, b = T2/q2, e = C''/(n (n-1)), f = T1'/(n q1), g = W1/(q1 (q1-1)), h = W2/(q2 (q2-1))
 /// take the place of the derivatives: with N = d x a, n2 = d x b, n3 = b x a the identity is
 ///   n q1 (q2-1) N_i^2 (N.h) = q1 q2 (n-1) n3_i^2 (N.e) + 2 n q1 q2 n3_i n2_i (N.f) + n q2 (q1-1) n2_i^2 (N.g).
@@ -60,7 +63,8 @@ Homogeneous_polynomial<NT> counted_product(const Homogeneous_polynomial<NT>& p, 
   return p * q;
 }
 template <class X, class Y> constexpr CGAL_GC_FORCEINLINE auto counted_product(const X& x, const Y& y) { return x * y; }
-template <class NT> Homogeneous_polynomial<NT> times(int w, const Homogeneous_polynomial<NT>& p) { // 1, 2 or 3
+// 1, 2 or 3
+template <class NT> Homogeneous_polynomial<NT> times(int w, const Homogeneous_polynomial<NT>& p) {
   return w == 1 ? p : w == 2 ? p + p : p + p + p;
 }
 template <class W, class X> constexpr CGAL_GC_FORCEINLINE auto times(const W& w, const X& x) { return w * x; }
@@ -92,7 +96,8 @@ template <class V, class W> auto minor_of(const V& v, const W& w, int i, int j) 
   return difference;
 }
 
-// An edge C and the tangent D. The normals D x T of surfaces with the derivatives T across the edge,
+// An edge C and the tangent D. The normals D x T of surfaces with the derivatives T across the
+// edge,
 template <int N, class C, class D> class Edge_tangent {
   static_assert(N == 3);
   const std::array<D, 3>& d_;
@@ -109,8 +114,8 @@ public:
   }
 };
 
-// and in homogeneous space the planes p = C ^ D ^ T as covectors: p . v = det(v, C, D, T). The line C ^ D has the coordinates
-// C_i D_j - C_j D_i, i < j.
+// and in homogeneous space the planes p = C ^ D ^ T as covectors: p . v = det(v, C, D, T). The line
+// C ^ D has the coordinates C_i D_j - C_j D_i, i < j.
 template <class C, class D> class Edge_tangent<4, C, D> {
   decltype(first_of_products<2>(std::declval<C>(), std::declval<D>())) m_[4][4];
 
@@ -138,19 +143,20 @@ public:
   }
 };
 
-// The factors of the terms of the identity of second order; those of the derivatives themselves are 1, 2 and 1.
+// The factors of the terms of the identity of second order; those of the derivatives themselves are
+// 1, 2 and 1.
 template <class Factor> struct Edge_factors {
   Factor along, mixed, across[2]; // across is that of each side
 };
 
-// Of differences of control points. They are at most 2 n q^2.
+// Returns the factors for differences of control points. They are at most 2 n q^2.
 template <class Points> CGAL_GC_FORCEINLINE Edge_factors<int> edge_factors(const Points& s1, const Points& s2) {
   const int n = s1.along, q1 = s1.across, q2 = s2.across;
   return {q1 * q2 * (n - 1), 2 * n * q1 * q2, {n * q2 * (q1 - 1), n * q1 * (q2 - 1)}};
 }
 
-// The difference of both sides of the identity, from the coordinates N_i, n2_i and n3_i and the products of N with the second
-// derivatives: mixed(), along(), across(side).
+// The difference of both sides of the identity, from the coordinates N_i, n2_i and n3_i and the
+// products of N with the second derivatives: mixed(), along(), across(side).
 template <class Form, class Form_3, class Factor, class Products>
 constexpr CGAL_GC_FORCEINLINE auto second_order_form(const Form& n1, const Form& n2, const Form_3& n3,
                                                      const Edge_factors<Factor>& w, const Products& normal_times) {
@@ -200,8 +206,9 @@ struct Rounded_vector {
   }
 };
 
-// The errors of both conditions when the bounds of all differences and factors are 1; otherwise times the largest of the products of
-// bounds, as for joins (Join_rounding). First differences are rounded once, and so are the two of which a second one is the difference.
+// The errors of both conditions when the bounds of all differences and factors are 1; otherwise
+// times the largest of the products of bounds, as for joins (Join_rounding). First differences are
+// rounded once, and so are the two of which a second one is the difference.
 struct Edge_rounding {
   double tangent_planes, curvatures;
 
@@ -227,14 +234,16 @@ private:
   static constexpr double with_margin(const Rounding_bound& x) { return x.error * (1 + 0x1p-20); } // see below
 };
 
-// What rounded numbers can refute: the conditions at an end of the edge, where they need only few control points.
+// Rounded numbers can refute the conditions at an end of the edge, where they need only few control
+// points.
 //
-// All bounds lie between 2^-100 and 2^100, and factors are below 2^10, so that nothing overflows. A product that underflows
-// has an error of 2^-1074, which is less than u 2^-300 times the product of the bounds of its factors, at least 2^-700;
-// this is within the margin, as are the roundings of the bounds.
+// All bounds lie between 2^-100 and 2^100, and factors are below 2^10, so that nothing overflows. A
+// product that underflows has an error of 2^-1074, which is less than u 2^-300 times the product of
+// the bounds of its factors, at least 2^-700; this is within the margin, as are the roundings of
+// the bounds.
 //
-// The reversed edge has the differences d with the other sign, and so has f; all terms of the conditions are odd in d, or all even, so
-// that its start may be taken in place of the end.
+// The reversed edge has the differences d with the other sign, and so has f; all terms of the
+// conditions are odd in d, or all even, so that its start may be taken in place of the end.
 class Rounded_edge_end {
   const Edge_layers &s1_, &s2_;
   const bool at_end_;

@@ -26,19 +26,22 @@
 #include <vector>
 
 /// \file Edge_input.h
-/// What the stages of Edge_ladder.h are asked about: the control points next to an edge of each of two patches, or of rows, in numbers of
-/// fixed length; and those of B-spline surfaces over inner knots, for all spans at once.
+/// The input of the stages of Edge_ladder.h: the control points next to an edge of each of two
+/// patches, or of rows, in numbers of fixed length; and those of B-spline surfaces over inner
+/// knots, for all spans at once.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The layers of the control net of a Bezier patch next to an edge: p[j][i] is the control point number i along the edge in
-// the layer number j, of which there are min(k, across) + 1 for the order k.
+// The layers of the control net of a Bezier patch next to an edge: p[j][i] is the control point
+// number i along the edge in the layer number j, of which there are min(k, across) + 1 for the
+// order k.
 template <class T, int N = 3> struct Edge_points {
   static constexpr int dimension = N;
-  static constexpr int most_along = 7, most_across = 8; // the degrees that are decided in numbers of fixed length
-  static constexpr int factor_bits = 10;                // of factors 2 n q^2, see Edge_factors
+  // the degrees that are decided in numbers of fixed length
+  static constexpr int most_along = 7, most_across = 8;
+  static constexpr int factor_bits = 10; // of factors 2 n q^2, see Edge_factors
   static_assert(2 * most_along * most_across * most_across < 1 << factor_bits);
 
   int along, across, layers;
@@ -75,7 +78,8 @@ inline bool equal_products(Signed_128 a, Signed_128 b, Signed_128 c, Signed_128 
 }
 #endif
 
-// Edges of equal degree are the same if and only if their control points are, see also Edge_sides::align().
+// Edges of equal degree are the same if and only if their control points are, see also
+// Edge_sides::align().
 inline bool same_edge(const Edge_layers& a, const Edge_layers& b) {
   return std::equal(a.p[0], a.p[0] + a.along + 1, b.p[0]);
 }
@@ -104,8 +108,8 @@ inline bool is_collapsed(const Homogeneous_layers& a) {
   });
 }
 
-// The numbers s, without a common factor, for which the edge of a times s[1] is that of b, in the direction that is given, times s[0].
-// Nothing if they are not the same.
+// The numbers s, without a common factor, for which the edge of a times s[1] is that of b, in the
+// direction that is given, times s[0]. Nothing if they are not the same.
 inline std::optional<std::array<std::int64_t, 2>> common_scale(const Homogeneous_layers& a, const Homogeneous_layers& b,
                                                                Edge_direction direction) {
   if (a.along != b.along) return std::nullopt;
@@ -160,9 +164,11 @@ template <class Traits> bool is_one_patch(const Bspline_surface<Traits>& s) {
 }
 template <class Shape> bool is_one_patch(const Rational_surface<Shape>& s) { return is_one_patch(s.unweighted()); }
 
-// Calls f(x, p) for all numbers x of the control points that count for an order, and their places p: those of the point number i
-// along the edge in each layer j, which are numbers(k, l) for the control point (k, l). Returns whether the degrees are among those that
-// are decided in numbers of fixed length. Most edges that are not smooth are refused soon after this: it is written out where it is called.
+// Calls f(x, p) for all numbers x of the control points that count for an order, and their places
+// p: those of the point number i along the edge in each layer j, which are numbers(k, l) for the
+// control point (k, l). Returns whether the degrees are among those that are decided in numbers of
+// fixed length. Most edges that are not smooth are refused soon after this: it is written out where
+// it is called.
 template <class Surface, class T, int N, class Numbers, class Function>
 CGAL_GC_FORCEINLINE bool for_each_layer(const Surface& s, Patch_edge edge, int order, Edge_points<T, N>& layers,
                                         Numbers numbers, Function f) {
@@ -196,8 +202,9 @@ template <class Ring> bool take_integer(const Ring& x, Signed_128& result, doubl
 }
 #endif
 
-// The layers x and y of both edges that count for an order, of rational numbers multiplied by their common denominator. Returns whether
-// numbers of fixed length may decide: for low degrees, and short numerators.
+// The layers x and y of both edges that count for an order, of rational numbers multiplied by their
+// common denominator. Returns whether numbers of fixed length may decide: for low degrees, and
+// short numerators.
 template <class Field, class Surface_a, class Surface_b, class T, int N, class Numbers_a, class Numbers_b>
 bool common_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, int order,
                    Numbers_a of_a, Numbers_b of_b, Edge_points<T, N>& x, Edge_points<T, N>& y) {
@@ -217,7 +224,7 @@ bool common_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Pa
     return false;
 }
 
-// Of the control points of surfaces without weights: those as given if they are doubles.
+// Takes the control points of surfaces without weights, as they are given if they are doubles.
 template <class Surface_a, class Surface_b>
 bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, int order,
                  Edge_layers& x, Edge_layers& y) {
@@ -245,8 +252,8 @@ inline int trailing_zeros(Unsigned_128 x) { // of x > 0
   return low != 0 ? trailing_zero_bits(low) : 64 + trailing_zero_bits(static_cast<std::uint64_t>(x >> 64));
 }
 
-// Divides the first coordinates by a power of two, and the weights by one. Returns whether the weights at the ends of the edges are positive
-// and at most 2^53, as common_scale() needs them.
+// Divides the first coordinates by a power of two, and the weights by one. Returns whether the
+// weights at the ends of the edges are positive and at most 2^53, as common_scale() needs them.
 inline bool reduce(Homogeneous_layers& a, Homogeneous_layers& b) {
   Unsigned_128 bits[2] = {0, 0};
   for (const Homogeneous_layers* s : {&a, &b})
@@ -269,7 +276,8 @@ template <class Field, class Surface> Field weight_of(const Surface& s, int i, i
     return (void)s, (void)i, (void)j, Field(1);
 }
 
-// The homogeneous points of surfaces one of which has weights: whole numbers times a unit, which that of the weights need not be.
+// The homogeneous points of surfaces one of which has weights: whole numbers times a unit, which
+// that of the weights need not be.
 template <class Surface_a, class Surface_b>
 bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, int order,
                  Homogeneous_layers& x, Homogeneous_layers& y) {
@@ -321,8 +329,9 @@ bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patc
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// From rows of one degree, with the same edge. The surfaces C + T v + W v^2/2 have the same order along the edge; their control points are
-// C, C + T/2 and C + T + W/2, here times two and the common denominator. Returns whether numbers of fixed length may decide.
+// From rows of one degree, with the same edge. The surfaces C + T v + W v^2/2 have the same order
+// along the edge; their control points are C, C + T/2 and C + T + W/2, here times two and the
+// common denominator. Returns whether numbers of fixed length may decide.
 template <class Field, int N, class T>
 bool edge_layers(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Edge_points<T, N>& x,
                  Edge_points<T, N>& y) {
@@ -361,8 +370,9 @@ bool edge_layers(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Edg
     return false;
 }
 
-// The control points next to an edge over clamped knots, and the knots across it. With the distances h1 and h2 of the first two
-// that follow the edge, from there on, and the legs a = P1 - P0 and c = P2 - P1, the rows of the derivatives across are
+// The control points next to an edge over clamped knots, and the knots across it. With the
+// distances h1 and h2 of the first two that follow the edge, from there on, and the first
+// differences a = P1 - P0 and c = P2 - P1, the rows of the derivatives across are
 //   T = q a/h1,  W = q (q-1)/h1 (c/h2 - a/h1),
 // coefficient by coefficient, over the knots along the edge.
 template <class Field> struct Spline_side {

@@ -23,9 +23,11 @@
 #include <optional>
 
 /// \file Edge_ladder.h
-/// The stages by which the order along an edge is found on the control points next to it (Edge_input.h), from the cheapest to the one that
-/// is left: control points are compared, rounded numbers refute at the ends, integers of fixed length decide, with a short ratio of the
-/// tangent planes or without. What they leave open, and why an edge is not smooth, is decided in numbers of any length (Edge_decision.h).
+/// The stages by which the order along an edge is found on the control points next to it
+/// (Edge_input.h), from the cheapest to the one that is left: control points are compared, rounded
+/// numbers refute at the ends, integers of fixed length decide, with a short ratio of the tangent
+/// planes or without. Numbers of any length decide everything that they leave open, and why an edge
+/// is not smooth (Edge_decision.h).
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -55,8 +57,8 @@ public:
   int degree() const { return a_.along; }
   bool is_collapsed() const { return internal::is_collapsed(a_); }
 
-  // The order, up to the highest one that is asked for; as_one: or a higher one that is less than that. Empty if numbers of fixed length
-  // do not find it.
+  // The order, up to the highest one that is asked for; as_one: or a higher one that is less than
+  // that. Empty if numbers of fixed length do not find it.
   template <int highest, class Stages> std::optional<int> order(Lower_orders lower, Stages& stages) {
     static_assert(1 <= highest && highest <= 2);
     const auto decided = [&](Stage stage, int found) {
@@ -113,8 +115,8 @@ private:
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// The same for surfaces of homogeneous points, along whole edges that are the same curve in one direction up to a factor. The numbers
-// are exact already, and there are no rounded ones.
+// Decides surfaces of homogeneous points, along whole edges that are the same curve in one
+// direction up to a factor. The numbers are exact already, and there are no rounded ones.
 class Homogeneous_ladder {
   const Homogeneous_layers &a_, &b_;
   std::array<std::int64_t, 2> scale_; // of the homogeneous points of the edges
@@ -180,8 +182,8 @@ template <> struct Fixed_length_stages<4> {
 };
 #endif
 
-// Returns whether two patches have the order G^k along whole edges that are the same curve in one direction; or empty
-// if numbers of fixed length do not decide it.
+// Returns whether two patches have the order G^k along whole edges that are the same curve in one
+// direction; or empty if numbers of fixed length do not decide it.
 template <int order, class T, int N, class Stages>
 std::optional<bool> decide_on_same_edge(const Edge_points<T, N>& a, const Edge_points<T, N>& b, Stages& stages) {
   if constexpr (order == 0) { // infinite coordinates are refused elsewhere
@@ -195,7 +197,8 @@ std::optional<bool> decide_on_same_edge(const Edge_points<T, N>& a, const Edge_p
   }
 }
 
-// The same on whole edges that may differ, or run in opposite directions; then the second is turned.
+// Decides whole edges that may differ, or run in opposite directions; then the second one is
+// reversed.
 template <int order, class T, int N, class Stages>
 CGAL_GC_FORCEINLINE std::optional<bool> decide_on_layers(const Edge_points<T, N>& a, Edge_points<T, N>& b,
                                                          Stages& stages) {
@@ -213,9 +216,10 @@ CGAL_GC_FORCEINLINE std::optional<bool> decide_on_layers(const Edge_points<T, N>
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// The stage for edges of B-spline surfaces as a whole: whether they continue each other twice continuously differentiably along a whole edge,
-// but for the speed of the parameter across it, as the parts of one surface do. Decided by the control points, in integers of fixed length:
-// T2 = -k T1 and W2 = k^2 W1 for a number k > 0. \pre the edges are the same curve in one direction
+// The stage for edges of B-spline surfaces as a whole: whether they continue each other twice
+// continuously differentiably along a whole edge, but for the speed of the parameter across it, as
+// the parts of one surface do. Decided by the control points, in integers of fixed length: T2 = -k
+// T1 and W2 = k^2 W1 for a number k > 0. \pre the edges are the same curve in one direction
 template <class Field> class Spline_edge_on_grid {
   typedef Spline_side<Field> Side;
   typedef typename Side::Point Point;
@@ -228,7 +232,7 @@ public:
 
   bool is_smooth() const {
     if (!normal_is_nowhere_zero()) return false;
-    // a2 = -l a1, by the coordinate x of the first leg, which is not zero
+    // a2 = -l a1, by the coordinate x of the first difference, which is not zero
     const Point first = s1_.a(0), second = s2_.a(0);
     // equivalent [1 -> 2, 1]: where that coordinate is zero the next stage decides
     int x = std::abs(first[0]) < std::abs(first[1]) ? 1 : 0;
@@ -244,7 +248,8 @@ public:
   }
 
 private:
-  // By one coordinate of all products of first differences d of the edge and legs a whose basis functions overlap.
+  // By one coordinate of all products of first differences d of the edge and first differences a
+  // whose basis functions overlap.
   bool normal_is_nowhere_zero() const {
     const std::size_t m = s1_.size(), n = static_cast<std::size_t>(n_);
     for (int x = 0; x < 3; ++x) {
@@ -263,7 +268,8 @@ private:
     return false;
   }
 
-  // W2 = k^2 W1 with a2 = -l a1, hence k = l q2 h1/(q1 h1'), is f c2 = g c1 + e a1 with the numbers f, g, e below.
+  // W2 = k^2 W1 with a2 = -l a1, hence k = l q2 h1/(q1 h1'), is f c2 = g c1 + e a1 with the numbers
+  // f, g, e below.
   bool second_order(const Field& l) const {
     const Field q1(s1_.q), q2(s2_.q), k = Field(Field(l * q2 * s1_.h1) / Field(q1 * s2_.h1)), square = Field(k * k),
                                       w1 = Field(q1 * (q1 - Field(1))), w2 = Field(q2 * (q2 - Field(1)));
@@ -288,8 +294,8 @@ private:
   }
 };
 
-// The direction of the second edge, if the edges are the same curve and the surfaces continue each other as above. Empty where that
-// is not proved.
+// The direction of the second edge, if the edges are the same curve and the surfaces continue each
+// other as above. Empty where that is not proved.
 template <class Traits>
 std::optional<Edge_direction> smooth_spline_edge(const Bspline_surface<Traits>& a, Patch_edge edge_a,
                                                  const Bspline_surface<Traits>& b, Patch_edge edge_b) {
@@ -298,7 +304,8 @@ std::optional<Edge_direction> smooth_spline_edge(const Bspline_surface<Traits>& 
   if (b.knots_along(edge_b).degree() != n) return std::nullopt;
   Spline_side<Field> s1, s2;
   if (!s1.take(a, edge_a) || !s2.take(b, edge_b) || s1.knots.size() != s2.knots.size()) return std::nullopt;
-  if (s1.given[0].front() == s1.given[0].back()) return std::nullopt; // it may be closed, and the same backwards
+  // it may be closed, and the same backwards
+  if (s1.given[0].front() == s1.given[0].back()) return std::nullopt;
   Edge_direction direction = Edge_direction::same;
   if (s1.given[0] != s2.given[0]) {
     direction = Edge_direction::opposite;

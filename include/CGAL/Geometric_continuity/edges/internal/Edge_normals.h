@@ -26,8 +26,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The rows of both sides, in a ring: multiplied by their common denominator. Sides 0 and 1 are S1 and S2. For N = 4 they are
-// those of homogeneous points.
+// The rows of both sides, in a ring: multiplied by their common denominator. Sides 0 and 1 are S1
+// and S2. For N = 4 they are those of homogeneous points.
 template <class Field, int N = 3> struct Edge_sides {
   typedef typename Common_denominator<Field>::Ring Ring;
   typedef Homogeneous_polynomial<Ring> Polynomial;
@@ -46,7 +46,8 @@ template <class Field, int N = 3> struct Edge_sides {
           for (int i = 0; i < N; ++i) {
             const Field number = to_field<Field>(y[i]);
             denominator.include(number);
-            work_meter().charge_divisors(2, denominator.words(), number_words(number)); // here, and for the numerator
+            // here, and for the numerator
+            work_meter().charge_divisors(2, denominator.words(), number_words(number));
           }
       }
     int side = 0;
@@ -69,9 +70,10 @@ template <class Field, int N = 3> struct Edge_sides {
   }
   bool same_edge() const { return c[0] == c[1]; }
 
-  // Turns the second side so that both edges are the same curve in one direction, if they are in one of both. Returns
-  // whether it has been turned, or nothing if the edges differ. The quick test for two edges that are polynomials; see also
-  // same_edge() in Edge_input.h for control points of equal degree, Common_edge_part for pieces, Edge_key for many edges.
+  // Turns the second side so that both edges are the same curve in one direction, if they are in
+  // one of both. Returns whether it has been turned, or nothing if the edges differ. The quick test
+  // for two edges that are polynomials; see also same_edge() in Edge_input.h for control points of
+  // equal degree, Common_edge_part for pieces, Edge_key for many edges.
   std::optional<bool> align() {
     if (same_edge()) return false;
     for (Vector* v : {&c[1], &t[1], &w[1], &x[1]})
@@ -81,7 +83,7 @@ template <class Field, int N = 3> struct Edge_sides {
 
   // C, of the side with the lower degree along the edge
   const Vector& edge() const { return c[c[1][0].degree() < c[0][0].degree()]; }
-  // Of the edge, with C' or another vector in its place.
+  // Returns the tangent plane of the edge, with C' or another vector in its place.
   Tangent tangent(const Vector& d) const { return tangent(edge(), d); }
   static Tangent tangent(const Vector& edge, const Vector& d) {
     if constexpr (N == 4)
@@ -123,9 +125,10 @@ template <class NT> Homogeneous_vector<NT> normal_part(const std::array<Homogene
   return {plane[0], plane[1], plane[2]};
 }
 
-// The normals n1 = C' x T1 and n2 = C' x T2 of both sides, and what they decide. `Sides` is Edge_sides or what has its
-// derivatives. For homogeneous points, N = 4, these are the tangent planes C ^ C' ^ T1 and C ^ C' ^ T2, whose first three
-// coordinates are the normals times powers of the denominator; all identities have the same form, as det(x, C, C', T1) = n1 . x.
+// The normals n1 = C' x T1 and n2 = C' x T2 of both sides, and what they decide. `Sides` is
+// Edge_sides or what has its derivatives. For homogeneous points, N = 4, these are the tangent
+// planes C ^ C' ^ T1 and C ^ C' ^ T2, whose first three coordinates are the normals times powers of
+// the denominator; all identities have the same form, as det(x, C, C', T1) = n1 . x.
 // \pre both sides have the same edge, in one direction
 template <class Field, int N = 3> struct Edge_normals {
   typedef Edge_sides<Field, N> Sides;
@@ -145,10 +148,12 @@ template <class Field, int N = 3> struct Edge_normals {
   Sign_pattern side_signs() const { return sign_pattern<Exact>(side); }
   bool first_order() const { return coplanar() && side_signs() == Sign_pattern::negative; }
 
-  // Returns whether n1 or n2 vanishes somewhere on the closed interval. It needs the signs of n1 . n2.
+  // Returns whether n1 or n2 vanishes somewhere on the closed interval. It needs the signs of n1 .
+  // n2.
   bool normal_vanishes(Sign_pattern side_signs) const {
     if (side_signs == Sign_pattern::positive || side_signs == Sign_pattern::negative) return false;
-    if (coplanar()) return true; // the normals are parallel, so that n1 . n2 is zero only where one of them is
+    // the normals are parallel, so that n1 . n2 is zero only where one of them is
+    if (coplanar()) return true;
     return vanishes(n1) || vanishes(n2);
   }
 
@@ -160,7 +165,8 @@ template <class Field, int N = 3> struct Edge_normals {
     return second_order_form(n1[i], n2[i], n3, Edge_factors<int>{1, 2, {1, 1}}, Products<AnySides>{n1, s}).is_zero();
   }
 
-  // Returns whether the third derivatives agree, see Edge_equations.h. \pre first_order() and second_order()
+  // Returns whether the third derivatives agree, see Edge_equations.h. \pre first_order() and
+  // second_order()
   bool third_order(const Sides& s) const {
     const int i = nonzero_coordinate();
     const Vector c1 = s.first_derivative(), c2 = s.second_derivative(), t1 = s.mixed_derivative();
@@ -194,7 +200,7 @@ template <class Field, int N = 3> struct Edge_normals {
   static bool vanishes(const Vector& v) { return sign_pattern<Exact>(square(v)) != Sign_pattern::positive; }
 
 private:
-  // Of the normal n1; 3 if there is none.
+  // Returns a nonzero coordinate of the normal n1, or 3 if there is none.
   int nonzero_coordinate() const {
     return static_cast<int>(std::find_if(n1.begin(), n1.begin() + 3, [](const Polynomial& p) { return !p.is_zero(); }) -
                             n1.begin());
@@ -219,7 +225,8 @@ private:
   }
 };
 
-// The normal of one side along its own edge, times a power of the denominator for homogeneous points.
+// The normal of one side along its own edge, times a power of the denominator for homogeneous
+// points.
 template <class Field, int N>
 Homogeneous_vector<typename Edge_sides<Field, N>::Ring> normal_along_edge(const Edge_sides<Field, N>& s, int side) {
   typedef Edge_sides<Field, N> Sides;

@@ -20,8 +20,9 @@
 #include <utility>
 
 /// \file Edge_on_grid.h
-/// The conditions of Edge_equations.h in integers of fixed length: polynomials along the edge, with a ratio of the tangent planes in
-/// short numbers or without. How long the integers are follows from the degrees of the forms (Bounded_polynomial).
+/// The conditions of Edge_equations.h in integers of fixed length: polynomials along the edge, with
+/// a ratio of the tangent planes in short numbers or without. How long the integers are follows
+/// from the degrees of the forms (Bounded_polynomial).
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -29,10 +30,11 @@ namespace internal {
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// Tangent planes that agree: with the first differences d along the edge, a and b across it (polynomials of the degrees n - 1,
-// n and n), alpha b = gamma d + beta a for a linear polynomial gamma with the values gamma[0], gamma[1] at the ends. If the
-// coordinates of d x a have no common factor, the tangent planes agree if and only if there are such numbers: d x b and
-// b x a are polynomials of the degrees 2n - 1 and 2n, which d x a of degree 2n - 1 then divides.
+// Tangent planes that agree: with the first differences d along the edge, a and b across it
+// (polynomials of the degrees n - 1, n and n), alpha b = gamma d + beta a for a linear polynomial
+// gamma with the values gamma[0], gamma[1] at the ends. If the coordinates of d x a have no common
+// factor, the tangent planes agree if and only if there are such numbers: d x b and b x a are
+// polynomials of the degrees 2n - 1 and 2n, which d x a of degree 2n - 1 then divides.
 struct Edge_ratio {
   static constexpr int bits = 12;
   static constexpr std::int64_t most = (std::int64_t(1) << bits) - 1;
@@ -63,7 +65,8 @@ struct Edge_ratio {
   }
 
 private:
-  // b = p d + q a with the control vector number i of a and b and number j of d, in floating-point arithmetic.
+  // b = p d + q a with the control vector number i of a and b and number j of d, in floating-point
+  // arithmetic.
   static bool solve(const Grid_layers& s1, const Grid_layers& s2, int i, int j, double& q, double& p, int& pivot) {
     double d[3], a[3], b[3], normal[3];
     for (int x = 0; x < 3; ++x) {
@@ -85,7 +88,8 @@ private:
     return true;
   }
 
-  // A fraction that is very near to x, by its continued fraction. Whether it is the right one is seen later.
+  // A fraction that is very near to x, by its continued fraction. A later check shows if it is the
+  // right one.
   static bool short_fraction(double x, std::int64_t& numerator, std::int64_t& denominator) {
     double h = 1, last_h = 0, k = 0, last_k = 1, y = x;
     // equivalent [< -> <=, 1]: one more step of a continued fraction; whether it is the right one
@@ -107,7 +111,8 @@ private:
     return false;
   }
 
-  // The identity in Bernstein coefficients of degree n, times n. Numbers of less than 2^(12 + 3 + 54 + 2).
+  // The identity in Bernstein coefficients of degree n, times n. Numbers of less than 2^(12 + 3 +
+  // 54 + 2).
   bool holds(const Grid_layers& s1, const Grid_layers& s2) const {
     const int n = s1.along;
     const auto d = [&](int i, int x) -> Signed_128 {
@@ -122,11 +127,13 @@ private:
   }
 };
 
-// The decision on two surfaces with one edge, in one direction, whose control points are whole numbers of at most 2^coordinate_bits: in
-// space, N = 3, or homogeneous ones, N = 4. Homogeneous edges are the same up to the factor scale[1]/scale[0] > 0, of at most 2^scale_bits
-// each, and may have another unit in each coordinate.
+// The decision on two surfaces with one edge, in one direction, whose control points are whole
+// numbers of at most 2^coordinate_bits: in space, N = 3, or homogeneous ones, N = 4. Homogeneous
+// edges are the same up to the factor scale[1]/scale[0] > 0, of at most 2^scale_bits each, and may
+// have another unit in each coordinate.
 //
-// With a ratio n3 = (gamma/alpha) N, n2 = (beta/alpha) N the identity of second order is N.V = 0 with
+// With a ratio n3 = (gamma/alpha) N, n2 = (beta/alpha) N the identity of second order is N.V = 0
+// with
 //   V = n q1 (q2-1) alpha^2 h - q1 q2 (n-1) gamma^2 e - 2 n q1 q2 beta gamma f - n q2 (q1-1) beta^2 g.
 template <int N, int coordinate_bits, int scale_bits = 0> class Edge_on_grid {
 public:
@@ -134,7 +141,7 @@ public:
   typedef Edge_points<Coordinate, N> Layers;
 
 private:
-  // Of the degree n - below, by sums of at most 2^bits control points.
+  // Makes the polynomial of the degree n - below by sums of at most 2^bits control points.
   template <int below, int bits>
   using Vector = std::array<Bounded_polynomial<(std::max)(Layers::most_along - below, 1), coordinate_bits + bits>, N>;
   typedef Vector<0, 0> Edge;
@@ -175,7 +182,8 @@ public:
     const auto n1 = normal();
     const Leg b = leg(s2_);
     if (!sum_of_products<N>(n1, b).vanishes()) return 0;
-    // The normals are parallel. Where one coordinate of each is never zero they have one sense, or opposite senses.
+    // The normals are parallel. Where one coordinate of each is never zero they have one sense, or
+    // opposite senses.
     for (int x = 0; x < 3; ++x) {
       const int sign = n1[x].strict_sign();
       if (sign == 0) continue;

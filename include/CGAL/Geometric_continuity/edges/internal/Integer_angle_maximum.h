@@ -45,9 +45,9 @@ template <class Ring, int degree, int bits> Ring coefficient_in(const Bounded_po
   return x;
 }
 
-// Branch and bound as in Largest_measure, where all angles are acute, so that their measure is s/p: all pieces that may have the
-// largest angle are halved until the bounds of it are close enough. They are rounded outwards to 62 digits; at an end of the edge
-// they are exact.
+// Branch and bound as in Largest_measure, where all angles are acute, so that their measure is s/p:
+// all pieces that may have the largest angle are halved until the bounds of it are close enough.
+// They are rounded outwards to 62 digits; at an end of the edge they are exact.
 template <class Field, class S, class P = S> class Integer_angle_maximum {
   typedef typename Common_denominator<Field>::Ring Ring;
   typedef typename Common_denominator<Field>::Exact Exact;
@@ -72,7 +72,7 @@ template <class Field, class S, class P = S> class Integer_angle_maximum {
   double lower_ = 0, steps_ = 0;
 
 public:
-  // Of polynomials of one degree.
+  // Takes polynomials of one degree.
   Integer_angle_maximum(const S& s, const P& p) : exact_s_(s), exact_p_(p) {}
 
   // Returns nothing where it does not get on, or the meter does not allow more.
@@ -101,8 +101,8 @@ private:
            static_cast<double>(static_cast<std::int64_t>(x) & mask);
   }
 
-  // A number that is not less than 2^-shift s/p for the coefficients number k, and one that is not larger, for a positive divisor:
-  // three to five roundings by 2^-52.
+  // A number that is not less than 2^-shift s/p for the coefficients number k, and one that is not
+  // larger, for a positive divisor: three to five roundings by 2^-52.
   static double ratio_above(const Rounded_polynomial& s, const Rounded_polynomial& p, int k) {
     return to_double(s.c[k] + s.error) / to_double(p.c[k]) * (1 + 0x1p-49);
   }
@@ -133,7 +133,8 @@ private:
     }
     pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(), [&](const Piece& x) { return x.upper < lower_; }),
                   pieces_.end());
-    return pieces_.size() <= most_pieces; // and not empty: one has the point to which lower_ belongs
+    // and not empty: one has the point to which lower_ belongs
+    return pieces_.size() <= most_pieces;
   }
 
   // With its bounds.
@@ -171,7 +172,8 @@ private:
     return result(Field(largest), Field(largest), *best);
   }
 
-  // Bounds in units of 2^-m, between 2^61 and 2^63, if they determine the angle, see Largest_measure::accurate().
+  // Bounds in units of 2^-m, between 2^61 and 2^63, if they determine the angle, see
+  // Largest_measure::accurate().
   std::optional<Normal_deviation<Field>> rounded() const {
     const double most = upper();
     const int m = 61 - std::ilogb(most) - shift_;
@@ -183,8 +185,9 @@ private:
         if (x.s.c[k] > 0) low.include(x.s.c[k], x.p.c[k] + x.p.error);
       for (int k = 0; k <= n; ++k) high.include(x.s.c[k] + x.s.error, x.p.c[k]);
     }
-    ++high.value;                                                 // it was rounded downwards
-    const std::int64_t one = m == 62 ? std::int64_t(1) << 62 : 0; // otherwise the measure is less than a half
+    ++high.value; // it was rounded downwards
+    // otherwise the measure is less than a half
+    const std::int64_t one = m == 62 ? std::int64_t(1) << 62 : 0;
     const double width = static_cast<double>(high.value - low.value) * 0x1p53;
     for (std::int64_t x : {low.value, high.value}) {
       const double cosine_squared = one == 0 ? 0.5 : static_cast<double>(one - x) * 0x1p-62;
@@ -197,7 +200,8 @@ private:
   struct Largest_quotient {
     int m;
     std::int64_t value = 0;
-    std::uint64_t dividend = 0, divisor = 1; // in units of 2^63; their quotient is not larger than the largest one
+    // in units of 2^63; their quotient is not larger than the largest one
+    std::uint64_t dividend = 0, divisor = 1;
 
     explicit Largest_quotient(int digits) : m(digits) {}
 
@@ -224,7 +228,8 @@ private:
     return Field(Exact(Exact(Ring(high * half_word + low)) / Exact(Ring(std::ldexp(1.0, m)))));
   }
 
-  // The place is a longer interval, so that it does not depend on roundings where several short ones are equally good.
+  // The place is a longer interval, so that it does not depend on roundings where several short
+  // ones are equally good.
   Normal_deviation<Field> result(const Field& lower, const Field& upper, const Piece& place) const {
     const int level = (std::min)(level_, last_level_of_place);
     const std::int64_t index = place.index >> (level_ - level);

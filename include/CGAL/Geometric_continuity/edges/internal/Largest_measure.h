@@ -16,15 +16,17 @@
 #include <vector>
 
 /// \file Largest_measure.h
-/// Where the angle of two normals along an edge is largest, enclosed by branch and bound in exact arithmetic.
+/// Where the angle of two normals along an edge is largest, enclosed by branch and bound in exact
+/// arithmetic.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The squared sine s/p of the angle between two normals n1, n2 along an edge, and a polynomial with the sign of n1 . n2, but
-// for zeros: p = |n1|^2 |n2|^2 and s = p - (n1 . n2)^2. Zeros that n1 or n2 have are split off, so that p is positive on the
-// whole closed interval. \pre neither normal vanishes identically
+// The squared sine s/p of the angle between two normals n1, n2 along an edge, and a polynomial with
+// the sign of n1 . n2, but for zeros: p = |n1|^2 |n2|^2 and s = p - (n1 . n2)^2. Zeros that n1 or
+// n2 have are split off, so that p is positive on the whole closed interval. \pre neither normal
+// vanishes identically
 template <class Field> struct Edge_measure {
   typedef Edge_normals<Field> Normals;
   typedef typename Normals::Polynomial Polynomial;
@@ -69,7 +71,8 @@ private:
     return result;
   }
 
-  // Divides by the greatest common divisor of the coordinates and returns it, both up to positive factors.
+  // Divides by the greatest common divisor of the coordinates and returns it, both up to positive
+  // factors.
   static Polynomial without_common_factor(Vector& n) {
     std::vector<Power> v;
     for (const Polynomial& x : n) v.push_back(power_form(x));
@@ -86,8 +89,8 @@ private:
   // The product of the factors of odd multiplicity, with the same sign as p wherever p is not zero.
   static Polynomial without_square_factors(const Polynomial& p) { return in_ring({odd_factors(power_form(p))})[0]; }
 
-  // With the factors a_i of multiplicity i, g = gcd(p, p') is the product of a_i^(i-1), and p/g that of all a_i, which are
-  // the odd ones of p and those of g.
+  // With the factors a_i of multiplicity i, g = gcd(p, p') is the product of a_i^(i-1), and p/g
+  // that of all a_i, which are the odd ones of p and those of g.
   static Power odd_factors(Power p) {
     if (p.degree() < 1) return p;
     const Power g = greatest_common_divisor(p, p.derivative());
@@ -96,21 +99,25 @@ private:
   }
 };
 
-// Returns whether coefficients prove that an angle is nowhere obtuse, whose cosine has the sign of -side.
+// Returns whether coefficients prove that an angle is nowhere obtuse, whose cosine has the sign of
+// -side.
 template <class Polynomial> bool is_acute(const Polynomial& side) {
   const Sign_pattern signs = coefficient_signs(side);
   return signs == Sign_pattern::negative || signs == Sign_pattern::nonpositive || signs == Sign_pattern::zero;
 }
 
-// Branch and bound for the largest measure of the quotients s/p of two polynomials, 0 <= s <= p and 0 < p on [0, 1], with
-// s/p = sin^2 and a cosine that has the sign of -side. As s and p have one degree, s/p lies between the least and the largest
-// s_k/p_k where all p_k > 0. All arithmetic on pieces is that of a ring.
+// Branch and bound for the largest measure of the quotients s/p of two polynomials, 0 <= s <= p and
+// 0 < p on [0, 1], with s/p = sin^2 and a cosine that has the sign of -side. As s and p have one
+// degree, s/p lies between the least and the largest s_k/p_k where all p_k > 0. All arithmetic on
+// pieces is that of a ring.
 //
-// Where the numbers are all about 1, it ends soon: let M be the supremum and q = M p - s, or (M - 2) p + s where obtuse, so that q >= 0. On a piece of length h at a
-// zero of q of order m the coefficients of q are O(h^m), and so are the errors of both bounds; at a distance of some h from
-// the zeros q is positive, and so are its coefficients. So on each level a bounded number of pieces is left, about two for
-// each zero, and 27 to 55 levels are needed. Where the angle varies on an interval of length 2^-k only, they are about k more;
-// so the search stops when the meter does not allow more, and the bounds are what has been proved until then.
+// Where the numbers are all about 1, it ends soon: let M be the supremum and q = M p - s, or
+// (M - 2) p + s where obtuse, so that q >= 0. On a piece of length h at a zero of q of order m the
+// coefficients of q are O(h^m), and so are the errors of both bounds; at a distance of some h from
+// the zeros q is positive, and so are its coefficients. So on each level a bounded number of pieces
+// is left, about two for each zero, and 27 to 55 levels are needed. Where the angle varies on an
+// interval of length 2^-k only, they are about k more; so the search stops when the meter does not
+// allow more, and the bounds are what has been proved until then.
 template <class Field> class Largest_measure {
   typedef typename Edge_sides<Field>::Polynomial Polynomial;
   typedef typename Polynomial::NT Ring;
@@ -160,7 +167,8 @@ public:
   }
 
 private:
-  // Returns whether the meter allows to divide the next piece. The bounds take a product for each coefficient and comparison.
+  // Returns whether the meter allows to divide the next piece. The bounds take a product for each
+  // coefficient and comparison.
   bool may_go_on(const Piece& worst) {
     const double n = worst.p.degree() + 1;
     const std::size_t words = number_words(worst.p[worst.p.degree() / 2]);
@@ -171,11 +179,12 @@ private:
     return true;
   }
 
-  // Returns whether the bounds x <= y of the measure determine the angle up to its 2^-54-th part. With s = sin^2 and c = cos^2 the
-  // measure changes by 2 sqrt(s c) times the change of the angle. Where y - x <= 2^-53 s c for the least s c in between,
-  // which is at one of the bounds, the angle therefore changes by at most 2^-54 sqrt(s c), and sqrt(s c) <= sin is at most the
-  // angle. If |1 - x| and |1 - y|, both c, are at most 2^-110, or the s near the straight angle, then cos or sin is at most
-  // 2^-55 at both ends, and the angle changes by 2^-54 at most.
+  // Returns whether the bounds x <= y of the measure determine the angle up to its 2^-54-th part.
+  // With s = sin^2 and c = cos^2 the measure changes by 2 sqrt(s c) times the change of the angle.
+  // Where y - x <= 2^-53 s c for the least s c in between, which is at one of the bounds, the angle
+  // therefore changes by at most 2^-54 sqrt(s c), and sqrt(s c) <= sin is at most the angle.
+  // If |1 - x| and |1 - y|, both c, are at most 2^-110, or the s near the straight angle, then cos
+  // or sin is at most 2^-55 at both ends, and the angle changes by 2^-54 at most.
   bool accurate(const Piece& worst) const {
     if (worst.level < least_level) return false;
     const Ring factor(1 << 20); // soon tells that they are far from it
@@ -227,8 +236,8 @@ private:
     return most < bound ? most : bound;
   }
 
-  // By the measure at an end, as the limit from inside of the piece: the cosine has the sign of the first coefficient that is
-  // not zero. Where it is zero, sin^2 = 1.
+  // By the measure at an end, as the limit from inside of the piece: the cosine has the sign of the
+  // first coefficient that is not zero. Where it is zero, sin^2 = 1.
   void raise_lower_bound(const Ring& s, const Ring& p, const Polynomial& side, int k) {
     const bool acute = k < 0 || k > side.degree() || side[k] < Ring(0);
     const Fraction measure{acute ? s : Ring(Ring(2) * p - s), p};
@@ -238,7 +247,7 @@ private:
   static Exact exact(const Fraction& x) { return Exact(Exact(x.numerator) / Exact(x.denominator)); }
 };
 
-// The same, in integers of fixed length where they do.
+// Returns the largest measure, in integers of fixed length where they suffice.
 template <class Field, class Polynomial>
 Normal_deviation<Field> largest_measure(Polynomial s, Polynomial p, Polynomial side) {
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
@@ -258,8 +267,8 @@ Normal_deviation<Field> largest_angle(const Homogeneous_vector<typename Edge_sid
   return largest_measure<Field>(std::move(m.s), std::move(m.p), std::move(m.side));
 }
 
-// A sub-interval in which the polynomial has a zero or comes close to one: a point if it is zero at an end, otherwise of
-// length 1/1024. \pre it has a zero in [0, 1]
+// A sub-interval in which the polynomial has a zero or comes close to one: a point if it is zero at
+// an end, otherwise of length 1/1024. \pre it has a zero in [0, 1]
 template <class Field, class Polynomial> std::pair<Field, Field> zero_interval(const Polynomial& polynomial) {
   typedef typename Polynomial::NT Ring;
   struct Piece {

@@ -18,7 +18,8 @@
 #include <vector>
 
 /// \file decide_surfaces.h
-/// The decisions about two surfaces along an edge of each: integers of fixed length where they suffice, then spans of the common part.
+/// The decisions about two surfaces along an edge of each: integers of fixed length where they
+/// suffice, then spans of the common part.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -47,7 +48,8 @@ Spline_edge_continuity<Field> decide_spans(const std::vector<Edge_piece<Field, N
   return result;
 }
 
-// Of two whole edges along which the surfaces are one polynomial each, from the verdict in the parameters of the first.
+// Decides two whole edges along which the surfaces are one polynomial each, from the verdict in the
+// parameters of the first.
 template <class Field>
 Spline_edge_continuity<Field> verdict_on_whole_edge(Edge_continuity<Field> verdict, Edge_direction direction,
                                                     const std::pair<Field, Field>& domain_a,
@@ -68,7 +70,8 @@ template <class Surface>
 constexpr bool has_double_knots =
     std::is_same_v<Surface, Bspline_surface<typename Surface::Traits>>&& std::is_same_v<typename Surface::FT, double>;
 
-// Of two whole edges along which the surfaces have the order 2 on all spans, which are those of the knots of the first.
+// Decides two whole edges along which the surfaces have the order 2 on all spans, which are those
+// of the knots of the first.
 template <class Field, class FT>
 Spline_edge_continuity<Field> smooth_on_all_spans(const Knot_vector<FT>& knots, Edge_direction direction,
                                                   const std::pair<Field, Field>& domain_b) {
@@ -85,8 +88,8 @@ Spline_edge_continuity<Field> smooth_on_all_spans(const Knot_vector<FT>& knots, 
   return result;
 }
 
-// The stages of fixed length for surfaces that are one patch each, then those for pieces, where find_match(pieces, pieces,
-// work) finds what the edges have in common.
+// The stages of fixed length for surfaces that are one patch each, then those for pieces, where
+// find_match(pieces, pieces, work) finds what the edges have in common.
 template <class Surface_a, class Surface_b, class Find_match>
 auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
                      Find_match find_match, Crease_angles angles = Crease_angles::enclosed)

@@ -28,9 +28,9 @@ std::optional<FT> coefficient(const Coordinate_vector<FT, N>& v, const Coordinat
   return FT(pv / pp);
 }
 
-// The integrals over [0, 1] of (B_i^m)'' (B_j^m)''. With n = m - 2 the second derivative is m (m-1) times the second difference of
-// the Bernstein polynomials of degree n, and the integral of B_k^n B_l^n is w_kl / (2n+1), w_kl = C(n,k) C(n,l) / C(2n,k+l), see
-// squared_norm(). \pre m >= 2
+// The integrals over [0, 1] of (B_i^m)'' (B_j^m)''. With n = m - 2 the second derivative is m (m-1)
+// times the second difference of the Bernstein polynomials of degree n, and the integral of B_k^n
+// B_l^n is w_kl / (2n+1), w_kl = C(n,k) C(n,l) / C(2n,k+l), see squared_norm(). \pre m >= 2
 template <class FT> class Second_derivative_products {
   const int m_, n_ = m_ - 2;
   std::vector<std::vector<FT>> w_; // w_kl for l >= k at [k][l - k]
@@ -80,8 +80,9 @@ std::array<typename Traits::Point, n> last_points(const Bezier_curve<Traits, Deg
   return last;
 }
 
-// The last n points of a polygon of degree m and the ratio beta of a polygon that continues it: what the families of
-// alternatives have in common. F is the number type of the kernel or the field in which predicates are decided.
+// The last n points of a polygon of degree m and the ratio beta of a polygon that continues it:
+// what the families of alternatives have in common. F is the number type of the kernel or the field
+// in which predicates are decided.
 template <class Traits, std::size_t n> class Polygon_end {
   static constexpr int N = dimension_v<Traits>;
 
@@ -136,8 +137,8 @@ protected:
     return Geometric_continuity::to_point<Traits>(c);
   }
 
-  // The point b_k for which the polygon b_0, ..., b_m has the least energy, where b holds b_0, ..., b_{k-1} and the range
-  // b_{k+1}, ..., b_m: the derivative sum_j E_kj b_j vanishes.
+  // The point b_k for which the polygon b_0, ..., b_m has the least energy, where b holds b_0, ...,
+  // b_{k-1} and the range b_{k+1}, ..., b_m: the derivative sum_j E_kj b_j vanishes.
   template <class InputIterator>
   Coordinates least_energy_point(std::vector<Coordinates> b, InputIterator first, InputIterator last) const {
     const int k = static_cast<int>(b.size());

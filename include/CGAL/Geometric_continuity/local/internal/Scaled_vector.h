@@ -16,23 +16,26 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Products of several derivatives leave the range of floating-point numbers long before the derivatives do: the torsion is
-// a quotient of products of six. So each derivative is divided by a power of two first, and the result is multiplied by
-// one. Powers of two are exact: as long as nothing overflows or underflows, the result is the same bit by bit.
+// Products of several derivatives leave the range of floating-point numbers long before the
+// derivatives do: the torsion is a quotient of products of six. So each derivative is divided by a
+// power of two first, and the result is multiplied by one. Powers of two are exact: as long as
+// nothing overflows or underflows, the result is the same bit by bit.
 
 // The largest e with 2^e <= |x| for the largest coordinate x; 0 for the zero vector.
 template <class FT, int N> int exponent_of(const Coordinate_vector<FT, N>& v, const char* place) {
   FT largest(0);
   for (const FT& x : v) {
     const FT size = std::abs(x);
-    if (!(size <= (std::numeric_limits<FT>::max)())) refuse_infinite(place); // also an undefined number
+    // also an undefined number
+    if (!(size <= (std::numeric_limits<FT>::max)())) refuse_infinite(place);
     if (largest < size) largest = size;
   }
   return largest == FT(0) ? 0 : std::ilogb(largest);
 }
 
-// A vector of floating-point numbers, divided by the power of two that makes its largest coordinate lie in [1, 2). A vector of
-// other numbers is itself, and must live on. `place` is the message of the error for coordinates that are not finite.
+// A vector of floating-point numbers, divided by the power of two that makes its largest coordinate
+// lie in [1, 2). A vector of other numbers is itself, and must live on. `place` is the message of
+// the error for coordinates that are not finite.
 template <class FT, int N> class Scaled_vector {
   typedef Coordinate_vector<FT, N> Vector;
   std::conditional_t<std::is_floating_point_v<FT>, Vector, const Vector&> v_;
@@ -50,7 +53,8 @@ public:
   int exponent() const { return exponent_; }
 };
 
-// 2^e x. For numbers that are not scaled, e is 0. \throws Error `not_finite` when the number overflows
+// 2^e x. For numbers that are not scaled, e is 0. \throws Error `not_finite` when the number
+// overflows
 template <class FT> FT times_power_of_two(const FT& x, int e, const char* place) {
   if constexpr (std::is_floating_point_v<FT>) {
     const FT r = std::ldexp(x, e);

@@ -15,7 +15,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// A vector of which `few` elements need no memory. That of Boost has many more functions, for which each program pays that has a curve.
+// A vector of which `few` elements need no memory. Boost's class has many more functions, which
+// cost compile time in each program that has a curve.
 template <class T, std::size_t few> class Inline_vector {
   std::array<T, few> few_{}; // beyond the size T()
   std::vector<T> many_;      // all elements when there are more

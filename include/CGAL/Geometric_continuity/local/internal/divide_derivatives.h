@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Calls f(k, binomials) for k = 0, ..., order, with the row C(k, 0), ..., C(k, k) of Pascal's triangle.
+// Calls f(k, binomials) for k = 0, ..., order, with the row C(k, 0), ..., C(k, k) of Pascal's
+// triangle.
 template <class FT, class Function> void for_each_binomial_row(int order, Function f) {
   Short_vector<FT, 6> row(order + 1, FT(0));
   row[0] = FT(1);
@@ -46,9 +47,9 @@ template <int l, int j, class FT, class Value> CGAL_GC_FORCEINLINE void subtract
     subtract_products<l, j + 1>(x, w);
   }
 }
-// Replaces the derivatives p_0, ..., p_k of a coordinate in x by those of x = p / w, for an order known at compile time, from
-// l = 0 on. w holds w_1, ..., w_k at their places, and the inverse is 1 / w_0. Recursion, since a compiler may refuse to
-// inline long chains of lambda expressions.
+// Replaces the derivatives p_0, ..., p_k of a coordinate in x by those of x = p / w, for an order
+// known at compile time, from l = 0 on. w holds w_1, ..., w_k at their places, and the inverse is 1
+// / w_0. Recursion, since a compiler may refuse to inline long chains of lambda expressions.
 template <int k, int l = 0, class FT, class Value>
 CGAL_GC_FORCEINLINE void divide_derivatives(Value* x, const FT* w, const FT& inverse) {
   if constexpr (l <= k) {
@@ -58,8 +59,8 @@ CGAL_GC_FORCEINLINE void divide_derivatives(Value* x, const FT* w, const FT& inv
   }
 }
 
-// The jet x of an order up to k from the derivatives p[0], ..., p[k] of homogeneous points: all coordinates together where they are
-// in a register, otherwise one after the other.
+// The jet x of an order up to k from the derivatives p[0], ..., p[k] of homogeneous points: all
+// coordinates together where they are in a register, otherwise one after the other.
 template <int k, class FT, class Derivatives, class Jet>
 CGAL_GC_FORCEINLINE void project_order(const Derivatives& p, int n, int order, Jet& x) {
   typedef std::decay_t<decltype(p[0])> Row;
@@ -88,7 +89,7 @@ CGAL_GC_FORCEINLINE void project_order(const Derivatives& p, int n, int order, J
     }
 }
 
-// The same where the order is at most 3, otherwise nothing is done.
+// Divides the derivatives if the order is at most 3, and otherwise does nothing.
 template <class FT, class Derivatives, class Jet>
 CGAL_GC_FORCEINLINE bool project_short(const Derivatives& p, int n, int order, Jet& x) {
   switch (order) {

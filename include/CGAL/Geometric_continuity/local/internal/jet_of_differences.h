@@ -19,13 +19,15 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// One number or row for each control point of a curve of this degree, without allocation up to degree 9.
+// One number or row for each control point of a curve of this degree, without allocation up to
+// degree 9.
 template <int Degree, class T>
 using Bezier_coefficients = std::conditional_t<(Degree < 0), Short_vector<T, 10>, std::array<T, Degree + 1>>;
 
-// The jet of order k at an end of a Bezier curve of degree m: m!/(m-j)! / h^j times the j-th differences of its control points,
-// which coordinate(j, i) reads from that end on, the points up to min(k, m). The step h is the length of the domain, negative
-// at the end of the curve. Degree is m, or -1 when it is known at run time only.
+// The jet of order k at an end of a Bezier curve of degree m: m!/(m-j)! / h^j times the j-th
+// differences of its control points, which coordinate(j, i) reads from that end on, the points up
+// to min(k, m). The step h is the length of the domain, negative at the end of the curve. Degree is
+// m, or -1 when it is known at run time only.
 template <class Field, int N, int Degree, class Coordinate>
 Coordinate_jet<Field, N> jet_of_differences(int dimension, int m, int k, const Field& h, const Coordinate& coordinate) {
   const int used = (std::min)(k, m) + 1;

@@ -50,15 +50,16 @@ public:
   const Edge_use& operator[](std::size_t i) const { return first_[i]; }
 };
 
-// The numbers of the two corners where an edge begins and ends; a corner has the number 4 * patch + 2 * (at the end of u) +
-// (at the end of v).
+// The numbers of the two corners where an edge begins and ends; a corner has the number 4 * patch +
+// 2 * (at the end of u) + (at the end of v).
 inline std::pair<std::size_t, std::size_t> corners_of(std::size_t patch, Patch_edge edge) {
   const std::size_t side = at_upper_end(edge), first = 4 * patch;
   return runs_along_u(edge) ? std::make_pair(first + side, first + 2 + side)
                             : std::make_pair(first + 2 * side, first + 2 * side + 1);
 }
 
-// Calls work(), and adds the place in the model, place(), to an error: where everything has been checked, the refusal of work that is too much.
+// Calls work(), and adds the place in the model, place(), to an error: where everything has been
+// checked, the refusal of work that is too much.
 template <class Place, class Work> void name_place(Place place, Work work) {
   try {
     work();
@@ -72,7 +73,8 @@ inline std::string edge_name(std::size_t patch, Patch_edge edge) {
   return "patch " + std::to_string(patch) + ' ' + to_string(edge);
 }
 
-// Returns whether the control points at the corners are points of the surface, and those of the edges belong to these alone.
+// Returns whether the control points at the corners are points of the surface, and those of the
+// edges belong to these alone.
 template <class Surface> bool has_corner_points(const Surface& s) {
   if constexpr (Is_patch<Surface>::value)
     return true;
@@ -88,8 +90,9 @@ template <class Surface> const typename Surface::Point& corner_point(const Surfa
     return s.control_point(u ? s.number_of_points_u() - 1 : 0, v ? s.number_of_points_v() - 1 : 0);
 }
 
-// Recognises each edge of a model once, by sorting: first by the points at its ends, which have been numbered; then those
-// with the same ends by their control points and weights, if they have one degree and the same knots, otherwise by Edge_key.
+// Recognises each edge of a model once, by sorting: first by the points at its ends, which have
+// been numbered; then those with the same ends by their control points and weights, if they have
+// one degree and the same knots, otherwise by Edge_key.
 template <class Surface> class Edge_groups {
   typedef typename Surface::Traits Traits;
   typedef Edge_key<Traits, row_dimension<Surface>> Key;

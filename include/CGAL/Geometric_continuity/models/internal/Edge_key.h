@@ -20,11 +20,12 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// Numbers that two edges have in common if and only if they are the same curve after affine maps of both domains to [0, 1],
-// in either direction, whatever their degrees and knots. For each interval on which the curve is one polynomial: its start and
-// the coefficients of the powers of the parameter of the whole, up to the last that is not zero; in the direction that makes
-// them smaller. Homogeneous points, N = 4, have them in common up to a factor, see normalise(). For sorting many edges; two edges
-// are compared by Common_edge_part and Edge_sides::align().
+// Numbers that two edges have in common if and only if they are the same curve after affine maps of
+// both domains to [0, 1], in either direction, whatever their degrees and knots. For each interval
+// on which the curve is one polynomial: its start and the coefficients of the powers of the
+// parameter of the whole, up to the last that is not zero; in the direction that makes them
+// smaller. Homogeneous points, N = 4, have them in common up to a factor, see normalise(). For
+// sorting many edges; two edges are compared by Common_edge_part and Edge_sides::align().
 template <class Traits, int N = 3> class Edge_key {
   typedef Edge_field<Traits> Field;
   typedef typename Exact_number<Field>::type Exact; // compared often, evaluated once
@@ -55,8 +56,8 @@ public:
 
   bool single_point() const { return numbers_.size() == 1 && numbers_[0].size() == N + 1; }
 
-  // Returns whether the numbers are those of the reversed edge. Of two edges with equal keys that differ in this, one is
-  // the other backwards. (An edge that is the same backwards is not turned.)
+  // Returns whether the numbers are those of the reversed edge. If two edges with equal keys differ
+  // in this, one is the reverse of the other. (An edge that is the same backwards is not turned.)
   bool turned() const { return turned_; }
 
   // Negative, zero or positive.
@@ -65,7 +66,8 @@ public:
   }
 
 private:
-  // Homogeneous points are divided by the first number of the last coefficient; but those of a single point become this point.
+  // Homogeneous points are divided by the first number of the last coefficient; but those of a
+  // single point become this point.
   static void normalise(Row& powers) {
     if constexpr (N == 4) {
       const auto& last = powers.back();
@@ -87,7 +89,8 @@ private:
   }
 
   template <class Surface> static std::vector<Piece> unit_pieces(const Surface& surface, Patch_edge edge) {
-    if constexpr (Is_patch<Surface>::value) // row 0 is that of the only piece; no division is needed
+    // row 0 is that of the only piece; no division is needed
+    if constexpr (Is_patch<Surface>::value)
       return {{Field(0), Field(1), row_in_space<Field, N>(surface.template rows<Field>(edge, 0)[0])}};
     else
       return pieces_of_spline(surface, edge);
@@ -137,9 +140,9 @@ template <class Coordinates> int compare_coordinates(const Coordinates& p, const
   return 0;
 }
 
-// The control points of an edge over its knots and its weights, in the direction that makes them smaller. Edges of one form, i.e. of
-// one degree over the same knots, are the same if and only if their points are and their weights up to a factor; other edges are
-// compared by Edge_key.
+// The control points of an edge over its knots and its weights, in the direction that makes them
+// smaller. Edges of one form, i.e. of one degree over the same knots, are the same if and only if
+// their points are and their weights up to a factor; other edges are compared by Edge_key.
 // \pre has_corner_points()
 template <class Surface> class Edge_polygon {
   typedef typename Surface::Traits Traits;
@@ -177,15 +180,16 @@ public:
     turn();
   }
 
-  // See Edge_key. Whether all points are one is left to it where some are infinite.
+  // See Edge_key. Where some points are infinite, it also decides if all points are one.
   bool turned() const { return turned_; }
   bool single_point() const {
     return !has_infinite_points_ &&
            std::all_of(points_.begin(), points_.end(), [&](const auto& p) { return p == points_[0]; });
   }
 
-  // Returns whether points and weights decide about equality. Over inner knots the direction of a closed edge may be that of its points,
-  // but not that of the curve. \pre the other one has its own form
+  // Returns whether points and weights decide about equality. Over inner knots the direction of a
+  // closed edge may be that of its points, but not that of the curve. \pre the other one has its
+  // own form
   bool has_form_of(const Edge_polygon& other) const {
     return degree_ == other.degree_ && knots_ == other.knots_ && !has_infinite_points_ &&
            (knots_.empty() || !(points_.front() == points_.back()));

@@ -22,23 +22,25 @@
 #include <vector>
 
 /// \file Model_mesh.h
-/// The triangles of a model of Bézier patches without cracks: first the points of corners, then those of edges, each once
-/// for all patches that have them, then the inside of the patches. Which edges and corners are the same is found first.
+/// The triangles of a model of Bézier patches without cracks: first the points of corners, then
+/// those of edges, each once for all patches that have them, then the inside of the patches. Which
+/// edges and corners are the same is found first.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
 namespace internal {
 
-// The edges and corners of the patches of a model, those that are the same under one number. Edges are the same as in
-// `model_continuity()`. Corners are the same where they are ends of the same edge, or of a collapsed edge; corners that
-// merely have the same coordinates are not.
+// The edges and corners of the patches of a model, those that are the same under one number. Edges
+// are the same as in `model_continuity()`. Corners are the same where they are ends of the same
+// edge, or of a collapsed edge; corners that merely have the same coordinates are not.
 template <class Patch> class Model_topology {
   typedef std::pair<std::size_t, std::size_t> Pair;
 
   Edge_groups<Patch> groups_;
-  std::vector<std::size_t> parent_; // of the corner 4 * patch + 2 * (at the end of u) + (at the end of v)
-  std::vector<bool> simple_;        // by patch
+  // of the corner 4 * patch + 2 * (at the end of u) + (at the end of v)
+  std::vector<std::size_t> parent_;
+  std::vector<bool> simple_; // by patch
 
 public:
   // The patches are not copied.
@@ -67,19 +69,22 @@ public:
   // By the first use, which is that of the patch with the least number.
   const std::vector<Edge_uses>& edges() const { return groups_.edges(); }
 
-  // The number, below four times the number of patches, of what may be the corner of several patches.
+  // The number, below four times the number of patches, of what may be the corner of several
+  // patches.
   std::size_t corner(std::size_t patch, bool end_of_u, bool end_of_v) const {
     return parent_[4 * patch + 2 * end_of_u + end_of_v];
   }
 
-  // Returns whether the four corners of the patch are different and no two of them are also two corners of another patch, unless
-  // by the edge between them. Then lines from edge to edge through the patch have no double elsewhere.
+  // Returns whether the four corners of the patch are different and no two of them are also two
+  // corners of another patch, unless by the edge between them. Then lines from edge to edge through
+  // the patch have no double elsewhere.
   bool simple(std::size_t patch) const { return simple_[patch]; }
 
   static constexpr std::size_t open = static_cast<std::size_t>(-1);
 
-  // For each patch the least number of a patch of the part to which it belongs, of those that are connected by edges; `open` unless each
-  // edge of the part is that of two patches, whose triangles pass it in opposite directions.
+  // For each patch the least number of a patch of the part to which it belongs, of those that are
+  // connected by edges; `open` unless each edge of the part is that of two patches, whose triangles
+  // pass it in opposite directions.
   std::vector<std::size_t> closed_parts() const {
     std::vector<std::size_t> part(simple_.size());
     std::iota(part.begin(), part.end(), std::size_t(0));
@@ -103,7 +108,8 @@ public:
   }
 
 private:
-  // Returns whether the triangles of the patch, which turn from u to v, pass the edge in the direction of the edge of the model.
+  // Returns whether the triangles of the patch, which turn from u to v, pass the edge in the
+  // direction of the edge of the model.
   static bool is_passed_upwards(const Edge_use& use) {
     return (runs_along_u(use.edge) != at_upper_end(use.edge)) != use.backwards;
   }
@@ -143,7 +149,8 @@ private:
   }
 };
 
-// The triangles that are going to be made. More than the limit are refused before any of them is made.
+// The triangles that are going to be made. More than the limit are refused before any of them is
+// made.
 class Triangle_budget {
   std::size_t limit_;
   double triangles_ = 0;
@@ -195,9 +202,10 @@ public:
       : patches_(patches), numbers_(numbers), topology_(patches), corners_(4 * patches.size(), none),
         sides_(patches.size()) {}
 
-  // `cells_of(i, least)` is the number of cells of patch number i, if possible at least `least` in each direction: four cells
-  // make the triangles of patches a manifold that close up, or meet more than once. Where two patches have an edge, one of their numbers along it must divide the other. After each patch
-  // `report(n)` is called with the number of triangles so far.
+  // `cells_of(i, least)` is the number of cells of patch number i, if possible at least `least` in
+  // each direction: four cells make the triangles of patches a manifold that close up, or meet more
+  // than once. Where two patches have an edge, one of their numbers along it must divide the other.
+  // After each patch `report(n)` is called with the number of triangles so far.
   template <class Cells_of, class Report>
   Tessellation<Traits> operator()(Cells_of cells_of, std::size_t max_triangles, Report report) {
     for (std::size_t i = 0; i < patches_.size(); ++i) cells_.push_back(cells_of(i, topology_.simple(i) ? 1 : 4));
@@ -215,7 +223,8 @@ public:
   }
 
 private:
-  // A point that is added to an edge of a cell adds a triangle. Points in the middle of a cell are not foreseen.
+  // A point that is added to an edge of a cell adds a triangle. Points in the middle of a cell are
+  // not foreseen.
   void reserve(std::size_t max_triangles) {
     Triangle_budget budget(max_triangles);
     for (std::size_t i = 0; i < patches_.size(); ++i) budget.add(2.0 * cells_[i].u * cells_[i].v, numbers_[i]);
@@ -237,8 +246,8 @@ private:
     return static_cast<std::size_t>(runs_along_u(use.edge) ? cells_[use.patch].u : cells_[use.patch].v);
   }
 
-  // Turns the triangles of each closed part of the model so that its volume is positive: the sum of (ax + bx + cx - 3 ox) / 6 times the
-  // area of the projection to x = 0, over the triangles abc.
+  // Turns the triangles of each closed part of the model so that its volume is positive: the sum of
+  // (ax + bx + cx - 3 ox) / 6 times the area of the projection to x = 0, over the triangles abc.
   void turn_outwards() {
     constexpr std::size_t open = Model_topology<Patch>::open;
     const std::vector<std::size_t> parts = topology_.closed_parts();

@@ -26,8 +26,9 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Compares the diagonals of the cells between two rows of points. The answers are those of the number type. For rational
-// numbers they are found by intervals of floating-point numbers wherever these suffice.
+// Compares the diagonals of the cells between two rows of points. The answers are those of the
+// number type. For rational numbers they are found by intervals of floating-point numbers wherever
+// these suffice.
 template <class Traits> class Cell_diagonals {
   typedef typename Traits::FT FT;
   typedef typename Traits::Point Point;
@@ -44,7 +45,8 @@ template <class Traits> class Cell_diagonals {
 public:
   explicit Cell_diagonals(const std::vector<Point>& points) : points_(points) {}
 
-  // The upper row becomes the lower one; `point(j)` is the number of the point number j < n of the next row.
+  // The upper row becomes the lower one; `point(j)` is the number of the point number j < n of the
+  // next row.
   template <class Function> void next_row(std::size_t n, const Function& point) {
     std::swap(low_, high_);
     high_.numbers.clear();
@@ -59,8 +61,8 @@ public:
     }
   }
 
-  // Of the cell between the points number j and j + 1: whether the diagonal from number j of the lower row is shorter than the
-  // other, equal, or longer.
+  // Compares the diagonals of the cell between the points number j and j + 1: the one from number j
+  // of the lower row is shorter than the other, equal, or longer.
   Comparison_result operator()(std::size_t j) const {
     if constexpr (filtered) {
       const Protect_FPU_rounding<true> protection;
@@ -99,16 +101,17 @@ template <class FT> std::vector<FT> ends_of_parts(const std::pair<FT, FT>& inter
   return ends;
 }
 
-// Cuts the patch into cells, and each cell into triangles. Points on the edges are there before; their number on an edge
-// is a multiple of the number of cells, so that every triangle lies in a cell of its patch.
+// Cuts the patch into cells, and each cell into triangles. Points on the edges are there before;
+// their number on an edge is a multiple of the number of cells, so that every triangle lies in a
+// cell of its patch.
 template <class Patch> class Patch_triangulation {
   typedef typename Patch::Traits Traits;
   typedef typename Traits::FT FT;
   typedef Tessellation<Traits> Mesh;
 
 public:
-  // The points along the edges u0, u1, v0, v1 in the direction of the parameter, with both ends; of a collapsed edge the
-  // only point.
+  // The points along the edges u0, u1, v0, v1 in the direction of the parameter, with both ends; of
+  // a collapsed edge the only point.
   typedef std::array<std::vector<std::size_t>, 4> Edges;
 
 private:
@@ -132,7 +135,8 @@ public:
   }
 
 private:
-  // The points of the grid inside the patch, row by row: first the control points of the curve with the constant v.
+  // The points of the grid inside the patch, row by row: first the control points of the curve with
+  // the constant v.
   void add_inner_points() {
     const int p = patch_.degree_u(), q = patch_.degree_v();
     std::vector<decltype(summand(patch_, 0, 0))> net;
@@ -217,12 +221,14 @@ private:
     return fraction_of(domain, 2 * i + 1, 2 * n);
   }
 
-  // The corner from which a fan of triangles covers the cell: no other point may lie on the two sides at it, and it should
-  // not be on an edge of the patch. Corner number k is where side k begins and side k - 1 ends.
+  // The corner from which a fan of triangles covers the cell: no other point may lie on the two
+  // sides at it, and it should not be on an edge of the patch. Corner number k is where side k
+  // begins and side k - 1 ends.
   std::optional<int> fan_apex(const std::array<std::size_t, 5>& corner, const std::array<bool, 4>& outer,
                               std::size_t j) const {
     const auto whole = [&](int side) { return corner[side + 1] - corner[side] == 1; };
-    std::optional<Comparison_result> order; // of the diagonals from the corners 0 and 2, and 1 and 3
+    // of the diagonals from the corners 0 and 2, and 1 and 3
+    std::optional<Comparison_result> order;
     const auto has_shorter_diagonal = [&](int k, int than) {
       if ((k - than) % 2 == 0) return false;
       if (!order) order = diagonals_(j);

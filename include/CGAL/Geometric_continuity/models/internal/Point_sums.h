@@ -19,8 +19,9 @@
 #include <vector>
 
 /// \file Point_sums.h
-/// The points of a patch or an edge at equidistant parameters, as sums of its control points. Rational numbers are summed as
-/// integers over one denominator, and a coordinate is reduced once, when the sum is complete.
+/// The points of a patch or an edge at equidistant parameters, as sums of its control points.
+/// Rational numbers are summed as integers over one denominator, and a coordinate is reduced once,
+/// when the sum is complete.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -43,7 +44,8 @@ Vector weighted_sum(const std::vector<Number>& weights, const std::vector<Vector
   return sum;
 }
 
-// The control points, homogeneous ones of a rational patch, are those of the patch, or of an edge of it.
+// The control points, homogeneous ones of a rational patch, are those of the patch, or of an edge
+// of it.
 template <class Patch, bool rational = Rational_parts<typename Patch::FT>::value> class Point_sums {
   typedef typename Patch::FT FT;
   typedef std::decay_t<decltype(summand(std::declval<const Patch&>(), 0, 0))> Summand;
@@ -59,7 +61,8 @@ public:
 
   const std::vector<Vector>& net() const { return net_; }
 
-  // For each k from 0 to n the Bernstein polynomials at k/n. A point is a sum with the weights of each call.
+  // For each k from 0 to n the Bernstein polynomials at k/n. A point is a sum with the weights of
+  // each call.
   std::vector<std::vector<Number>> weights(int degree, std::size_t n) {
     std::vector<std::vector<Number>> w;
     for (std::size_t k = 0; k <= n; ++k) {
@@ -135,7 +138,8 @@ public:
 
   typename Patch::Point point(const Vector& sum) const {
     Coordinates<Traits> x(dimension_);
-    const bool homogeneous = sum.dimension() > dimension_; // the last coordinate is positive, the denominator cancels
+    // the last coordinate is positive, the denominator cancels
+    const bool homogeneous = sum.dimension() > dimension_;
     for (int i = 0; i < dimension_; ++i)
       x[i] = homogeneous ? Rational_parts<FT>::make(sum[i], sum[dimension_], 0)
                          : Rational_parts<FT>::make(sum[i], denominator_.d, denominator_.k);

@@ -39,11 +39,13 @@ struct Binary_parts {
     if constexpr (digits <= 53) { // without the calls
       const double y = x;
       std::memcpy(&n, &y, sizeof n);
-      const int e = static_cast<int>(n >> 52 & 2047); // 0 for subnormal numbers, which have no leading 1
+      // 0 for subnormal numbers, which have no leading 1
+      const int e = static_cast<int>(n >> 52 & 2047);
       n = (n & ((std::uint64_t(1) << 52) - 1)) | std::uint64_t(e != 0) << 52;
       exponent = (std::max)(e, 1) - 1075;
     } else {
-      n = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(x), &exponent), digits)); // exact
+      // exact
+      n = static_cast<std::uint64_t>(std::ldexp(std::frexp(std::abs(x), &exponent), digits));
       exponent -= digits;
     }
     const int zeros = trailing_zero_bits(n);

@@ -30,9 +30,9 @@ struct Has_integer_parts<FT, std::enable_if_t<Fraction_traits<FT>::Is_fraction::
 template <class FT, bool fraction> struct Numerators { typedef FT type; };
 template <class FT> struct Numerators<FT, true> { typedef typename Fraction_traits<FT>::Numerator_type type; };
 
-// The ring in which signs of homogeneous expressions in numbers of a field are decided, after all these numbers have
-// been multiplied by their common denominator: integers for rational numbers, which need not be cancelled after each
-// operation; otherwise the field itself.
+// The ring in which signs of homogeneous expressions in numbers of a field are decided, after all
+// these numbers have been multiplied by their common denominator: integers for rational numbers,
+// which need not be cancelled after each operation; otherwise the field itself.
 template <class Field> class Common_denominator {
 public:
   typedef typename Exact_number<Field>::type Exact;
@@ -95,7 +95,7 @@ public:
 
   template <class FT> static Number number(const FT& x) { return to_field<Field>(x); }
 
-  // What Remainder_scale has besides.
+  // Remainder_scale has this member as well.
   int bits() const { return 0; }
   static int moduli(int) { return 1; }
   void take_modulus(int) {}

@@ -81,12 +81,14 @@ public:
 
 #if defined(__GNUC__)
 
-// The coarsest grid of units 2^exponent that has all coordinates of the first k + 1 points of two ends.
+// The coarsest grid of units 2^exponent that has all coordinates of the first k + 1 points of two
+// ends.
 //
-// Let 2^e <= |x| < 2^(e+1) for the largest coordinate and G = 2^(e-51), then |x| < 2^52 G for all of them. Between 2^52 G and 2^53 G
-// the doubles are the multiples of G: so 2^52 G + |x| is exact if x is a multiple of G, and so is (2^52 G + |x|) - 2^52 G =
-// |x|; and otherwise, in every rounding mode, this is a multiple of G, so it is not |x|. The last 52 bits of the sum
-// are |x|/G: the zeros at the end that all of them have go into the unit.
+// Let 2^e <= |x| < 2^(e+1) for the largest coordinate and G = 2^(e-51), then |x| < 2^52 G for all
+// of them. Between 2^52 G and 2^53 G the doubles are the multiples of G: so 2^52 G + |x| is exact
+// if x is a multiple of G, and so is (2^52 G + |x|) - 2^52 G =
+// |x|; and otherwise, in every rounding mode, this is a multiple of G, so it is not |x|. The last
+// 52 bits of the sum are |x|/G: the zeros at the end that all of them have go into the unit.
 //
 // One register has a coordinate of both ends.
 template <int k, std::size_t N> class Common_grid {
@@ -131,7 +133,7 @@ private:
   }
   // unreachable: of registers with two numbers: no branch
   static CGAL_GC_FORCEINLINE Numbers larger(const Numbers& x, const Numbers& y) { return x < y ? y : x; }
-  // Of the point j.
+  // Returns the largest exponents of the point j.
   CGAL_GC_FORCEINLINE Numbers largest(std::size_t j) const {
     const Numbers most = larger(sizes_[N * j], sizes_[N * j + 1]);
     if constexpr (N == 2)

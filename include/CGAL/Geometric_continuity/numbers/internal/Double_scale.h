@@ -19,8 +19,8 @@
 #endif
 
 /// \file Double_scale.h
-/// Floating-point numbers in a common unit, in which homogeneous expressions of them are computed without fractions. All numbers are
-/// included first; then each has a numerator.
+/// Floating-point numbers in a common unit, in which homogeneous expressions of them are computed
+/// without fractions. All numbers are included first; then each has a numerator.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -28,7 +28,8 @@ namespace internal {
 
 #ifdef CGAL_USE_GMP
 
-// Floating-point numbers of any size as whole numbers, in units of the largest power of two of which all that have been included are multiples.
+// Floating-point numbers of any size as whole numbers, in units of the largest power of two of
+// which all that have been included are multiples.
 class Binary_scale {
   int exponent_ = (std::numeric_limits<int>::max)();
 

@@ -18,12 +18,13 @@
 #include <utility>
 
 /// \file Exact_number.h
-/// What is said of exact numbers without a header of theirs: those take longer to compile than a kernel.
+/// Facts about exact numbers without their headers, which take longer to compile than a kernel.
 
 namespace CGAL {
 
 namespace internal {
-template <typename> struct Exact_field_selector; // of CGAL; its header comes with each kernel that filters predicates
+// of CGAL; its header comes with each kernel that filters predicates
+template <typename> struct Exact_field_selector;
 } // namespace internal
 
 namespace Geometric_continuity {
@@ -32,12 +33,13 @@ namespace internal {
 template <class T, class = void> struct Is_complete : std::false_type {};
 template <class T> struct Is_complete<T, std::void_t<decltype(sizeof(T))>> : std::true_type {};
 
-// See Exact_field. For floating-point numbers it is named only where CGAL's header of exact numbers is included.
+// See Exact_field. For floating-point numbers it is named only where CGAL's header of exact numbers
+// is included.
 template <class FT, bool = std::is_floating_point_v<FT>> struct Exact_field_of { typedef FT type; };
 template <class FT> struct Exact_field_of<FT, true> {
 #ifdef CGAL_GEOMETRIC_CONTINUITY_EXACT_FIELD_OF_BOOST
-  // Here `Exact_rational` is a `Quotient`, which some versions of CGAL never cancel, so that numbers grow with each
-  // operation.
+  // Here `Exact_rational` is a `Quotient`, which some versions of CGAL never cancel, so that
+  // numbers grow with each operation.
   typedef boost::multiprecision::cpp_rational type;
 #else
   typedef CGAL::internal::Exact_field_selector<std::enable_if_t<std::is_floating_point_v<FT>, double>> Selector;
@@ -47,8 +49,8 @@ template <class FT> struct Exact_field_of<FT, true> {
 #endif
 };
 
-// The type of the exact values of a field, and how to read them: numbers that are evaluated on demand, which have a
-// member exact(), are evaluated; all others are exact themselves.
+// The type of the exact values of a field, and how to read them: numbers that are evaluated on
+// demand, which have a member exact(), are evaluated; all others are exact themselves.
 template <class Field, class = void> struct Exact_number {
   typedef Field type;
   static const type& of(const Field& x) { return x; }

@@ -27,8 +27,8 @@ namespace internal {
 __extension__ typedef __int128 Signed_128;
 __extension__ typedef unsigned __int128 Unsigned_128;
 
-// x + y + carry modulo 2^64, and x - y - borrow, with the carry or borrow that goes out. Other ways to write this make
-// some compilers branch on the carry.
+// x + y + carry modulo 2^64, and x - y - borrow, with the carry or borrow that goes out. Other ways
+// to write this make some compilers branch on the carry.
 typedef unsigned char Carry;
 CGAL_GC_FORCEINLINE std::uint64_t add_with_carry(std::uint64_t x, std::uint64_t y, Carry& carry) {
   unsigned long long sum;
@@ -54,9 +54,10 @@ CGAL_GC_FORCEINLINE std::uint64_t subtract_with_borrow(std::uint64_t x, std::uin
   return difference;
 }
 
-// An integer of `limbs` times 64 bits, two's complement, least significant limb first. A product has as many limbs as
-// its factors together, so it never overflows, but not more than `most`: beyond them it is taken modulo 2^(64 most). A
-// sum does not grow: the caller leaves it room, unless it has `most` limbs.
+// An integer of `limbs` times 64 bits, two's complement, least significant limb first. A product
+// has as many limbs as its factors together, so it never overflows, but not more than `most`:
+// beyond them it is taken modulo 2^(64 most). A sum does not grow: the caller leaves it room,
+// unless it has `most` limbs.
 //
 // The loops over limbs are recursions, which are unrolled at every level of optimisation.
 constexpr int unlimited = 1 << 16;
@@ -109,15 +110,16 @@ private:
 // x y for 0 <= x < 2^64, which is in absolute value at most 2^127 - 2^63
 CGAL_GC_FORCEINLINE Signed_128 unsigned_times_signed(std::uint64_t x, std::int64_t y) {
   const Unsigned_128 product = static_cast<Unsigned_128>(x) * static_cast<std::uint64_t>(y);
-  const std::uint64_t excess = x & static_cast<std::uint64_t>(y >> 63); // y stands for y + 2^64 when negative
+  // y stands for y + 2^64 when negative
+  const std::uint64_t excess = x & static_cast<std::uint64_t>(y >> 63);
   return static_cast<Signed_128>(product - (static_cast<Unsigned_128>(excess) << 64));
 }
 
 // The product of numbers of m and n limbs.
 template <int m, int n, int most> using Fixed_product = Fixed_integer<(m + n < most ? m + n : most), most>;
 
-// Limb by limb with a signed carry: -2^127 <= x_k y + carry < 2^127. The last limb of a product that is not longer than
-// x is taken modulo 2^64.
+// Limb by limb with a signed carry: -2^127 <= x_k y + carry < 2^127. The last limb of a product
+// that is not longer than x is taken modulo 2^64.
 template <int k, int m, int n, int most>
 CGAL_GC_FORCEINLINE void multiply(const Fixed_integer<m, most>& x, std::int64_t y, Signed_128 carry,
                                   Fixed_integer<n, most>& product) {
@@ -179,7 +181,8 @@ CGAL_GC_FORCEINLINE void subtract_masked(Fixed_integer<m, most>& x, const Fixed_
   }
 }
 
-// The product of the limbs read as nonnegative numbers, corrected: a negative x stands for x + 2^(64 m).
+// The product of the limbs read as nonnegative numbers, corrected: a negative x stands for x +
+// 2^(64 m).
 template <int m, int n, int most>
 CGAL_GC_FORCEINLINE Fixed_product<m, n, most> operator*(const Fixed_integer<m, most>& x,
                                                         const Fixed_integer<n, most>& y) {
@@ -198,7 +201,7 @@ CGAL_GC_FORCEINLINE Fixed_integer<m, most> scaled(const Fixed_integer<m, most>& 
   return product;
 }
 
-// The same number with at least as many limbs.
+// Returns the number with at least as many limbs.
 template <int l, int m> CGAL_GC_FORCEINLINE Fixed_integer<l> extended(const Fixed_integer<m>& x) {
   static_assert(m <= l);
   Fixed_integer<l> result(static_cast<std::int64_t>(x.sign_mask()));
@@ -212,7 +215,8 @@ template <int l> CGAL_GC_FORCEINLINE Fixed_integer<l> from_128_bits(Signed_128 x
   return result;
 }
 
-// The product modulo 2^(64 l), or all of it in l limbs. \pre l is not less than the lengths of the factors, nor more than their sum
+// The product modulo 2^(64 l), or all of it in l limbs. \pre l is not less than the lengths of the
+// factors, nor more than their sum
 template <int l, int m, int n>
 CGAL_GC_FORCEINLINE Fixed_integer<l> product_in(const Fixed_integer<m>& x, const Fixed_integer<n>& y) {
   static_assert(m <= l && n <= l && l <= m + n);

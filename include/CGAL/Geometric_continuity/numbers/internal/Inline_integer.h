@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Numbers of limbs of which 16 need no memory. A small_vector of Boost has many more functions, for which programs that make few
-// decisions would wait.
+// Numbers of limbs of which 16 need no memory. A small_vector of Boost has many more functions, for
+// which programs that make few decisions would wait.
 class Inline_limbs {
   static constexpr std::size_t few = 16;
   mp_limb_t* data_ = few_;
@@ -91,10 +91,12 @@ private:
   }
 };
 
-// An integer of any size that allocates no memory up to 16 limbs: an exact construction has many short-lived integers.
-// The arithmetic is that of GMP's functions for limbs. A cpp_int of Boost with a buffer of that size takes, in instructions of exact
-// blends, 0.93 to 1.03 times as many with numbers of one or two limbs, but 1.4 to 1.7 times with fractions of 60 digits and 1.9 to 2
-// times with fractions of 360 digits. Nothing of it is inlined: programs that make few decisions would wait for the compiler instead.
+// An integer of any size that allocates no memory up to 16 limbs: an exact construction has many
+// short-lived integers. The arithmetic is that of GMP's functions for limbs. A cpp_int of Boost
+// with a buffer of that size takes, in instructions of exact blends, 0.93 to 1.03 times as many
+// with numbers of one or two limbs, but 1.4 to 1.7 times with fractions of 60 digits and 1.9 to 2
+// times with fractions of 360 digits. Nothing of it is inlined: programs that make few decisions
+// would wait for the compiler instead.
 class Inline_integer {
   Inline_limbs limbs_; // of the absolute value, the least first; the last is not zero
   bool negative_ = false;

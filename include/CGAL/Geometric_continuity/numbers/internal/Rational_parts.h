@@ -22,17 +22,20 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// How a rational number type is taken apart and put together: value is false for other number types.
+// How a rational number type is taken apart and put together: value is false for other number
+// types.
 //   split(x, n, d): x = n / d in lowest terms, d > 0
 //   make(n, d, k): the reduced number n / (d 2^k), d > 0
 //   make_short(n, d): the reduced number n / d, d > 0
 //   short_parts(x, n, d): as split(), if both are below 2^60 in absolute value, otherwise false
-// The types are known by their members, so that none of their headers is needed here. Without GMP there are none.
+// The types are known by their members, so that none of their headers is needed here. Without GMP
+// there are none.
 template <class FT, class = void> struct Rational_parts : std::false_type {};
 
 #ifdef CGAL_USE_GMP
 
-// Numbers that were not cancelled until now count in a Work_scope with all that was done before; short ones do not.
+// Numbers that were not cancelled until now count in a Work_scope with all that was done before;
+// short ones do not.
 inline void charge_cancellation(std::size_t words, std::size_t other_words) {
   constexpr std::size_t few = 8;
   if (words + other_words > few)
@@ -104,7 +107,8 @@ private:
   }
 };
 
-// A cpp_rational of Boost, whose integers have the limbs of GMP except where the compiler has no 128-bit integer.
+// A cpp_rational of Boost, whose integers have the limbs of GMP except where the compiler has no
+// 128-bit integer.
 template <class FT>
 struct Rational_parts<
     FT, std::enable_if_t<sizeof(*numerator(std::declval<const FT&>()).backend().limbs()) == sizeof(mp_limb_t)>>

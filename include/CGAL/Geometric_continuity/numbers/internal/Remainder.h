@@ -17,8 +17,9 @@
 #include <limits>
 
 /// \file Remainder.h
-/// Whether integers of any length are zero, without such integers: the remainders of a number modulo several moduli without common
-/// divisors are all zero if and only if their product divides it, so that it is zero when it is smaller than the product.
+/// Decides if integers of any length are zero, without such integers, by the remainders of a number
+/// modulo several moduli without common divisors are all zero if and only if their product divides
+/// it, so that it is zero when it is smaller than the product.
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
@@ -26,8 +27,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The moduli are 2^64 - c with these c: each is the least for which the modulus has no common divisor with those before it. Their
-// product has 28160 bits.
+// The moduli are 2^64 - c with these c: each is the least for which the modulus has no common
+// divisor with those before it. Their product has 28160 bits.
 constexpr std::uint16_t remainder_moduli[] = {
     0,    1,    3,    5,    9,    15,   17,   33,   39,   45,   47,   53,   57,   59,   63,   75,   77,   83,   87,
     89,   95,   99,   105,  113,  117,  119,  125,  129,  143,  147,  153,  155,  165,  173,  179,  183,  189,  195,
@@ -54,7 +55,8 @@ constexpr std::uint16_t remainder_moduli[] = {
     3959, 3975, 3977, 3989, 4005, 4019, 4023, 4029, 4049, 4065, 4079, 4089, 4095, 4107, 4109, 4127, 4133, 4143, 4145,
     4155, 4173, 4179};
 
-// An integer modulo 2^64 - c. It brings its modulus along: small constants need not know it, and have c = 0.
+// An integer modulo 2^64 - c. It brings its modulus along: small constants need not know it, and
+// have c = 0.
 class Remainder {
   std::uint64_t r_, c_; // r < 2^64 - c
 
@@ -62,7 +64,8 @@ public:
   Remainder() = default; // unspecified
   // \pre r < 2^64 - c
   CGAL_GC_FORCEINLINE explicit Remainder(std::uint64_t r, std::uint64_t c = 0) : r_(r), c_(c) {}
-  // As 2^64 is c modulo 2^64 - c, the upper half of a long number is multiplied by c, and the few bits beyond 2^64 once more.
+  // As 2^64 is c modulo 2^64 - c, the upper half of a long number is multiplied by c, and the few
+  // bits beyond 2^64 once more.
   static CGAL_GC_FORCEINLINE Remainder of(Unsigned_128 x, std::uint64_t c) {
     const Unsigned_128 folded =
         static_cast<Unsigned_128>(static_cast<std::uint64_t>(x >> 64)) * c + static_cast<std::uint64_t>(x);
@@ -85,15 +88,16 @@ public:
   friend CGAL_GC_FORCEINLINE bool operator==(Remainder x, Remainder y) { return x.r_ == y.r_; }
 
 private:
-  // Of r + 2^64 carry, which is less than twice the modulus. For c = 0 nothing is added.
+  // Takes r + 2^64 carry, which is less than twice the modulus. For c = 0 nothing is added.
   CGAL_GC_FORCEINLINE Remainder(std::uint64_t r, std::uint64_t c, bool carry)
       : r_(carry || r >= 0 - c ? r + c : r), c_(c) {}
 };
 
-// Floating-point numbers of any size as multiples of the largest power of two of which all that have been included are: their remainders
-// by one modulus after the other.
+// Floating-point numbers of any size as multiples of the largest power of two of which all that
+// have been included are: their remainders by one modulus after the other.
 class Remainder_scale {
-  int unit_ = (std::numeric_limits<int>::max)(), length_ = (std::numeric_limits<int>::min)(); // exponents
+  // exponents
+  int unit_ = (std::numeric_limits<int>::max)(), length_ = (std::numeric_limits<int>::min)();
   std::uint64_t c_ = 0;
   std::array<Remainder, 34> powers_; // of 2^64
 

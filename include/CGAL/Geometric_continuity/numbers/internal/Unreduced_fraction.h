@@ -14,8 +14,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The denominator d 2^k of fractions, d > 0 and odd. Powers of two are apart because those of doubles and of the
-// formulas then cost a shift.
+// The denominator d 2^k of fractions, d > 0 and odd. Powers of two are apart because those of
+// doubles and of the formulas then cost a shift.
 struct Unreduced_denominator {
   Inline_integer d = Inline_integer(1);
   long k = 0;
@@ -30,8 +30,9 @@ struct Unreduced_denominator {
   }
 };
 
-// What two numerators are multiplied with when their fractions get a common denominator. That is a denominator that is
-// a multiple of the other, or the product: no greatest common divisor is computed.
+// Two numerators are multiplied by these numbers when their fractions get a common denominator. It
+// is the denominator that is a multiple of the other, or the product: no greatest common divisor is
+// computed.
 class Equal_denominators {
   struct Factor {
     Inline_integer d;
@@ -86,9 +87,9 @@ public:
   }
 };
 
-// A rational number with the operations of a field that does not look for common divisors of numerator and denominator,
-// which is most of the time of a construction on rational numbers. To be used for constructions of bounded length only,
-// whose results are reduced once.
+// A rational number with the operations of a field that does not look for common divisors of
+// numerator and denominator, which is most of the time of a construction on rational numbers. To be
+// used for constructions of bounded length only, whose results are reduced once.
 template <class Rational> class Unreduced_fraction {
   Inline_integer n_;
   Unreduced_denominator d_;

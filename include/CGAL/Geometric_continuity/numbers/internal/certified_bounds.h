@@ -13,8 +13,9 @@
 
 /// \file certified_bounds.h
 /// Floating-point numbers below and above a square root and an angle. The functions of the
-/// processor and of the C++ library propose; integers of fixed length prove: a bound that is not proved moves on to the
-/// next floating-point number. So the result holds in every rounding mode and with every mathematical library.
+/// processor and of the C++ library propose; integers of fixed length prove: a bound that is not
+/// proved moves on to the next floating-point number. So the result holds in every rounding mode
+/// and with every mathematical library.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -51,8 +52,8 @@ struct Binary_number {
 inline double next_below(double x) { return std::nextafter(x, -(std::numeric_limits<double>::infinity)()); }
 inline double next_above(double x) { return std::nextafter(x, (std::numeric_limits<double>::infinity)()); }
 
-// The largest floating-point number that is not larger than sqrt(x), for a finite x >= 0, and the least that is not
-// smaller.
+// The largest floating-point number that is not larger than sqrt(x), for a finite x >= 0, and the
+// least that is not smaller.
 inline double root_below(double x) {
   const Binary_number square = Binary_number::of(x);
   double root = std::sqrt(x);
@@ -70,14 +71,15 @@ inline double root_above(double x) {
   }
 }
 
-// cos(a) and sin(a)/a for 0 <= a <= 3.2, given a^2 rounded downwards, all in units of 2^-w, w >= 120, wrong by less than `error`
-// units.
+// cos(a) and sin(a)/a for 0 <= a <= 3.2, given a^2 rounded downwards, all in units of 2^-w, w >=
+// 120, wrong by less than `error` units.
 //
-// The terms a^2k / (2k)! are rounded downwards twice each, and so is a^2. With Y = a^2 <= 10.3 and terms of at most 5.2
-// their errors are e_0 = 0 and e_k <= (Y e_{k-1} + 7) / (2k (2k-1)) + 1: at most 5, 6, 4, 2, and less than 1.4 from
-// then on. There are less than w/3 before the first that is 0, with which the alternating series is left: less than 40 for w = 120,
-// and from there on a term is less than 2^-9 times the one before. So the error is less than 17 + 1.4 (w/3 - 4) + 3 for the cosine,
-// and less than 1 more for each term of sin(a)/a, all of which are divided by 2k + 1.
+// The terms a^2k / (2k)! are rounded downwards twice each, and so is a^2. With Y = a^2 <= 10.3 and
+// terms of at most 5.2 their errors are e_0 = 0 and e_k <= (Y e_{k-1} + 7) / (2k (2k-1)) + 1: at
+// most 5, 6, 4, 2, and less than 1.4 from then on. There are less than w/3 before the first that is
+// 0, with which the alternating series is left: less than 40 for w = 120, and from there on a term
+// is less than 2^-9 times the one before. So the error is less than 17 + 1.4 (w/3 - 4) + 3 for the
+// cosine, and less than 1 more for each term of sin(a)/a, all of which are divided by 2k + 1.
 template <class Integer> struct Cosine_and_sinc {
   const int error;
   Integer cosine, sinc;

@@ -16,8 +16,8 @@
 #include <utility>
 
 /// \file checked_numbers.h
-/// What is refused of the numbers that callers give: negative counts, infinities and empty intervals, and their conversion
-/// and sign.
+/// Checks that refuse bad numbers of callers: negative counts, infinities and empty intervals, and
+/// their conversion and sign.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -27,8 +27,8 @@ namespace internal {
   throw Error(Error_code::negative_count, std::string(place) + ": " + std::to_string(n));
 }
 
-// Refuses a negative number of derivatives, of elevations, of halvings, ... `place` names the function. The message is put
-// together out of line, so that the check is one comparison.
+// Refuses a negative number of derivatives, of elevations, of halvings, ... `place` names the
+// function. The message is put together out of line, so that the check is one comparison.
 CGAL_GC_FORCEINLINE void check_count(int n, const char* place) {
   if (n < 0) refuse_count(n, place);
 }
@@ -63,7 +63,8 @@ template <class Field, class FT> Field to_field(const FT& x) {
   }
 }
 
-// A number of the field FT that a caller gives as a number of any type: an infinity or a NaN is refused before it is converted.
+// A number of the field FT that a caller gives as a number of any type: an infinity or a NaN is
+// refused before it is converted.
 template <class FT> struct Convertible_number {
   FT value;
 

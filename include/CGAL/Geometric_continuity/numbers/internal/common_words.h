@@ -28,8 +28,8 @@ template <class FT> Work_meter* scope_of() {
     return nullptr;
 }
 
-// How many words the coordinates of vectors have over their common denominator, by which the work on them can be told in advance;
-// 0 for numbers of another type, whose work is not counted.
+// How many words the coordinates of vectors have over their common denominator, by which the work
+// on them can be told in advance; 0 for numbers of another type, whose work is not counted.
 template <class FT, class Vectors> std::size_t common_words(const Vectors& vectors) {
   if constexpr (!is_rational_v<FT>)
     return 0;

@@ -12,8 +12,9 @@
 #include <limits>
 
 /// \file interval_functions.h
-/// Sine, cosine and exponential function of intervals, without a library that would have to be trusted: Taylor polynomials with the
-/// bound of Lagrange, in interval arithmetic. Everything expects the rounding mode of `Protect_FPU_rounding<true>`.
+/// Sine, cosine and exponential function of intervals, without a library that would have to be
+/// trusted: Taylor polynomials with the bound of Lagrange, in interval arithmetic. Everything
+/// expects the rounding mode of `Protect_FPU_rounding<true>`.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -36,7 +37,7 @@ struct Cosine_and_sine {
   Interval cosine, sine;
 };
 
-// Of an interval in [-0.9, 0.9]: |r|^20 / 20! < 2^-63 and |r|^19 / 19! < 2^-58 r.
+// Takes an interval in [-0.9, 0.9]: |r|^20 / 20! < 2^-63 and |r|^19 / 19! < 2^-58 r.
 inline Cosine_and_sine small_cosine_and_sine(const Interval& r) {
   const Interval square = r * r;
   Interval cosine = 1, sine = 1;
@@ -47,12 +48,14 @@ inline Cosine_and_sine small_cosine_and_sine(const Interval& r) {
   return {cosine + symmetric(0x1p-60), r * (sine + symmetric(0x1p-58))};
 }
 
-// Of a floating-point number. It is reduced by the multiple of pi/2 = 1.57079632673412561... (33 bits) + 6.0771005065061922e-11
-// (rounded, its error is less than the last place) that is close to it; of numbers above 2^19 nothing is known.
+// Takes a floating-point number. It is reduced by the multiple of pi/2 = 1.57079632673412561... (33
+// bits) + 6.0771005065061922e-11 (rounded, its error is less than the last place) that is close to
+// it; of numbers above 2^19 nothing is known.
 inline Cosine_and_sine cosine_and_sine(double x) {
   constexpr double high = 0x1.921fb544p+0, low = 0x1.0b4611a626331p-34;
   if (!(std::fabs(x) <= 0x1p19)) return {symmetric(1), symmetric(1)};
-  const double k = std::floor(x / 1.5707963267948966 + 0.5); // in each rounding mode up to one at ties: |r| < 0.9
+  // in each rounding mode up to one at ties: |r| < 0.9
+  const double k = std::floor(x / 1.5707963267948966 + 0.5);
   const Interval r =
       (Interval(x) - Interval(k) * Interval(high)) - Interval(k) * Interval(low - 0x1p-86, low + 0x1p-86);
   const Cosine_and_sine c = small_cosine_and_sine(r);
@@ -64,7 +67,8 @@ inline Cosine_and_sine cosine_and_sine(double x) {
   }
 }
 
-// Of an interval m + d: cos m cos d - sin m sin d and so on, with 1 - d^2/2 <= cos d <= 1 and |sin d| <= |d|.
+// Takes an interval m + d and uses cos m cos d - sin m sin d and so on, with 1 - d^2/2 <= cos d <=
+// 1 and |sin d| <= |d|.
 inline Cosine_and_sine cosine_and_sine(const Interval& x) {
   if (!(magnitude(x) <= 0x1p19)) return {symmetric(1), symmetric(1)};
   const double m = x.inf() / 2 + x.sup() / 2;

@@ -22,8 +22,9 @@ constexpr bool has_array_of_coordinates<
     Point_or_vector,
     std::enable_if_t<std::is_pointer_v<decltype(std::declval<const Point_or_vector&>().cartesian_begin())>>> = true;
 
-// The i-th coordinate of a point or a vector of a kernel. A kernel that keeps them in an array is read there, without
-// the branches of cartesian(i), which would keep a compiler from computing several coordinates at a time.
+// The i-th coordinate of a point or a vector of a kernel. A kernel that keeps them in an array is
+// read there, without the branches of cartesian(i), which would keep a compiler from computing
+// several coordinates at a time.
 template <class FT, class Point_or_vector> FT kernel_coordinate(const Point_or_vector& p, int i) {
   if constexpr (has_array_of_coordinates<Point_or_vector>)
     return p.cartesian_begin()[i];
@@ -31,7 +32,8 @@ template <class FT, class Point_or_vector> FT kernel_coordinate(const Point_or_v
     return p.cartesian(i);
 }
 
-// Returns f(x) for the i-th coordinate x of a point of a traits class: where the kernel keeps it, not a copy, if it has an array.
+// Returns f(x) for the i-th coordinate x of a point of a traits class: where the kernel keeps it,
+// not a copy, if it has an array.
 template <class Traits, class Point, class Function>
 decltype(auto) with_coordinate(const Point& p, int i, const Function& f) {
   if constexpr (has_array_of_coordinates<Point>)
@@ -40,8 +42,9 @@ decltype(auto) with_coordinate(const Point& p, int i, const Function& f) {
     return f(typename Traits::FT(Traits().compute_coordinate_object()(p, i)));
 }
 
-// The field in which predicates are decided: the exact field of the numbers of a kernel that filters predicates on
-// floating-point numbers, as Exact_predicates_inexact_constructions_kernel does; otherwise that of the kernel.
+// The field in which predicates are decided: the exact field of the numbers of a kernel that
+// filters predicates on floating-point numbers, as Exact_predicates_inexact_constructions_kernel
+// does; otherwise that of the kernel.
 template <class K, bool filtered = (K::Has_filtered_predicates && std::is_floating_point_v<typename K::FT>)>
 struct Kernel_predicate_field {
   typedef typename K::FT type;
@@ -50,7 +53,8 @@ template <class K> struct Kernel_predicate_field<K, true> {
   typedef typename Exact_field_of<typename K::FT>::type type;
 };
 
-// The traits class for points and vectors of a kernel with d coordinates, 2 or 3: see GeometricContinuityTraits.
+// The traits class for points and vectors of a kernel with d coordinates, 2 or 3: see
+// GeometricContinuityTraits.
 template <class K, class Point_, class Vector_, int d> class Kernel_traits {
   static_assert(d == 2 || d == 3, "points have two or three coordinates");
 

@@ -14,8 +14,9 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// A row is what belongs to one coefficient in an array of numbers: its coordinates, and after three coordinates in
-// float or double a 0, so that one instruction works on the row. The length is known at compile time, or it is N = 0.
+// A row is what belongs to one coefficient in an array of numbers: its coordinates, and after three
+// coordinates in float or double a 0, so that one instruction works on the row. The length is known
+// at compile time, or it is N = 0.
 
 template <class FT> constexpr bool fits_vector_registers_v = std::is_same_v<FT, double> || std::is_same_v<FT, float>;
 
@@ -94,8 +95,8 @@ CGAL_GC_FORCEINLINE void multiply_row(const FT& a, const FT* x, int n, FT* resul
         result[i] = a * x[i];
 }
 
-// Rows whose numbers are all finite are told from others by the sum of 0 x over all numbers x, without a branch for
-// each.
+// Rows whose numbers are all finite are told from others by the sum of 0 x over all numbers x,
+// without a branch for each.
 template <int N, class FT> class Finite_rows {
   std::conditional_t<std::is_floating_point_v<FT>, FT, bool> zero_[N > 0 ? N : 1] = {};
 

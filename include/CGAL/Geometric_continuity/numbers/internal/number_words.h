@@ -25,8 +25,8 @@ namespace internal {
 // As std::void_t, which makes all specialisations the same for some versions of clang.
 template <class...> struct Void { typedef void type; };
 
-// How many machine words a number has: the longer of numerator and denominator. Types are known by their members, as in
-// Rational_parts; for one that is not known, it is 1.
+// How many machine words a number has: the longer of numerator and denominator. Types are known by
+// their members, as in Rational_parts; for one that is not known, it is 1.
 template <class NT, class = void> struct Number_words {
   static std::size_t of(const NT&) { return 1; }
 };
@@ -36,7 +36,8 @@ template <class NT, class = void> struct Number_words {
 inline std::size_t words_of(mpz_srcptr z) { return mpz_size(z); }
 inline std::size_t words_of(mpq_srcptr q) { return (std::max)(mpz_size(mpq_numref(q)), mpz_size(mpq_denref(q))); }
 
-// The number of words of a Gmpz and a Gmpq, an mpz_class and an mpq_class, a gmp_int and a gmp_rational of Boost.
+// The number of words of a Gmpz and a Gmpq, an mpz_class and an mpq_class, a gmp_int and a
+// gmp_rational of Boost.
 template <class NT> auto gmp_words(const NT& x) -> decltype(internal::words_of(x.mpz())) { return words_of(x.mpz()); }
 template <class NT> auto gmp_words(const NT& x) -> decltype(internal::words_of(x.mpq())) { return words_of(x.mpq()); }
 template <class NT> auto gmp_words(const NT& x) -> decltype(internal::words_of(x.get_mpz_t())) {

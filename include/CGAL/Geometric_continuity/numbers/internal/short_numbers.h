@@ -15,16 +15,18 @@
 #include <type_traits>
 
 /// \file short_numbers.h
-/// Floating-point numbers with few digits, so that exact numbers that are made of them stay short, and numbers of a field as `double`, also
-/// where the field has nothing but what the concept `GeometricContinuityTraits` asks for: integers of type `int`, the four operations and
+/// Floating-point numbers with few digits, so that exact numbers that are made of them stay short,
+/// and numbers of a field as `double`, also where the field has nothing but what the concept
+/// `GeometricContinuityTraits` asks for: integers of type `int`, the four operations and
 /// comparisons.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The number with so many binary digits nearest to x, or of two the one farther from 0, in every rounding mode: the other
-// digits are cut off from the bits of x, which is not subnormal, and far below the largest number.
+// The number with so many binary digits nearest to x, or of two the one farther from 0, in every
+// rounding mode: the other digits are cut off from the bits of x, which is not subnormal, and far
+// below the largest number.
 template <int digits> double short_double(double x) {
   static_assert(std::numeric_limits<double>::is_iec559 && std::numeric_limits<double>::digits == 53);
   constexpr int dropped = 53 - digits;
@@ -35,8 +37,9 @@ template <int digits> double short_double(double x) {
   return x;
 }
 
-// Tells whether CGAL rounds numbers of this type and makes them of numbers of type double. It knows nothing of the rounded numbers of others,
-// such as cpp_bin_float, and what it says of these does not compile.
+// Tells whether CGAL rounds numbers of this type and makes them of numbers of type double. It knows
+// nothing of the rounded numbers of others, such as cpp_bin_float, and what it says of these does
+// not compile.
 template <class FT, bool = std::is_floating_point_v<FT> || !std::numeric_limits<FT>::is_specialized ||
                            std::numeric_limits<FT>::is_exact>
 constexpr bool has_interval_v = Real_embeddable_traits<FT>::Is_real_embeddable::value;

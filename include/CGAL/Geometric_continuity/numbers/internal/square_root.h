@@ -13,7 +13,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The square root of a number whose type has one; for others one message of the compiler instead of those of CGAL.
+// The square root of a number whose type has one; for others one message of the compiler instead of
+// those of CGAL.
 template <class FT> FT square_root(const FT& x) {
   constexpr bool exists = !std::is_same_v<typename Algebraic_structure_traits<FT>::Sqrt, Null_functor>;
   static_assert(exists,

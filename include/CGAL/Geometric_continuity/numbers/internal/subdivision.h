@@ -11,7 +11,8 @@
 #include <vector>
 
 /// \file subdivision.h
-/// Search by subdivision: parts of a domain are examined, and dropped or divided, until none is left or enough is known.
+/// Search by subdivision: parts of a domain are examined, and dropped or divided, until none is
+/// left or enough is known.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -26,7 +27,8 @@ struct Range {
   bool is_divisible() const { return lower < middle() && middle() < upper; }
 };
 
-// The parts that are left, by which is next: the one that was added last, from left to right if the right half is added first.
+// The parts that are left, by which is next: the one that was added last, from left to right if the
+// right half is added first.
 template <class Part> class Newest_first {
   std::vector<Part> parts_;
 
@@ -56,7 +58,8 @@ public:
   }
 };
 
-// The largest one: branch and bound for the largest value, when parts are compared by its upper bound.
+// The largest one: branch and bound for the largest value, when parts are compared by its upper
+// bound.
 template <class Part> class Largest_first {
   std::vector<Part> parts_; // a heap
 
@@ -84,7 +87,8 @@ enum class After_part {
   stop    // the search ends, and it is left
 };
 
-// Examines parts until none is left, examine(part), and divides them, divide(part). Returns false if the search has been stopped.
+// Examines parts until none is left, examine(part), and divides them, divide(part). Returns false
+// if the search has been stopped.
 template <class Parts, class Examine, class Divide>
 bool subdivide(Parts& parts, const Examine& examine, const Divide& divide) {
   while (!parts.empty()) {
@@ -96,7 +100,7 @@ bool subdivide(Parts& parts, const Examine& examine, const Divide& divide) {
   return true;
 }
 
-// The same for ranges, which are halved, the left half first.
+// Examines ranges, which are halved, the left half first.
 template <class Examine> bool subdivide(Newest_first<Range>& parts, const Examine& examine) {
   return subdivide(parts, examine, [&](const Range& part) {
     parts.add({part.middle(), part.upper});

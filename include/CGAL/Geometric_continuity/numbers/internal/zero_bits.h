@@ -10,7 +10,8 @@
 #include <cstdint>
 
 /// \file zero_bits.h
-/// The zero bits at both ends of a word that is not zero: by one instruction where the compiler has a function for it.
+/// The zero bits at both ends of a word that is not zero: by one instruction where the compiler has
+/// a function for it.
 
 namespace CGAL {
 namespace Geometric_continuity {

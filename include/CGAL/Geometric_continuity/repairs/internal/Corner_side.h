@@ -25,8 +25,9 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// The square root of a positive number, exactly where it is rational and the number type tells; otherwise it is rounded to a floating-point
-// number, in one way for equal numbers. `near` is a number of its size.
+// The square root of a positive number, exactly where it is rational and the number type tells;
+// otherwise it is rounded to a floating-point number, in one way for equal numbers. `near` is a
+// number of its size.
 template <class FT> FT length_of_square(const FT& square, double near) {
   if constexpr (has_rational_roots<FT>())
     if (const std::optional<FT> root = rational_square_root(square)) return *root;
@@ -56,8 +57,8 @@ template <class Curve> class Corner_side {
       return FT(1);
   }
 
-  // Returns whether it is a line whose arc length is known at each parameter: one of degree 1 with positive weights, or one that is run through at one
-  // speed.
+  // Returns whether it is a line whose arc length is known at each parameter: one of degree 1 with
+  // positive weights, or one that is run through at one speed.
   bool is_line() const {
     const int m = curve_.degree();
     if (m == 0 || !(0 < near_)) return false;
@@ -74,7 +75,8 @@ template <class Curve> class Corner_side {
     return FT(near_);
   }
 
-  // The part of the domain up to a point of a line, where the weights of a line of degree 1 may differ.
+  // The part of the domain up to a point of a line, where the weights of a line of degree 1 may
+  // differ.
   FT part_of_line(const FT& distance) const {
     const FT part = FT(distance / length_), first = weight(0), last = weight(curve_.degree());
     if (first == last) return part;
@@ -88,10 +90,12 @@ public:
       : curve_(curve), end_(end), polygon_(curve, end), near_(polygon_.length()), is_line_(is_line()),
         length_(measured_length()) {}
 
-  // The arc length: exact for a line with a rational length and an exact number type, with a relative error of at most 2^-12 for a curve.
+  // The arc length: exact for a line with a rational length and an exact number type, with a
+  // relative error of at most 2^-12 for a curve.
   const FT& length() const { return length_; }
 
-  // The parameter of the curve at this distance from the corner. \pre 0 < distance < length() \throws Error `not_representable`
+  // The parameter of the curve at this distance from the corner. \pre 0 < distance <
+  // length() \throws Error `not_representable`
   FT parameter_at(const FT& distance) const {
     const std::pair<FT, FT> domain = curve_.domain();
     const FT part = is_line_ ? part_of_line(distance) : FT(polygon_.parameter_at(CGAL::to_double(distance))),

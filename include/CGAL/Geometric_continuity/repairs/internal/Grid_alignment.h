@@ -46,26 +46,31 @@ private:
   static constexpr double margin = 1. / 64; // rounding errors are far below
 };
 
-// Finds whole numbers m, n >= 1 and a whole vector d such that m d and n d are as near as possible to the vectors a and b, with an
-// angle of at most 45 degrees between them and |a| <= |b|, b_x >= |b_y|. What counts is the larger distance, then the smaller one.
+// Finds whole numbers m, n >= 1 and a whole vector d such that m d and n d are as near as possible
+// to the vectors a and b, with an angle of at most 45 degrees between them and |a| <= |b|,
+// b_x >= |b_y|. The larger distance counts first, then the smaller one.
 //
-// For a given d, the best m and n are those of the nearest points on its ray, each by itself: visit(). Let r be not less than the
-// larger distance of the best so far, nor than the allowed one. A better d lies in the cones
+// For a given d, the best m and n are those of the nearest points on its ray, each by itself:
+// visit(). Let r be not less than the larger distance of the best so far, nor than the allowed one.
+// A better d lies in the cones
 //   |a x d| <= r |d|, |b x d| <= r |d|                                                                 (1)
 // and for its m and n in two discs, of radius r/m about a/m and r/n about b/n, so that
 //   |n a - m b| <= r (m + n)                                                                           (2)
-// First all d with 0 < d_x <= s, where s is about sqrt(|a|), that (1) admits are visited. For all others m s < a_x + r. For each
-// such m there are two ways, and the one of fewer steps is taken. By numbers: (2) is quadratic in n, and leaves the few n for which
-// the discs have common points, which are visited; few if b is not much longer than a. By the disc: the columns of the grid in which
-// the disc about a/m and the cone about b have common points are visited; near the best, a thin cap of the disc reaches into the
-// cone, so that there are about sqrt(r) columns.
+// First all d with 0 < d_x <= s, where s is about sqrt(|a|), that (1) admits are visited. For all
+// others m s < a_x + r. For each such m there are two ways, and the one of fewer steps is taken. By
+// numbers: (2) is quadratic in n, and leaves the few n for which the discs have common points,
+// which are visited; few if b is not much longer than a. By the disc: the columns of the grid in
+// which the disc about a/m and the cone about b have common points are visited; near the best, a
+// thin cap of the disc reaches into the cone, so that there are about sqrt(r) columns.
 //
-// Where d_x <= -1, n d is farther from b than b_x + 1, and the d that are visited first, with coordinates of at most 3, leave no such r.
+// Where d_x <= -1, n d is farther from b than b_x + 1, and the d that are visited first, with
+// coordinates of at most 3, leave no such r.
 class Grid_alignment {
   const Grid_vector a_, b_;
   Grid_vector d_{0, 0};
   std::int64_t m_ = 0, n_ = 0;
-  std::int64_t larger_, smaller_ = (std::numeric_limits<std::int64_t>::max)(); // the squares of the distances
+  // the squares of the distances
+  std::int64_t larger_, smaller_ = (std::numeric_limits<std::int64_t>::max)();
   std::int64_t r_ = 0;
 
   void visit(const Grid_vector& d) {
@@ -114,7 +119,8 @@ class Grid_alignment {
         r = r_;
         range = slopes(a_) & slopes(b_);
       }
-      const double f = static_cast<double>(x), highest = static_cast<double>((std::abs)(b_.y) + r_); // by n >= 1
+      // by n >= 1
+      const double f = static_cast<double>(x), highest = static_cast<double>((std::abs)(b_.y) + r_);
       visit(x, Rounded_interval{range.lower * f, range.upper * f} & Rounded_interval{-highest, highest});
     }
   }
@@ -143,8 +149,8 @@ class Grid_alignment {
     return {(std::max)(1., factor * (middle - root) / divisor), factor * (middle + root) / divisor};
   }
 
-  // The whole points that the discs for m and n may have in common; first those next to the point (a + b) / (m + n), which is in the
-  // middle of them all, so that the radius comes down.
+  // The whole points that the discs for m and n may have in common; first those next to the point
+  // (a + b) / (m + n), which is in the middle of them all, so that the radius comes down.
   void visit_common_points(std::int64_t m, std::int64_t n) {
     const Grid_vector sum = a_ + b_, middle{sum.x / (m + n), sum.y / (m + n)};
     for (std::int64_t x = middle.x; x <= middle.x + 1; ++x)
@@ -154,7 +160,8 @@ class Grid_alignment {
     const Disc left = disc(a_, m), right = disc(b_, n);
     Rounded_interval xs = Rounded_interval{left.x - left.radius, left.x + left.radius} &
                           Rounded_interval{right.x - right.radius, right.x + right.radius};
-    // where the chord through both circles lies between the centres, it is a diameter of a disc about all common points
+    // where the chord through both circles lies between the centres, it is a diameter of a disc
+    // about all common points
     const double dx = right.x - left.x, dy = right.y - left.y, d2 = dx * dx + dy * dy,
                  at = d2 + left.radius * left.radius - right.radius * right.radius; // 2 d2 times the part of the way
     // unreachable: the disc of the longer vector is not the larger one, but for rounding
@@ -168,7 +175,8 @@ class Grid_alignment {
       visit(x, left.chord(static_cast<double>(x)) & right.chord(static_cast<double>(x)));
   }
 
-  // The part of the disc about a, with r + 1 in place of r, that reaches into the cone about b: where |x - middle| <= extent.
+  // The part of the disc about a, with r + 1 in place of r, that reaches into the cone about b:
+  // where |x - middle| <= extent.
   struct Disc_in_cone {
     std::int64_t r;
     Rounded_interval slopes;

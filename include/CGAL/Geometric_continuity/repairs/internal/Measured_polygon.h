@@ -19,9 +19,11 @@
 #include <string>
 #include <vector>
 
-// The arc length of a Bézier curve, rational or not, from one of its ends on, in floating-point numbers. The length of a curve lies between that of
-// its chord c and that of its polygon p. Halves are halved until c and p are near each other; then the length of a curve of
-// degree m is nearly (2c + (m-1)p) / (m+1): Gravesen, "Adaptive subdivision and the length and energy of Bézier curves", 1997.
+// The arc length of a Bézier curve, rational or not, from one of its ends on, in floating-point
+// numbers. The length of a curve lies between that of its chord c and that of its polygon p. Halves
+// are halved until c and p are near each other; then the length of a curve of degree m is nearly
+// (2c + (m-1)p) / (m+1): Gravesen, "Adaptive subdivision and the length and energy of Bézier
+// curves", 1997.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -32,8 +34,9 @@ template <int N> class Measured_polygon {
   typedef Coordinate_vector<double, N> Vector;
   typedef std::vector<Coordinate_vector<double, (N == 0 ? 0 : N + 1)>> Rows;
 
-  Rows
-      rows_; // homogeneous points from that end on, which is the origin; scaled so that the largest coordinate is near 1
+  // homogeneous points from that end on, which is the origin; scaled so that the largest
+  // coordinate is near 1
+  Rows rows_;
   int exponent_ = 0; // of the scale
 
   static constexpr double precision = 0x1p-12; // relative, of a length
@@ -76,9 +79,11 @@ public:
     return std::ldexp(length_of(rows, 0), exponent_);
   }
 
-  // Returns the parameter in (0, 1), counted from that end, up to which the curve has the wanted length with a relative error
-  // of at most 2^-11 + 2^-12 < 1/1000. It is the first such number that bisection comes to, so that it has few digits.
-  // \pre 0 < distance < length() \throws Error `not_representable` when there is no such floating-point number
+  // Returns the parameter in (0, 1), counted from that end, up to which the curve has the wanted
+  // length with a relative error of at most 2^-11 + 2^-12 < 1/1000. It is the first such number
+  // that bisection comes to, so that it has few digits.
+  // \pre 0 < distance < length() \throws Error `not_representable` when there is no such
+  //   floating-point number
   double parameter_at(double distance) const {
     const double wanted = std::ldexp(distance, -exponent_);
     Rows after = rows_; // the curve on [low, low + 2 half]

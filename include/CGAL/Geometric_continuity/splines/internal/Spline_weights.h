@@ -17,7 +17,8 @@
 #include <vector>
 
 /// \file Spline_weights.h
-/// The weights with which the coefficients of a spline enter its values, derivatives and blossoms: de Boor's triangle.
+/// The weights with which the coefficients of a spline enter its values, derivatives and blossoms:
+/// de Boor's triangle.
 
 namespace CGAL {
 
@@ -40,7 +41,8 @@ public:
   CGAL_GC_FORCEINLINE FT* data() { return x_.data(); }
 };
 
-// The combination sum_i w_i c_{first+i} of p + 1 consecutive coefficients. The degree p is Degree, if that is not negative.
+// The combination sum_i w_i c_{first+i} of p + 1 consecutive coefficients. The degree p is Degree,
+// if that is not negative.
 template <class FT, int Degree = -1> struct Span_weights {
   int first, p;
   const FT* w;
@@ -62,7 +64,8 @@ template <class FT> struct Spline_weights {
   }
 };
 
-// What q leaves of a weight w, of which it takes x. An enclosure does not know that x is a part of w: there the difference is wider.
+// Returns the rest of a weight w when q takes x of it. An enclosure does not know that x is a part
+// of w: there the difference is wider.
 template <class FT> CGAL_GC_FORCEINLINE FT weight_left(const FT& w, const FT& x, const FT&) { return FT(w - x); }
 template <bool is_protected>
 Interval_nt<is_protected> weight_left(const Interval_nt<is_protected>& w, const Interval_nt<is_protected>&,
@@ -70,8 +73,9 @@ Interval_nt<is_protected> weight_left(const Interval_nt<is_protected>& w, const 
   return w * (1 - q);
 }
 
-// De Boor's triangle, transposed: it starts with the weight 1 and leads to the weights of the coefficients. The level
-// with n weights gives n + 1; its i-th quotient is (t - a) / (b - a) of an argument t and two knots.
+// De Boor's triangle, transposed: it starts with the weight 1 and leads to the weights of the
+// coefficients. The level with n weights gives n + 1; its i-th quotient is (t - a) / (b - a) of an
+// argument t and two knots.
 template <class FT> CGAL_GC_FORCEINLINE void add_argument(FT* w, int n, const FT* quotients) {
   FT carry(0);
   for (int i = 0; i < n; ++i) {
@@ -82,7 +86,8 @@ template <class FT> CGAL_GC_FORCEINLINE void add_argument(FT* w, int n, const FT
   w[n] = carry;
 }
 
-// The level of the triangle that stands for one differentiation. The i-th length is b - a, divide(x, length) the quotient.
+// The level of the triangle that stands for one differentiation. The i-th length is b - a,
+// divide(x, length) the quotient.
 template <class FT, class Divide>
 CGAL_GC_FORCEINLINE void add_differentiation(FT* w, int n, const FT* lengths, const Divide& divide) {
   FT carry(0);
@@ -94,10 +99,12 @@ CGAL_GC_FORCEINLINE void add_differentiation(FT* w, int n, const FT* lengths, co
   w[n] = carry;
 }
 
-// The weights of the derivatives of order 0 to p at t, not beyond `order`, of a spline of degree p on the span k, for
-// the coefficients k-p, ..., k: output(j, weights) is called for each. Only the knots k-p+1, ..., k+p are read. The degree
-// is Degree, unless that is negative. If it is not, everything is unrolled by templates, and each difference of knots is inverted
-// once: for floating-point numbers inside of the span, since at its ends the weights of the point are to be exact.
+// The weights of the derivatives of order 0 to p at t, not beyond `order`, of a spline of degree p
+// on the span k, for the coefficients k-p, ..., k: output(j, weights) is called for each. Only the
+// knots k-p+1, ..., k+p are read. The degree is Degree, unless that is negative. If it is not,
+// everything is unrolled by templates, and each difference of knots is inverted once: for
+// floating-point numbers inside of the span, since at its ends the weights of the point are to be
+// exact.
 template <int Degree, class FT, class Knots> class Derivative_weights {
   static constexpr int fixed = Degree < 0 ? 0 : Degree;
 
@@ -179,7 +186,8 @@ CGAL_GC_FORCEINLINE void derivative_weights(const Knots& u, int degree, int k, c
   Derivative_weights<Degree, FT, Knots>(u, Degree < 0 ? degree : Degree, k, t, order).write(output);
 }
 
-// Calls f with the degree as a constant where floating-point code has one, see derivative_weights(), and with -1 otherwise.
+// Calls f with the degree as a constant where floating-point code has one, see
+// derivative_weights(), and with -1 otherwise.
 template <class Knots, class FT, class Function>
 CGAL_GC_FORCEINLINE void with_degree_inside_span(const Knots& knots, int p, int k, const FT& u, const Function& f) {
   if constexpr (std::is_floating_point_v<FT>)
@@ -208,9 +216,10 @@ std::vector<typename Coefficients::value_type> derivatives_on_span(const Knot_ve
   return derivatives;
 }
 
-// The weights of the blossom f_k[t_1, ..., t_p] at increasing arguments. Arguments that are knots next to the span are
-// not computed with but select the coefficients, so that as few levels as possible remain. When every knot between the
-// arguments is one of them, all weights are nonnegative.
+// The weights of the blossom f_k[t_1, ..., t_p] at increasing arguments. Arguments that are knots
+// next to the span are not computed with but select the coefficients, so that as few levels as
+// possible remain. When every knot between the arguments is one of them, all weights are
+// nonnegative.
 template <class FT> class Blossom_weights : public Spline_weights<FT> {
   std::vector<int> other_; // the arguments that are not selected
 

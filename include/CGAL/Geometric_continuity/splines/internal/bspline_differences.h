@@ -20,9 +20,9 @@
 #include <vector>
 
 /// \file bspline_differences.h
-/// The Bernstein coefficients of the spans of a spline with rational coefficients, and the derivatives at their ends, by additions
-/// of integers. The same coefficients in convex combinations of numbers of any type are `Bernstein_spans`; test_bspline_pieces
-/// compares both.
+/// The Bernstein coefficients of the spans of a spline with rational coefficients, and the
+/// derivatives at their ends, by additions of integers. The same coefficients in convex
+/// combinations of numbers of any type are `Bernstein_spans`; test_bspline_pieces compares both.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -30,10 +30,11 @@ namespace internal {
 
 template <class Ring> Ring exact_quotient(const Ring& x, const Ring& y) { return Ring(CGAL::integral_division(x, y)); }
 
-// The divided differences c_i = n_i / d_i of rational numbers in place, without a greatest common divisor of long numbers:
-// those of the next order are (c_i - c_{i-1}) / l_i. Fractions are not cancelled, but the quotients d_i / d_{i-1} = a_i / b_i
-// of neighbours are kept and cancelled, which are much shorter than the d_i: the least common denominator of two neighbours is
-// d_i b_i, and n_i b_i - n_{i-1} a_i stands over it.
+// The divided differences c_i = n_i / d_i of rational numbers in place, without a greatest common
+// divisor of long numbers: those of the next order are (c_i - c_{i-1}) / l_i. Fractions are not
+// cancelled, but the quotients d_i / d_{i-1} = a_i / b_i of neighbours are kept and cancelled,
+// which are much shorter than the d_i: the least common denominator of two neighbours is d_i b_i,
+// and n_i b_i - n_{i-1} a_i stands over it.
 template <class FT> class Divided_differences {
   typedef typename Common_denominator<FT>::Ring Ring;
   struct Entry {
@@ -83,12 +84,13 @@ private:
   }
 };
 
-// The polynomials of a spline on one span [t, a] after the other, of one coordinate. Knots are multiplied by their common
-// denominator. On a span of length h let f = sum_j g_j binomial(p, j) (x - t)^j. Then h^j g_j is the j-th
-// forward difference of its Bernstein coefficients b_0, ..., b_p, and so is the backward difference of b_p with the g_j of the
-// same polynomial around a. All Taylor coefficients binomial(p, j) g_j have one common denominator, which is the same around t
-// and a: distances of knots are integers. At a knot of multiplicity m the g_j with j <= p - m stay; the others are quotients of
-// differences of the coefficients of the spline.
+// The polynomials of a spline on one span [t, a] after the other, of one coordinate. Knots are
+// multiplied by their common denominator. On a span of length h let f = sum_j g_j binomial(p, j)
+// (x - t)^j. Then h^j g_j is the j-th forward difference of its Bernstein coefficients b_0, ...,
+// b_p, and so is the backward difference of b_p with the g_j of the same polynomial around a. All
+// Taylor coefficients binomial(p, j) g_j have one common denominator, which is the same around t
+// and a: distances of knots are integers. At a knot of multiplicity m the g_j with j <= p - m stay;
+// the others are quotients of differences of the coefficients of the spline.
 template <class FT> class Difference_spans {
   typedef typename Common_denominator<FT>::Ring Ring;
   struct Span {
@@ -97,11 +99,13 @@ template <class FT> class Difference_spans {
   };
 
   const int p_;
-  std::vector<Ring> binomials_, cofactors_; // binomial(p, j), and their least common multiple divided by each
-  Ring multiple_ = Ring(1);                 // the least common multiple
+  // binomial(p, j), and their least common multiple divided by each
+  std::vector<Ring> binomials_, cofactors_;
+  Ring multiple_ = Ring(1); // the least common multiple
   std::vector<Span> spans_;
   std::size_t next_ = 0;
-  std::vector<Ring> terms_; // binomial(p, j) g_j times the denominator, at the place that has been reached
+  // binomial(p, j) g_j times the denominator, at the place that has been reached
+  std::vector<Ring> terms_;
   Ring denominator_ = Ring(1);
   FT scale_; // of the knots
 
@@ -125,7 +129,8 @@ public:
       spans_.push_back({Ring(u[k + 1] - u[k]), std::vector<FT>(spans_.empty() ? p_ + 1 : (std::min)(m, p_ + 1))});
     }
     Divided_differences<FT> differences(c);
-    for (int j = 0; j <= p_; ++j) { // number i is coefficient number i of the spline of degree p - j
+    // number i is coefficient number i of the spline of degree p - j
+    for (int j = 0; j <= p_; ++j) {
       for (std::size_t s = 0; s < numbers.size(); ++s) {
         std::vector<FT>& terms = spans_[s].new_terms;
         const int first = p_ + 1 - static_cast<int>(terms.size());
@@ -151,7 +156,8 @@ public:
     return FT(factor * quotient(terms_[j], denominator_));
   }
 
-  // Goes to the end of the span, with its Bernstein coefficients: output(i, numerator, denominator).
+  // Goes to the end of the span, with its Bernstein coefficients: output(i, numerator,
+  // denominator).
   template <class Output> void finish(Output output) {
     const Span& span = spans_[next_++];
     const Ring denominator = Ring(denominator_ * multiple_);

@@ -89,8 +89,8 @@ template <class FT, class Value> struct Write_coefficients {
   }
 };
 
-// work.run<p, q>() where both degrees are small and the arithmetic is that of the processor, and else work.run<-1,
-// -1>().
+// work.run<p, q>() where both degrees are small and the arithmetic is that of the processor, and
+// else work.run<-1, -1>().
 template <class FT, int P = 1, int Q = 1, class Work> void run_with_degrees(int p, int q, Work work) {
   constexpr int most_unrolled = std::is_floating_point_v<FT> ? 3 : 0;
   if constexpr (P > most_unrolled || Q > most_unrolled)
@@ -103,8 +103,8 @@ template <class FT, int P = 1, int Q = 1, class Work> void run_with_degrees(int 
     work.template run<P, Q>();
 }
 
-// The Bernstein coefficients of the product on a span: `weighted` are the factor's coefficients times the product
-// weights, `b` the rows of the other spline.
+// The Bernstein coefficients of the product on a span: `weighted` are the factor's coefficients
+// times the product weights, `b` the rows of the other spline.
 template <int N, class FT> void multiply_on_span(const FT* weighted, const FT* b, int p, int q, int n, FT* rows) {
   std::fill_n(rows, (p + q + 1) * n, FT(0));
   for (int i = 0; i <= p; ++i)
@@ -163,8 +163,9 @@ template <class FT> Distinct_knots<FT> distinct_elevated_knots(const Knot_vector
   return t;
 }
 
-// The product over t = distinct_product_knots(u, v) of the splines over u, with numbers, and over v. Coefficients come
-// from f(i, row) and g(i, row), and those of the product go to output(row), one after the other.
+// The product over t = distinct_product_knots(u, v) of the splines over u, with numbers, and over
+// v. Coefficients come from f(i, row) and g(i, row), and those of the product go to output(row),
+// one after the other.
 template <int Dimension, class FT, class F, class G, class Output> struct Multiply_splines {
   const Distinct_knots<FT>& t;
   const Knot_vector<FT>& u;

@@ -20,22 +20,24 @@
 #include <vector>
 
 /// \file bspline_spans.h
-/// From a spline to the Bernstein coefficients of its spans, one span after the other, and back:
-/// on flat arrays of numbers, without a linear system, in convex combinations but for the coefficients that straddle a
-/// knot.
+/// From a spline to the Bernstein coefficients of its spans, one span after the other, and back: on
+/// flat arrays of numbers, without a linear system, in convex combinations but for the coefficients
+/// that straddle a knot.
 ///
-/// A coefficient is a row of numbers. Where the degree and the number of coordinates are known at compile time, loops
-/// have constant bounds; else the degree is -1 and the number 0.
+/// A coefficient is a row of numbers. Where the degree and the number of coordinates are known at
+/// compile time, loops have constant bounds; else the degree is -1 and the number 0.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// So many numbers as local variables where that is known at compile time (`Size > 0`), and otherwise in a vector.
+// So many numbers as local variables where that is known at compile time (`Size > 0`), and
+// otherwise in a vector.
 template <class FT, int Size> using Numbers = std::conditional_t<(Size > 0), std::array<FT, Size>, std::vector<FT>>;
 
-// From the values of the blossom at p successive knots, the first of which are those for a span that begins with the knot
-// *u, to the values where u takes the place of the knots before it: those of the spline without knots before u.
+// From the values of the blossom at p successive knots, the first of which are those for a span
+// that begins with the knot *u, to the values where u takes the place of the knots before it: those
+// of the spline without knots before u.
 template <int N, class FT> void without_knots_before(const FT* u, int p, int n, FT* rows) {
   int m = 1;
   while (m < p && u[-m] == *u) ++m;
@@ -46,13 +48,13 @@ template <int N, class FT> void without_knots_before(const FT* u, int p, int n, 
     }
 }
 
-// The Bernstein coefficients of a spline of degree p on one interval [t, a] after the other. The ends of the intervals
-// are the knots of the domain, and others between them.
+// The Bernstein coefficients of a spline of degree p on one interval [t, a] after the other. The
+// ends of the intervals are the knots of the domain, and others between them.
 //
-// With the knots r_1 <= r_2 <= ... that follow t, the rows w_j = f[t, ..., t, r_1, ..., r_j], with p - j arguments t,
-// are kept. If a is a knot of multiplicity m, the first m + 1 of them are Bernstein coefficients on [t, a], and each
-// round that replaces an argument t of the others by a gives one more. In the end they are those that the next interval
-// needs.
+// With the knots r_1 <= r_2 <= ... that follow t, the rows w_j = f[t, ..., t, r_1, ..., r_j], with
+// p - j arguments t, are kept. If a is a knot of multiplicity m, the first m + 1 of them are
+// Bernstein coefficients on [t, a], and each round that replaces an argument t of the others by a
+// gives one more. In the end they are those that the next interval needs.
 //
 // coefficients(i, row) writes the i-th coefficient of the spline.
 template <class FT, int Degree, int Dimension, class Coefficients> class Bernstein_spans {
@@ -60,7 +62,8 @@ template <class FT, int Degree, int Dimension, class Coefficients> class Bernste
   static constexpr int N = row_length_v<FT, Dimension>, size = fixed ? (Degree + 1) * N : 0;
 
   const FT* u_;
-  int p_, n_, last_, k_; // k_: the knots that follow t start with number k_ + 1; last_: the last coefficient
+  // k_: the knots that follow t start with number k_ + 1; last_: the last coefficient
+  int p_, n_, last_, k_;
   FT t_;
   Coefficients coefficients_;
   Numbers<FT, size> w_, b_;
@@ -119,7 +122,8 @@ private:
     if constexpr (fixed)
       rounds<M>();
     else
-      for (int r = m; r < p(); ++r) { // replaces an argument t of the first rows, which have r arguments a
+      // replaces an argument t of the first rows, which have r arguments a
+      for (int r = m; r < p(); ++r) {
         for (int i = 0; i < p() - r; ++i) mix_rows<N>(w(i), w(i + 1), ratios_[i], n(), w(i));
         copy_row<N>(w(0), n(), b(r + 1));
       }
@@ -141,8 +145,8 @@ private:
   }
 };
 
-// A clamped knot vector with every knot once, in increasing order. Multiplicities are at most degree + 1, which they
-// are at the ends.
+// A clamped knot vector with every knot once, in increasing order. Multiplicities are at most
+// degree + 1, which they are at the ends.
 template <class FT> struct Distinct_knots {
   typedef typename Knot_vector<FT>::Knot Knot;
   int degree;
@@ -182,15 +186,16 @@ template <class FT> struct Bernstein_pieces {
   }
 };
 
-// result_i = (1 - ratio) row_i + ratio row_{i+1} for as many i: one more argument of the blossom, which divides the
-// span in this ratio.
+// result_i = (1 - ratio) row_i + ratio row_{i+1} for as many i: one more argument of the blossom,
+// which divides the span in this ratio.
 template <int N, class FT>
 CGAL_GC_FORCEINLINE void blossom_round(const FT* rows, int count, const FT& ratio, int n, FT* result) {
   for (int i = 0; i < count; ++i) mix_rows<N>(rows + n * i, rows + n * (i + 1), ratio, n, result + n * i);
 }
 
-// The value of the blossom at the d arguments that start with `copies` of the knot s and go beyond the knot s + 1. It
-// is extrapolated from the longest of the spans between them, which keeps rounding errors small, and left in `local`.
+// The value of the blossom at the d arguments that start with `copies` of the knot s and go beyond
+// the knot s + 1. It is extrapolated from the longest of the spans between them, which keeps
+// rounding errors small, and left in `local`.
 template <int N, class FT>
 BOOST_NOINLINE void straddling_coefficient(const Bernstein_pieces<FT>& pieces, int d, int n, int s, int copies,
                                            FT* local) {
@@ -213,8 +218,9 @@ BOOST_NOINLINE void straddling_coefficient(const Bernstein_pieces<FT>& pieces, i
   }
 }
 
-// The value of the blossom from the spans on the left and on the right of a knot, with `rest` copies of the knot after
-// it, which is the usual case of the function above. `piece` are the rows of the first span.
+// The value of the blossom from the spans on the left and on the right of a knot, with `rest`
+// copies of the knot after it, which is the usual case of the function above. `piece` are the rows
+// of the first span.
 template <int N, class FT>
 CGAL_GC_FORCEINLINE void straddling_coefficient(const typename Knot_vector<FT>::Knot* knots, const FT* piece, int d,
                                                 int n, int copies, int rest, FT* local) {
@@ -228,11 +234,12 @@ CGAL_GC_FORCEINLINE void straddling_coefficient(const typename Knot_vector<FT>::
   while (--rounds > 0) blossom_round<N>(local, rounds, ratio, n, local);
 }
 
-// The coefficients of a spline of degree d over its clamped knots, from its pieces, one after the other: output(row),
-// by a small object that is copied.
+// The coefficients of a spline of degree d over its clamped knots, from its pieces, one after the
+// other: output(row), by a small object that is copied.
 //
-// A coefficient is a value of the blossom at d successive knots. If they are no more than the two ends of a span, it is
-// a Bernstein coefficient. \pre the pieces join as smoothly as the multiplicities say
+// A coefficient is a value of the blossom at d successive knots. If they are no more than the two
+// ends of a span, it is a Bernstein coefficient. \pre the pieces join as smoothly as the
+// multiplicities say
 template <int Degree, int Dimension, class FT, class Output>
 void coefficients_from_pieces(const Bernstein_pieces<FT>& pieces, int degree, int dimension, Output& result) {
   constexpr int N = row_length_v<FT, Dimension>;

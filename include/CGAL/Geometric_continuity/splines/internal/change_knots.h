@@ -22,16 +22,18 @@
 #include <vector>
 
 /// \file change_knots.h
-/// One spline over several knot vectors: insertion, refinement, Bézier pieces and back. But for the Bézier pieces, the new coefficients
-/// are computed as blossoms c'_j = f_k[t_{j+1}, ..., t_{j+p}] at the new knots t, in O(p^2) each.
+/// One spline over several knot vectors: insertion, refinement, Bézier pieces and back. But for the
+/// Bézier pieces, the new coefficients are computed as blossoms c'_j = f_k[t_{j+1}, ..., t_{j+p}]
+/// at the new knots t, in O(p^2) each.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Chooses the span of the old knots u whose polynomial gives a new coefficient. Any span between the arguments would do
-// in exact arithmetic. The longest one keeps rounding errors small: arguments outside lie at most as many of its
-// lengths away as there are other spans between the arguments, however uneven the knots are.
+// Chooses the span of the old knots u whose polynomial gives a new coefficient. Any span between
+// the arguments would do in exact arithmetic. The longest one keeps rounding errors small:
+// arguments outside lie at most as many of its lengths away as there are other spans between the
+// arguments, however uneven the knots are.
 template <class FT> class Span_choice {
   const Knot_vector<FT>& u_;
   std::vector<int> spans_;  // all that are not empty, outside the domain as well
@@ -68,7 +70,8 @@ public:
   }
 };
 
-// The coefficients over t of the spline with coefficients c over u. \pre the spline belongs to the space of t
+// The coefficients over t of the spline with coefficients c over u. \pre the spline belongs to the
+// space of t
 template <class FT, class Coefficients>
 std::vector<typename Coefficients::value_type> change_knots(const Knot_vector<FT>& u, const Coefficients& c,
                                                             const Knot_vector<FT>& t) {
@@ -87,9 +90,10 @@ std::vector<typename Coefficients::value_type> change_knots(const Knot_vector<FT
   return result;
 }
 
-// Boehm's insertion of `times` more copies of t, which is in the span k and has the multiplicity m: the coefficients between
-// c_{k-p} and c_{k-m} change. For one copy after the other, the new ones are (1 - q) c_{j-1} + q c_j with
-// q = (t - u_j) / (u_{j+p} - u_j). \pre `u.insert(t, times)` throws no error
+// Boehm's insertion of `times` more copies of t, which is in the span k and has the multiplicity m:
+// the coefficients between c_{k-p} and c_{k-m} change. For one copy after the other, the new ones
+// are (1 - q) c_{j-1} + q c_j with q = (t - u_j) / (u_{j+p} - u_j). \pre `u.insert(t, times)`
+// throws no error
 template <class FT> class Knot_insertion {
   const Knot_vector<FT>& u_;
   const FT& t_;
@@ -102,7 +106,8 @@ public:
     last_ = static_cast<int>(copies.first - u.begin()) - 1;
   }
 
-  // Those that take the place of c_{k-p}, ..., c_{k-m}; old(j) is c_j. The first and the last one stay.
+  // Those that take the place of c_{k-p}, ..., c_{k-m}; old(j) is c_j. The first and the last one
+  // stay.
   template <class Value, class Old> std::vector<Value> new_coefficients(const Old& old) const {
     std::vector<Value> c;
     if (times_ == 0) return c;
@@ -192,8 +197,9 @@ Coordinate_vector<Field, N> coefficient_over(const Coordinate_vector<FT, N>& x) 
   return r;
 }
 
-// The derivatives of order 0 to p at u, not beyond `order`, of the polynomial on the span k, in another field, to which
-// what is needed is converted. coefficient(i) is the i-th coefficient in that field; output(j, derivative) is called.
+// The derivatives of order 0 to p at u, not beyond `order`, of the polynomial on the span k, in
+// another field, to which what is needed is converted. coefficient(i) is the i-th coefficient in
+// that field; output(j, derivative) is called.
 template <class Field, class FT, class Coefficient, class Output>
 void derivatives_over(const Knot_vector<FT>& knots, int k, const FT& u, int order, const Coefficient& coefficient,
                       const Output& output) {

@@ -16,7 +16,8 @@
 #include <vector>
 
 /// \file check_spline.h
-/// Whether numbers are the knots of B-splines, and coefficients those of a spline over them; the reason if not.
+/// Decides if numbers are the knots of B-splines, and if coefficients are those of a spline over
+/// them; the reason if not.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -37,8 +38,8 @@ inline void check_degree(int p) {
   if (p < 0) throw Error(Error_code::wrong_number_of_points, "Knot_vector: degree " + std::to_string(p));
 }
 
-// Without a branch for each knot. Nothing is less than an undefined number, and what lies between ends at a finite
-// distance is finite, as all distances are.
+// Without a branch for each knot. Nothing is less than an undefined number, and what lies between
+// ends at a finite distance is finite, as all distances are.
 template <class FT> bool are_knots(int p, const std::vector<FT>& u) {
   if (u.size() < 2 * (static_cast<std::size_t>(p) + 1)) return false;
   const int n = static_cast<int>(u.size());

@@ -23,8 +23,8 @@
 #include <vector>
 
 /// \file Blend_end.h
-/// What a surface gives to a blend that starts or ends at one of its edges, as splines along the edge; and splines over common
-/// knots.
+/// The data that a surface gives to a blend that starts or ends at one of its edges, as splines
+/// along the edge; and splines over common knots.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -72,15 +72,17 @@ template <class Surface> Knot_vector<typename Surface::FT> knots_of_edge(const S
     return surface.knots_along(edge);
 }
 
-// The edge C and the derivatives T, W and X across it, as coefficients over clamped knots. T and W are those in the direction in which the
-// blend runs: out of the surface where the blend starts, into it where it ends. X is empty where it is not asked for.
+// The edge C and the derivatives T, W and X across it, as coefficients over clamped knots. T and W
+// are those in the direction in which the blend runs: out of the surface where the blend starts,
+// into it where it ends. X is empty where it is not asked for.
 template <class FT, int N> struct Blend_end {
   typedef std::vector<Coordinate_vector<FT, N>> Row;
 
   Knot_vector<FT> knots;
   Row edge, cross, second_cross, third_cross;
 
-  // `direction` is 1 where the blend starts, -1 where it ends. Derivatives are those with respect to the parameters of the surface.
+  // `direction` is 1 where the blend starts, -1 where it ends. Derivatives are those with respect
+  // to the parameters of the surface.
   template <class Surface>
   Blend_end(const Surface& surface, Patch_edge at, int direction, int order) : knots(knots_of_edge(surface, at)) {
     auto rows = surface.template rows<FT>(at, order); // into the surface
@@ -126,7 +128,7 @@ private:
   }
 };
 
-// What the blend of two surfaces is.
+// Describes the blend of two surfaces.
 template <class A, class B> struct Blended_surfaces {
   static_assert(std::is_same_v<typename A::Traits, typename B::Traits>,
                 "both surfaces must have the same traits class");
@@ -136,7 +138,8 @@ template <class A, class B> struct Blended_surfaces {
                         is_patch = Is_patch<A>::value && Is_patch<B>::value;
   template <class T> using Shape_over = std::conditional_t<is_patch, Bezier_patch<T>, Bspline_surface<T>>;
 
-  typedef std::conditional_t<is_rational, Homogeneous_traits<Traits>, Traits> Row_traits; // of the points in the rows
+  // of the points in the rows
+  typedef std::conditional_t<is_rational, Homogeneous_traits<Traits>, Traits> Row_traits;
   static constexpr int N = dimension_v<Row_traits>;
   typedef std::conditional_t<is_rational, Rational_surface<Shape_over<Traits>>, Shape_over<Traits>> Surface;
 

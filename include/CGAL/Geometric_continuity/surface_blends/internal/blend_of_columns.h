@@ -34,9 +34,10 @@
 #include <vector>
 
 /// \file blend_of_columns.h
-/// The blend of degree 5 of two Bézier patches of one degree along their edges, with numbers for functions: each column of its control
-/// points is a sum of multiples of a column of either patch. Rational numbers are computed in machine words over one denominator where
-/// they are short, otherwise on unreduced fractions, and each number of the result is reduced once.
+/// The blend of degree 5 of two Bézier patches of one degree along their edges, with numbers for
+/// functions: each column of its control points is a sum of multiples of a column of either patch.
+/// Rational numbers are computed in machine words over one denominator where they are short,
+/// otherwise on unreduced fractions, and each number of the result is reduced once.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -56,12 +57,13 @@ inline void refuse_edge(bool is_point, bool vanishes, const char* surface) {
     throw Error(Error_code::zero_tangent, std::string("blend: no derivative across the whole edge of ") + surface);
 }
 
-// The points b_1 and b_2 next to the point b_0 = p_0 of an edge: b_0 + f d_1 / 5 and b_0 + (g d_1 + h d_2) / 20, with the differences
-// d_1 = p_1 - p_0 and d_2 = p_2 - 2 p_1 + p_0 of a column.
+// The points b_1 and b_2 next to the point b_0 = p_0 of an edge: b_0 + f d_1 / 5 and b_0 + (g d_1 +
+// h d_2) / 20, with the differences d_1 = p_1 - p_0 and d_2 = p_2 - 2 p_1 + p_0 of a column.
 template <class Number> struct Column_factors {
-  Number f, g, h, fifth, twentieth; // the rounded 1/5 divides exactly what a rounded number can be divided by exactly
+  // the rounded 1/5 divides exactly what a rounded number can be divided by exactly
+  Number f, g, h, fifth, twentieth;
 
-  // Of numbers or vectors.
+  // Takes numbers or vectors.
   template <class Value> std::pair<Value, Value> operator()(const Value& p0, const Value& p1, const Value& p2) const {
     Value d1 = p1, d2 = p2;
     d1 -= p0;
@@ -80,8 +82,8 @@ template <class Number> struct Column_factors {
   }
 };
 
-// The same of rational numbers in machine words, where all are short over one denominator d: (e_1 n_0 + f (n_1 - n_0)) / (e_1 d) and
-// (e_2 n_0 + g (n_1 - n_0) + h (n_2 - 2 n_1 + n_0)) / (e_2 d).
+// Computes with rational numbers in machine words, where all are short over one denominator d: (e_1
+// n_0 + f (n_1 - n_0)) / (e_1 d) and (e_2 n_0 + g (n_1 - n_0) + h (n_2 - 2 n_1 + n_0)) / (e_2 d).
 template <class FT> class Short_column_factors {
   typedef Rational_parts<FT> Parts;
   std::int64_t d_ = 1, f_ = 0, e1_ = 1, g_ = 0, h_ = 0, e2_ = 1;
@@ -94,7 +96,8 @@ public:
     fits_ = fits_ && Parts::short_parts(x, n, d) && include_denominator(d, d_);
     if (fits_) largest_ = (std::max)(largest_, std::abs(static_cast<double>(n)) / static_cast<double>(d));
   }
-  // The numbers by which the differences are multiplied. Returns whether all that is computed is short.
+  // The numbers by which the differences are multiplied. Returns whether all that is computed is
+  // short.
   bool set(const FT& f, const FT& g, const FT& h) {
     std::int64_t d = 1, other = 1;
     fits_ = fits_ && Parts::short_parts(f, f_, e1_) && Parts::short_parts(g, g_, d) && Parts::short_parts(h, h_, other);
@@ -182,8 +185,9 @@ public:
     work_meter().charge_fractions(12. * (degree_ + 1) * dimension(), 2 * words);
   }
 
-  // Writes b_0, b_1 and b_2 of the column i at to[0], to[step] and to[2 * step]. Adds the products of the numbers of
-  // b_1 and b_2 to `sum`, if they are of floating-point type: where the sum is finite, so are they.
+  // Writes b_0, b_1 and b_2 of the column i at to[0], to[step] and to[2 * step]. Adds the products
+  // of the numbers of b_1 and b_2 to `sum`, if they are of floating-point type: where the sum is
+  // finite, so are they.
   void write(int i, Point* to, int step, Coordinate_vector<FT, N>& sum) const {
     const Point &p0 = corner_[i * along_], &p1 = (&p0)[second_], &p2 = (&p0)[third_];
     to[0] = p0;
@@ -210,7 +214,8 @@ public:
   }
 
 private:
-  int dimension() const { return N == 0 ? dimension_ : N; } // is known to the compiler where it can be
+  // is known to the compiler where it can be
+  int dimension() const { return N == 0 ? dimension_ : N; }
   static decltype(auto) coordinate(const Point& p, int k) { return Traits().compute_coordinate_object()(p, k); }
   static bool are_equal(const Point& p, const Point& q, int dimension) {
     for (int k = 0; k < dimension; ++k)
@@ -262,7 +267,8 @@ public:
     }
     const int m = a.degree_along(edge_a);
     std::vector<typename Traits::Point> net(6 * static_cast<std::size_t>(m + 1));
-    Coordinates<Traits> sum(a.dimension()), sum_at_end(a.dimension()); // of two: one need not wait for the other
+    // of two: one need not wait for the other
+    Coordinates<Traits> sum(a.dimension()), sum_at_end(a.dimension());
     const bool same = direction == Edge_direction::same;
     for (int i = 0; i <= m; ++i) start.write(i, &net[6 * i], 1, sum);
     for (int i = 0; i <= m; ++i) end.write(same ? i : m - i, &net[6 * i + 5], -1, sum_at_end);
@@ -271,7 +277,8 @@ public:
     FT of_all(0);
     for (const FT& x : sum) of_all += x;
     if (!internal::is_finite(of_all))
-      return Patch(m, 5, std::move(net), a.domain(edge_a), across); // checks one point after the other
+      // checks one point after the other
+      return Patch(m, 5, std::move(net), a.domain(edge_a), across);
     return Patch(typename Patch::Net(m + 1, 6, std::move(net)), a.domain(edge_a), across,
                  typename Patch::Correct_by_construction());
   }

@@ -26,7 +26,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The degrees to which surfaces are raised end here, so that a wrong number can fill neither memory nor time.
+// The degrees to which surfaces are raised end here, so that a wrong number can fill neither memory
+// nor time.
 constexpr int most_raised_degree = 4096;
 
 inline void check_elevation(int degree, int times, const char* place) {
@@ -35,7 +36,8 @@ inline void check_elevation(int degree, int times, const char* place) {
     throw Error(Error_code::work_limit, std::string(place) + ": a degree above " + std::to_string(most_raised_degree));
 }
 
-// What is in rows of constant i, so many columns, with rows and columns exchanged, and with the rows in reverse order.
+// Exchanges rows and columns. The first function takes rows of constant i, with so many columns;
+// the second one also reverses the order of the rows.
 template <class T> std::vector<T> transposed(const std::vector<T>& net, int rows, int columns) {
   std::vector<T> r;
   r.reserve(net.size());
@@ -60,7 +62,8 @@ template <class Traits> class Control_net {
 public:
   typedef typename std::vector<Point>::const_iterator const_iterator;
 
-  // From a range of ranges. At least one point, rows of one length, points of one dimension, finite coordinates.
+  // From a range of ranges. At least one point, rows of one length, points of one dimension, finite
+  // coordinates.
   template <class Net> Control_net(const Net& net, const char* surface) {
     for (const auto& row : net) {
       const int n = static_cast<int>(std::distance(std::begin(row), std::end(row)));

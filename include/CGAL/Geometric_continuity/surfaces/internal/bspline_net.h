@@ -18,7 +18,8 @@
 #include <vector>
 
 /// \file bspline_net.h
-/// The algorithms of `Bspline_surface`: those of spline functions, applied to the rows and columns of a control net.
+/// The algorithms of `Bspline_surface`: those of spline functions, applied to the rows and columns
+/// of a control net.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -46,8 +47,9 @@ template <class FT> void check_insertion(const Knot_vector<FT>& knots, int times
   if (times > knots.degree() + 1) throw Error(Error_code::knot_multiplicity, "Bspline_surface: copies of a knot");
 }
 
-// The jet of order k at (u, v), from the spans to the right of the parameters: first the derivatives in v of the control
-// points of all rows that matter, then those in u. coordinate(i, j, x) is the coordinate number x < d of a control point.
+// The jet of order k at (u, v), from the spans to the right of the parameters: first the
+// derivatives in v of the control points of all rows that matter, then those in u. coordinate(i, j,
+// x) is the coordinate number x < d of a control point.
 template <class Traits, class Coordinate>
 Surface_jet<Traits> bspline_jet(int d, const Knot_vector<typename Traits::FT>& knots_u,
                                 const Knot_vector<typename Traits::FT>& knots_v, const typename Traits::FT& u,
@@ -61,8 +63,8 @@ Surface_jet<Traits> bspline_jet(int d, const Knot_vector<typename Traits::FT>& k
   return jet;
 }
 
-// The rows 0 to k at a parameter line, see `Bspline_surface::rows_at()`. point(i, j) is the control point, in `Field`, with d
-// coordinates.
+// The rows 0 to k at a parameter line, see `Bspline_surface::rows_at()`. point(i, j) is the control
+// point, in `Field`, with d coordinates.
 template <class Field, int N, class FT, class Point>
 std::vector<std::vector<Coordinate_vector<Field, N>>>
 bspline_rows_at(const Knot_vector<FT>& knots_u, const Knot_vector<FT>& knots_v, int d, Parameter_line line,
@@ -86,7 +88,8 @@ bspline_rows_at(const Knot_vector<FT>& knots_u, const Knot_vector<FT>& knots_v, 
   return rows;
 }
 
-// The surface as one spline function of u, whose values are the coordinates of all columns, one after the other.
+// The surface as one spline function of u, whose values are the coordinates of all columns, one
+// after the other.
 template <class Traits>
 using Spline_of_rows = Bspline_function<typename Traits::FT, Coordinate_vector<typename Traits::FT, 0>>;
 

@@ -17,7 +17,8 @@
 #include <vector>
 
 /// \file surface_denominator.h
-/// Whether the denominator of a rational surface is positive on the whole rectangle of its parameters.
+/// Decides if the denominator of a rational surface is positive on the whole rectangle of its
+/// parameters.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -37,7 +38,8 @@ template <class Field> Bernstein_rows<Field> transposed(const Bernstein_rows<Fie
 // has_zero_on_square() for such a polynomial. \throws Error `work_limit`
 template <class Field> bool has_zero_inside(const Bernstein_rows<Field>& b) {
   typedef typename Exact_number<Field>::type Exact;
-  const bool turned = static_cast<int>(b.size()) < b[0].dimension(); // it is easier with the lower degree in v
+  // it is easier with the lower degree in v
+  const bool turned = static_cast<int>(b.size()) < b[0].dimension();
   const Bernstein_rows<Field> powers_of_u = powers_from_bernstein<Field>(turned ? transposed<Field>(b) : b),
                               powers = powers_from_bernstein<Field>(transposed<Field>(powers_of_u));
   std::vector<std::vector<Exact>> coefficients(powers[0].dimension());
@@ -46,11 +48,13 @@ template <class Field> bool has_zero_inside(const Bernstein_rows<Field>& b) {
   return has_zero_on_square(coefficients);
 }
 
-// Decides exactly whether such a polynomial is positive on the closed unit square. On the boundary this is decided as for
-// curves. Inside, the coefficients of ever smaller rectangles are taken until all are positive, or a corner is not. This ends
-// unless the polynomial is zero somewhere inside and negative nowhere, and is given up after 64 halvings, as in
-// add_positive_parts_of_patch(), or when no rectangle is left of the number that is allowed for a whole surface. Then it is decided
-// whether there is a zero; if not, it is still too close to zero for all that is to be done with the surface.
+// Decides exactly whether such a polynomial is positive on the closed unit square. On the boundary
+// this is decided as for curves. Inside, the coefficients of ever smaller rectangles are taken
+// until all are positive, or a corner is not. This ends unless the polynomial is zero somewhere
+// inside and negative nowhere, and is given up after 64 halvings, as in
+// add_positive_parts_of_patch(), or when no rectangle is left of the number that is allowed for a
+// whole surface. Then it is decided whether there is a zero; if not, it is still too close to zero
+// for all that is to be done with the surface.
 // \throws Error `zero_weight` if it is not positive, `work_limit` when it comes too close to zero
 template <class Field> void require_positive(const Bernstein_rows<Field>& b, int& allowed, const char* place) {
   // Each corner inside is the last one of the rectangle that comes first of those that meet there.
@@ -130,7 +134,8 @@ void check_surface_denominator(const std::vector<FT>& weights, const Knot_vector
     }
 }
 
-// Halves a rational patch, in u and v in turn, until all weights are positive, see add_positive_parts().
+// Halves a rational patch, in u and v in turn, until all weights are positive, see
+// add_positive_parts().
 template <class Patch> void add_positive_parts_of_patch(const Patch& s, int halvings, std::vector<Patch>& parts) {
   typedef typename Patch::FT FT;
   if (all_positive(s.weights())) return parts.push_back(s);

@@ -17,14 +17,15 @@
 #include <vector>
 
 /// \file tensor_product_jet.h
-/// The derivatives of a tensor-product surface at one place from the control points that matter there, with the coordinates
-/// coordinate(i, j, x), and from the weights of these in u and in v.
+/// The derivatives of a tensor-product surface at one place from the control points that matter
+/// there, with the coordinates coordinate(i, j, x), and from the weights of these in u and in v.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The weights of the p + 1 coefficients that matter in the derivatives of order 0 to k at t, one order after the other.
+// The weights of the p + 1 coefficients that matter in the derivatives of order 0 to k at t, one
+// order after the other.
 template <class FT> class Derivative_table {
   int p_;
   boost::container::small_vector<FT, 24> w_;
@@ -43,8 +44,8 @@ public:
   const FT& operator()(int j, int i) const { return w_[j * (p_ + 1) + i]; }
 };
 
-// The derivatives in v for each row of control points, then those in u. The order is Order, unless that is negative; then the sums
-// are no local variables.
+// The derivatives in v for each row of control points, then those in u. The order is Order, unless
+// that is negative; then the sums are no local variables.
 template <int Order, class FT, class Coordinate, class Jet>
 void write_derivatives_of_order(const Derivative_table<FT>& u, const Derivative_table<FT>& v,
                                 const Coordinate& coordinate, Jet& jet) {

@@ -15,14 +15,16 @@
 #include <vector>
 
 /// \file zeros_on_square.h
-/// Whether a polynomial f(u, v) that is not zero on the boundary of the unit square is zero inside, also where it is nowhere
-/// negative and its zeros are no rational numbers.
+/// Decides if a polynomial f(u, v) that is not zero on the boundary of the unit square is zero
+/// inside, also where it is nowhere negative and its zeros are no rational numbers.
 ///
-/// The zeros inside are a closed set. Where one of them has the least u, a factor of f and its derivative are zero: otherwise the zero
-/// would go on to the left. So are f and f_v, divided by their greatest common divisor, and with them all that Euclid's algorithm makes
-/// of these two, up to factors in u alone that are divided out on the way; the last of it is 1. So f has zeros if and only if f(u, .)
-/// has one in (0, 1) for a root u of one of those factors. Such a u is an algebraic number, known by an interval; the zeros of f(u, .) are
-/// counted by Sturm's theorem. See Basu, Pollack, Roy, "Algorithms in Real Algebraic Geometry", chapters 2 and 11.
+/// The zeros inside are a closed set. Where one of them has the least u, a factor of f and its
+/// derivative are zero: otherwise the zero would go on to the left. So are f and f_v, divided by
+/// their greatest common divisor, and with them all that Euclid's algorithm makes of these two, up
+/// to factors in u alone that are divided out on the way; the last of it is 1. So f has zeros if
+/// and only if f(u, .) has one in (0, 1) for a root u of one of those factors. Such a u is an
+/// algebraic number, known by an interval; the zeros of f(u, .) are counted by Sturm's theorem. See
+/// Basu, Pollack, Roy, "Algorithms in Real Algebraic Geometry", chapters 2 and 11.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -110,7 +112,8 @@ public:
     }
   }
 
-  // The polynomial in v at this u: zeros at the end are dropped, and the numbers are made shorter by a positive factor.
+  // The polynomial in v at this u: zeros at the end are dropped, and the numbers are made shorter
+  // by a positive factor.
   void simplify(Polynomial_in_v<FT>& f) {
     for (Power_polynomial<FT>& c : f) reduce(c);
     while (!f.empty() && sign(f.back()) == 0) f.pop_back();
@@ -170,7 +173,8 @@ template <class FT> std::vector<Power_polynomial<FT>> ends_of_zeros(Polynomial_i
   return ends;
 }
 
-// Returns whether f, given by the coefficients of u^i v^j in row i, has a zero on the unit square. \pre it has none on the boundary
+// Returns whether f, given by the coefficients of u^i v^j in row i, has a zero on the unit square.
+// \pre it has none on the boundary
 // \throws Error `work_limit`
 template <class FT> bool has_zero_on_square(const std::vector<std::vector<FT>>& coefficients) {
   const Work_guard work("zeros of a denominator");
