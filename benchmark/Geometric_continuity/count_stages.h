@@ -27,7 +27,8 @@ namespace internal {
 
 class Stage_counts {
   struct Table {
-    static constexpr std::size_t n = number_of_stages + 1; // the last row is that of whole edges of splines
+    // the last row is that of whole edges of splines
+    static constexpr std::size_t n = number_of_stages + 1;
     const char* kind;
     std::array<std::array<std::atomic<long>, 4>, n> counts{}; // of each Join_answer
 
@@ -95,8 +96,9 @@ bool count_all_questions(const Questions& questions, int max_order, Result& join
   return decided;
 }
 
-// An edge that is not proved to be smooth is left to what finds out why: an enclosure of the crease, or the last stage. Edges that
-// are beyond fixed length for their degrees or coordinates do not come here and are not counted.
+// An edge that is not proved to be smooth is left to what finds out why: an enclosure of the
+// crease, or the last stage. Edges that are beyond fixed length for their degrees or coordinates do
+// not come here and are not counted.
 template <class Ladder> std::optional<int> count_smooth_order(Ladder& ladder) {
   struct {
     Stage stage;

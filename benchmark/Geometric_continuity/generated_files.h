@@ -131,7 +131,8 @@ inline void write_cubics(std::ostream& os, int count) {
   }
 }
 
-// Writes cubics in space with six decimals of which each goes on in the direction of the one before, exactly, and with another curvature.
+// Writes cubics in space with six decimals of which each goes on in the direction of the one
+// before, exactly, and with another curvature.
 inline void write_bent_cubics(std::ostream& os, int count) {
   typedef std::array<std::int64_t, 3> Point; // in millionths
   Block_writer out(os);
@@ -154,9 +155,10 @@ inline void write_bent_cubics(std::ostream& os, int count) {
   }
 }
 
-// Writes an SVG drawing of `paths` paths of 100 segments as editors do, in relative coordinates with two decimals: curves that go
-// on in the direction of the segment before as far as the decimals allow, or exactly (`s`), and every fifth segment is a line.
-// Returns the number of coordinates.
+// Writes an SVG drawing of `paths` paths of 100 segments as editors do, in relative coordinates
+// with two decimals: curves that go on in the direction of the segment before as far as the
+// decimals allow, or exactly (`s`), and every fifth segment is a line. Returns the number of
+// coordinates.
 inline std::int64_t write_drawing(std::ostream& os, int paths) {
   constexpr int segments = 100;
   Block_writer out(os);

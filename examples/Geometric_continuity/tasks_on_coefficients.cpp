@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Twelve tasks on what curves and surfaces are made of: coefficients and knots in arrays, bases, points and rows.
+// Twelve tasks on what curves and surfaces are made of: coefficients and knots in arrays, bases,
+// points and rows.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity.h>
@@ -30,7 +31,8 @@ template <class Range> void print(const char* text, const Range& range) {
 
 int main() {
   //! [tasks]
-  // 1. a spline as knots and coefficients in any array: its basis, blossom and derivatives at a parameter
+  // 1. a spline as knots and coefficients in any array: its basis, blossom and derivatives at a
+  //    parameter
   const GC::Knot_vector<FT> knots(2, {0, 0, 0, 1, 2, 2, 2});
   const std::vector<FT> c{0, 2, 1, 3};
   const FT half = FT(1) / 2;
@@ -72,14 +74,16 @@ int main() {
   std::cout << "   " << GC::bernstein_polynomials<FT>(3)[1] << '\n';
   print("   at 1/2:", GC::bernstein_basis(3, half));
 
-  // 8. one step of de Casteljau's algorithm, by which three numbers become two; the pattern of their signs
+  // 8. one step of de Casteljau's algorithm, by which three numbers become two; the pattern of
+  //    their signs
   std::array<FT, 3> steps{0, 4, -4};
   GC::de_casteljau_step(steps, 2, half);
   GC::Sign_set signs;
   for (int i = 0; i < 2; ++i) signs.add(CGAL::sign(steps[i]));
   std::cout << "8. " << steps[0] << ' ' << steps[1] << ": " << signs.pattern() << '\n';
 
-  // 9. a point is in a convex hull: the weights prove it. The squared length and area that derivatives span
+  // 9. a point is in a convex hull: the weights prove it. The squared length and area that
+  //    derivatives span
   const auto column = [](int x, int y) { return GC::coordinates<Plane>(Point(x, y)); };
   print("9.", *GC::convex_weights(std::vector{column(0, 0), column(4, 0), column(0, 4)}, column(1, 1)));
   print("  ", GC::gram_determinants(hermite.start_jet_over<FT>(2), 2));
@@ -94,7 +98,8 @@ int main() {
     std::cout << " (" << GC::to_vector<Space>(t) << ')';
   std::cout << '\n';
 
-  // 11. a curve that is swept, as a patch; a spline that is swept, as a surface; where the normal vanishes
+  // 11. a curve that is swept, as a patch; a spline that is swept, as a surface; where the normal
+  //     vanishes
   const GC::Bezier_curve<Space> hook{Point_3(0, 0, 0), Point_3(0, 0, 1), Point_3(1, 0, 0)};
   const GC::Extrusion_surface_3<GC::Bezier_curve<Space>> swept(hook, Vector_3(0, 0, 1));
   std::cout << "11. " << GC::bezier_patch(swept) << '\n';
@@ -104,7 +109,8 @@ int main() {
   const GC::Sweep_defects<FT> defects = GC::sweep_defects(swept);
   for (const GC::Sweep_defect<FT>& d : defects.points) std::cout << "   normal zero at " << d.begin << '\n';
 
-  // 12. Hagen's next points: how the derivatives are connected for the scalars C_0, C_1, C_2, in degree 3
+  // 12. Hagen's next points: how the derivatives are connected for the scalars C_0, C_1, C_2, in
+  //     degree 3
   const GC::Alternative_parameters<FT> scalars{5, 7, GC::g3_c2<FT>(3, 1, 5)};
   const GC::Connection_coefficients<FT> k = GC::connection_coefficients<FT>(3, 1, scalars);
   std::cout << "12. beta " << k.beta1 << ' ' << k.beta2 << ", mu " << k.mu << ", delta " << k.delta << "; "

@@ -24,30 +24,37 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityIO
-/// A figure of curves that join, in one or more panels side by side, as a picture in the format SVG.
+/// A figure of curves that join, in one or more panels side by side, as a picture in the format
+/// SVG.
 ///
-/// All panels have one scale and one view, so that they can be compared. The scale is that of the curves; a control
-/// polygon that leads far away leaves its panel. When all curves are planar the `y`-axis points upwards; otherwise the
-/// panels show an axonometric view from above, with a grid on the ground plane and the shadow of the curves on it, and
-/// planar curves have `z = 0`. Curves up to degree 3 are drawn exactly, others by cubic pieces within 1/50 of a pixel.
+/// All panels have one scale and one view, so that they can be compared. The scale is that of the
+/// curves; a control polygon that leads far away leaves its panel. When all curves are planar the
+/// `y`-axis points upwards; otherwise the panels show an axonometric view from above, with a grid
+/// on the ground plane and the shadow of the curves on it, and planar curves have `z = 0`. Curves
+/// up to degree 3 are drawn exactly, others by cubic pieces within 1/50 of a pixel.
 ///
-/// Curves with a curvature plot are drawn, one after the other as they were added, in a plot of the curvature against the arc
-/// length below their panel. It is signed in the plane: positive where the curve turns left. All plots of a figure have one scale,
-/// whose numbers are those of the coordinates that were given: arc lengths in their unit, curvatures in one by this unit.
+/// Curves with a curvature plot are drawn, one after the other as they were added, in a plot of the
+/// curvature against the arc length below their panel. It is signed in the plane: positive where
+/// the curve turns left. All plots of a figure have one scale, whose numbers are those of the
+/// coordinates that were given: arc lengths in their unit, curvatures in one by this unit.
 ///
-/// The teeth of a curvature comb point away from the centre of curvature and are proportional to the curvature, by one
-/// factor for the figure. By this factor nine tenths of the combed length have teeth of at most 9 % of the size of the
-/// curves, and longer teeth are cut off at 18 %: they are drawn paler, the line through the tips is interrupted there,
-/// and the legend says so. When all teeth are shorter they are enlarged until the longest has this length. Each curve
-/// has its own comb up to its ends, so that a jump of the curvature at a join is a step of the line. Where the tangent
-/// is zero, and the curvature undefined, there is no tooth. The legend shows the length of the tooth of a round curvature.
+/// The teeth of a curvature comb point away from the centre of curvature and are proportional to
+/// the curvature, by one factor for the figure. By this factor nine tenths of the combed length
+/// have teeth of at most 9 % of the size of the curves, and longer teeth are cut off at 18 %: they
+/// are drawn paler, the line through the tips is interrupted there, and the legend says so. When
+/// all teeth are shorter they are enlarged until the longest has this length. Each curve has its
+/// own comb up to its ends, so that a jump of the curvature at a join is a step of the line. Where
+/// the tangent is zero, and the curvature undefined, there is no tooth. The legend shows the length
+/// of the tooth of a round curvature.
 ///
-/// Labels do not overlap: where there is no room beside a join a label stands farther away, connected by a line, and the legend counts those
-/// for which there is none.
+/// Labels do not overlap: where there is no room beside a join a label stands farther away,
+/// connected by a line, and the legend counts those for which there is none.
 class Svg_figure {
 public:
-  /// Constructs a figure without panels, which will have at most `columns` panels in a row. The title is plain text in UTF-8.
-  /// \throws Error `negative_count` for a negative number of columns, `wrong_number_of_points` for no columns
+  /// Constructs a figure without panels, which will have at most `columns` panels in a row. The
+  /// title is plain text in UTF-8.
+  /// \throws Error `negative_count` for a negative number of columns, `wrong_number_of_points` for
+  ///   no columns
   explicit Svg_figure(std::string title = std::string(), int columns = 3)
       : title_(std::move(title)), columns_(columns) {
     if (columns < 0) throw Error(Error_code::negative_count, "Svg_figure: columns");
@@ -60,8 +67,8 @@ public:
     return *this;
   }
 
-  /// Adds a curve or a range of curves to the panel that was appended last, or to a first one without a caption, as `Svg_panel::add()` does;
-  /// returns the figure.
+  /// Adds a curve or a range of curves to the panel that was appended last, or to a first one
+  /// without a caption, as `Svg_panel::add()` does; returns the figure.
   /// \throws Error as `Svg_panel::add()` does
   template <class Curve> Svg_figure& add(const Curve& curve, const Svg_style& style = Svg_style()) {
     if (panels_.empty()) panels_.emplace_back();
@@ -77,8 +84,8 @@ public:
     write(os, [](std::size_t) {});
   }
 
-  /// Writes the picture as an SVG document in UTF-8, and calls `report(n)` when `n` curves have been drawn, for each `n`
-  /// from 1 on.
+  /// Writes the picture as an SVG document in UTF-8, and calls `report(n)` when `n` curves have
+  /// been drawn, for each `n` from 1 on.
   template <class Report> void write(std::ostream& os, Report report) const {
     std::size_t drawn = 0;
     std::vector<Svg_panel> panels = panels_;
@@ -258,7 +265,8 @@ private:
       const Svg_pixel half = places.half_size(text_width), d = *q - p;
       places.take(*q, half + svg_vector({3.0, 2.0}));
       const double reach =
-          (std::max)(std::abs(d[0]) / (half[0] + 2), std::abs(d[1]) / (half[1] + 2)); // from the label to p
+          // from the label to p
+          (std::max)(std::abs(d[0]) / (half[0] + 2), std::abs(d[1]) / (half[1] + 2));
       if (svg_length(d) * (1 - 1 / reach) > 14)
         connections += svg_polyline({p + 4 / svg_length(d) * d, p + (1 - 1 / reach) * d});
       s += svg_text((*q)[0], (*q)[1] + 4, 11, "#222222", "middle", join.label,
@@ -267,7 +275,7 @@ private:
     return svg_stroke(axes_stroke, connections) + s;
   }
 
-  // What occurs in the panels, with samples; moves y below it.
+  // Returns the legend of the styles in the panels, with samples, and moves y below it.
   static std::string legend(const std::vector<Svg_panel>& panels, const internal::Svg_view& view,
                             const internal::Svg_curvature_plots& plots, std::size_t without_room, double width,
                             double& y) {

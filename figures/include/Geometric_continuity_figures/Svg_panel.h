@@ -24,20 +24,27 @@ namespace Geometric_continuity {
 /// \ingroup PkgGeometricContinuityIO
 /// What a curve is in a picture.
 enum class Svg_role {
-  given,       ///< a curve that was there before, drawn dark; "given curve" in the legend unless it has a name
-  result,      ///< a curve that was computed, highlighted; "result" in the legend unless it has a name
-  construction ///< a line of a geometric construction, drawn dashed; "construction" in the legend unless it has a name
+  /// a curve that was there before, drawn dark; "given curve" in the legend unless it has a name
+  given,
+  /// a curve that was computed, highlighted; "result" in the legend unless it has a name
+  result,
+  /// a line of a geometric construction, drawn dashed; "construction" in the legend unless it has a
+  /// name
+  construction
 };
 
 /// \ingroup PkgGeometricContinuityIO
 /// How a curve is drawn, and what the legend calls it.
 struct Svg_style {
-  Svg_role role = Svg_role::given;  ///< the colour and width of the line
-  bool control_polygon = false;     ///< with its control points, thin
-  bool curvature_comb = false;      ///< with teeth as long as the curvature, see `Svg_figure`
-  std::string name = std::string(); ///< plain text in UTF-8 for the legend; empty: the name of the role
-  bool curvature_plot = false;      ///< in the plot of the curvature against the arc length below the panel
-  bool in_frame = true;             ///< the frame and the scales follow it; otherwise it may leave the panel
+  Svg_role role = Svg_role::given; ///< the colour and width of the line
+  bool control_polygon = false;    ///< with its control points, thin
+  bool curvature_comb = false;     ///< with teeth as long as the curvature, see `Svg_figure`
+  /// plain text in UTF-8 for the legend; empty: the name of the role
+  std::string name = std::string();
+  /// in the plot of the curvature against the arc length below the panel
+  bool curvature_plot = false;
+  /// the frame and the scales follow it; otherwise it may leave the panel
+  bool in_frame = true;
 };
 
 namespace internal {
@@ -70,19 +77,23 @@ struct Is_range_of_curves<
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// One picture of an `Svg_figure`: curves, marked joins and a caption. A chain is written as it runs:
-/// `panel.add(phi).join("G2").add(gamma, highlighted).join("G2").add(psi)`.
+/// One picture of an `Svg_figure`: curves, marked joins and a caption. A chain is written as it
+/// runs: `panel.add(phi).join("G2").add(gamma, highlighted).join("G2").add(psi)`.
 class Svg_panel {
 public:
-  /// Constructs a panel without curves. Captions and labels are plain text in UTF-8. Long captions are broken into lines.
+  /// Constructs a panel without curves. Captions and labels are plain text in UTF-8. Long captions
+  /// are broken into lines.
   explicit Svg_panel(std::string caption = std::string()) : caption_(std::move(caption)) {}
 
-  /// Adds a Bézier curve of dimension 2 or 3 over any kernel. The coordinates are rounded to `double` for the drawing.
-  /// \tparam Curve a `Bezier_curve`, or a class with its `Traits`, `dimension()`, `degree()`, `begin()`, `end()` and
-  ///   `coordinates(j)`; or a range of such curves, e.g. `bezier_pieces()` of a B-spline curve, which are added one after the other
+  /// Adds a Bézier curve of dimension 2 or 3 over any kernel. The coordinates are rounded to
+  /// `double` for the drawing.
+  /// \tparam Curve a `Bezier_curve`, or a class with its `Traits`, `dimension()`, `degree()`,
+  ///   `begin()`, `end()` and `coordinates(j)`; or a range of such curves, e.g. `bezier_pieces()`
+  ///   of a B-spline curve, which are added one after the other
   /// \throws Error `dimension_mismatch` in dimension 1 or above 3
   /// \throws Error `wrong_number_of_points` unless there are `degree() + 1` control points
-  /// \throws Error `not_finite` for a coordinate beyond the range of `double`, with the number of the curve in the panel
+  /// \throws Error `not_finite` for a coordinate beyond the range of `double`, with the number of
+  ///   the curve in the panel
   template <class Curve> Svg_panel& add(const Curve& curve, const Svg_style& style = Svg_style()) {
     if constexpr (internal::Is_range_of_curves<Curve>::value) {
       for (const auto& piece : curve) add(piece, style);
@@ -98,8 +109,9 @@ public:
     }
   }
 
-  /// Adds a rational Bézier curve of dimension 2 or 3. Where its weights differ, it is drawn as eight polynomial curves that have its
-  /// first and second derivatives at their ends: far closer to it than a line is wide.
+  /// Adds a rational Bézier curve of dimension 2 or 3. Where its weights differ, it is drawn as
+  /// eight polynomial curves that have its first and second derivatives at their ends: far closer
+  /// to it than a line is wide.
   /// \throws Error as for a Bézier curve
   template <class Traits, int Degree>
   Svg_panel& add(const Rational_bezier_curve<Traits, Degree>& curve, const Svg_style& style = Svg_style()) {
@@ -189,19 +201,22 @@ private:
 /// \ingroup PkgGeometricContinuityIO
 /// How the faces of surfaces are painted.
 enum class Svg_shading {
-  isophotes, ///< in strips of equal angles of the normal and the light: where the strips have a kink the surface is not
-             ///< \f$ G^2 \f$, where they break it is not \f$ G^1 \f$
-  smooth     ///< by the angle of the normal and the light
+  /// in strips of equal angles of the normal and the light: where the strips have a kink the
+  /// surface is not \f$ G^2 \f$, where they break it is not \f$ G^1 \f$
+  isophotes,
+  smooth ///< by the angle of the normal and the light
 };
 
 /// \ingroup PkgGeometricContinuityIO
 /// How surfaces are drawn.
 struct Svg_surface_style {
   Svg_shading shading = Svg_shading::isophotes; ///< the faces
-  double azimuth = -60;                         ///< where the viewer is: degrees around the z-axis from the x-axis
-  double elevation = 22;                        ///< where the viewer is: degrees above the ground
-  std::string title;                            ///< plain text in UTF-8
-  double width = 900;                           ///< of the drawing without its margins, in pixels, at least 100
+  /// where the viewer is: degrees around the z-axis from the x-axis
+  double azimuth = -60;
+  double elevation = 22; ///< where the viewer is: degrees above the ground
+  std::string title;     ///< plain text in UTF-8
+  /// of the drawing without its margins, in pixels, at least 100
+  double width = 900;
 };
 
 } // namespace Geometric_continuity

@@ -24,7 +24,8 @@
 #include <vector>
 
 /// \file svg_surfaces.h
-/// Pictures of surfaces: faces, edges and knot lines by their order of continuity, a shadow and a legend.
+/// Pictures of surfaces: faces, edges and knot lines by their order of continuity, a shadow and a
+/// legend.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -193,7 +194,8 @@ private:
     lines_.emplace_back(kind, std::move(points));
   }
 
-  // The silhouettes and the lines, where they are not hidden; the more important ones above the others.
+  // The silhouettes and the lines, where they are not hidden; the more important ones above the
+  // others.
   std::string lines(const Svg_camera& camera, const Svg_facets& facets) const {
     std::string silhouettes;
     for (const std::vector<Svg_point>& line : facets.silhouettes()) silhouettes += seen_parts(line, camera, facets);
@@ -253,14 +255,17 @@ private:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityIO
-/// Draws surfaces as an SVG document in UTF-8: in a parallel projection with hidden parts removed, painted between
-/// contours of the exact normal field, with silhouettes and their shadow on the ground. Common edges, and the knot lines inside B-spline surfaces, are coloured by their
-/// order, which `model_continuity()` decides exactly; then everything is rounded to `double` for the drawing. Both sides of
-/// a surface are lit.
+/// Draws surfaces as an SVG document in UTF-8: in a parallel projection with hidden parts removed,
+/// painted between contours of the exact normal field, with silhouettes and their shadow on the
+/// ground. Common edges, and the knot lines inside B-spline surfaces, are coloured by their order,
+/// which `model_continuity()` decides exactly; then everything is rounded to `double` for the
+/// drawing. Both sides of a surface are lit.
 ///
-/// \tparam SurfaceRange a forward range of `Bezier_patch`, of `Bspline_surface`, or of the rational ones
-/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for coordinates beyond the range of `double` and for
-///   angles of the view and a width that are infinite or not a number, `empty_domain` for a width below 100
+/// \tparam SurfaceRange a forward range of `Bezier_patch`, of `Bspline_surface`, or of the rational
+///   ones
+/// \throws Error `dimension_mismatch` unless in dimension 3, `not_finite` for coordinates beyond
+///   the range of `double` and for angles of the view and a width that are infinite or not a
+///   number, `empty_domain` for a width below 100
 template <class SurfaceRange>
 void write_svg_surfaces(std::ostream& os, const SurfaceRange& surfaces,
                         const Svg_surface_style& style = Svg_surface_style()) {

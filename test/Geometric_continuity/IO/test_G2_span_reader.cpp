@@ -354,7 +354,8 @@ BOOST_AUTO_TEST_CASE(spans_off_the_grid) {
   CHECK_ERROR(continuity_orders(right, spatial), dimension_mismatch);
 }
 
-// Short decimals are decided on integers, without the work on jets: legs beyond those of doubles, and domains of any lengths.
+// Short decimals are decided on integers, without the work on jets: legs beyond those of doubles,
+// and domains of any lengths.
 BOOST_AUTO_TEST_CASE(decided_on_integers) {
   const std::string head = "100 1 0 0 2 0\n4 4\n";
   const auto order = [&](const std::string& ends, const std::string& unit, bool is_smooth) {
@@ -374,8 +375,8 @@ BOOST_AUTO_TEST_CASE(decided_on_integers) {
   }
 }
 
-// Enclosures of the jets at a join of two spans, with respect to parameters of [0, 1], contain the exact ones, and are narrow. Returns
-// whether there are some.
+// Enclosures of the jets at a join of two spans, with respect to parameters of [0, 1], contain the
+// exact ones, and are narrow. Returns whether there are some.
 template <class Span>
 bool has_enclosures(const Span& left, const Span& right, const Q& left_length, const Q& right_length) {
   const auto check = [&](const auto& enclosed, const auto& exact, const Q& length) {

@@ -173,7 +173,8 @@ BOOST_AUTO_TEST_CASE(invariance) {
   }
 }
 
-// What every blend must satisfy, however strange its ends are. Points stay within `reach` of the ends.
+// What every blend must satisfy, however strange its ends are. Points stay within `reach` of the
+// ends.
 template <class Strategy>
 auto sensible(const Numbers& phi, const Numbers& psi, const Strategy& strategy, double reach) {
   const auto gamma = GC::blend(jet<Double_2>(phi), jet<Double_2>(psi), strategy);

@@ -101,8 +101,10 @@ BOOST_AUTO_TEST_CASE(chords_of_every_size) {
     for (double b :
          {beta<Double_2>(zero, {x, 0}, one), beta<Exact_2>(zero, {x, 0}, one), beta<Epeck_2>(zero, {-x, x}, one)})
       BOOST_CHECK_EQUAL(b, 0x1p100);
-  BOOST_CHECK_EQUAL((beta<Double_2, double>({-1.7e308, 0}, {1.7e308, 0}, {1.7e308, 0})), 2); // the difference overflows
-  BOOST_CHECK_EQUAL((beta<Double_2, double>({0, 0}, {3 * 5e-324, 0}, {0, 2 * 5e-324})), 1.5); // squares underflow
+  // the difference overflows
+  BOOST_CHECK_EQUAL((beta<Double_2, double>({-1.7e308, 0}, {1.7e308, 0}, {1.7e308, 0})), 2);
+  // squares underflow
+  BOOST_CHECK_EQUAL((beta<Double_2, double>({0, 0}, {3 * 5e-324, 0}, {0, 2 * 5e-324})), 1.5);
   Q huge(1);
   for (int i = 0; i < 4000; ++i) huge *= 10;
   BOOST_CHECK_EQUAL(beta<Exact_2>(std::vector<Q>{0, 0}, {3 * huge, 4 * huge}, {huge, 0}), 5);

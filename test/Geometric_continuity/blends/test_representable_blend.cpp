@@ -171,7 +171,8 @@ template <class Join> void check_moves(const Curve& given, const Curve& moved, c
     }
 }
 
-// Positive shape parameters of every size: a blend with exact joins, or the promised error, and soon.
+// Positive shape parameters of every size: a blend with exact joins, or the promised error, and
+// soon.
 BOOST_AUTO_TEST_CASE(tiny_and_huge_shape_parameters) {
   const double least = std::numeric_limits<double>::denorm_min(), most = (std::numeric_limits<double>::max)();
   const Curve phi = random_curve(3, on_grid), psi = random_curve(4, on_grid);

@@ -18,7 +18,8 @@ typedef GC::Traits_2<CGAL::Epick> Traits;
 typedef Traits::Point Point;
 typedef GC::Bezier_curve<Traits> Curve;
 
-// Not one of a hundred rounded blends has exact joins at both ends, and all of them are G2 but for some units.
+// Not one of a hundred rounded blends has exact joins at both ends, and all of them are G2 but for
+// some units.
 BOOST_AUTO_TEST_CASE(blends) {
   std::mt19937 generator(2026);
   std::uniform_real_distribution<double> number(-1, 1);

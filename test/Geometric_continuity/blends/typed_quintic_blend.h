@@ -180,12 +180,14 @@ TEST_IN_EVERY_SPACE(near_line_fallback) {
 // The middle part of a curve is found again from the outer ones.
 TEST_WITH_RANDOM_INPUT(reproduction) {
   const auto check = [&](int degree, const auto& strategy) {
-    const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3)); // three parts of length 1
+    // three parts of length 1
+    const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3));
     const Jet<Traits> phi = whole.jet(FT(1), 2), psi = whole.jet(FT(2), 2);
     if (is_zero(phi[1]) || is_zero(psi[1])) return;
     const Blend<Traits> gamma = GC::blend(phi, psi, strategy, {});
     const Jet<Traits> expected = whole.jet(FT(1), 5), start = gamma.start_jet(5);
-    // whole numbers up to 2^9, conditions below 2^3, and differences that multiply errors by up to 5! 2^5 < 2^12
+    // whole numbers up to 2^9, conditions below 2^3, and differences that multiply errors by up to
+    // 5! 2^5 < 2^12
     for (int j = 0; j <= 5; ++j)
       for (int i = 0; i < d; ++i) BOOST_CHECK(close(start[j][i], expected[j][i], FT(1 << 24), 100));
   };
@@ -275,9 +277,10 @@ TEST_WITH_RANDOM_INPUT(own_strategies_and_curves) {
 
 // ---------------------------------------------------------------- rounded numbers
 
-// With M the sum of the lengths of the six vectors that define the blend, the right sides of the linear systems are sums
-// of at most 42 M |u|, and the systems, scaled by |u| and |v|, have condition at most 2: 1000 roundings of M cover all. The
-// shift of Near_line divides by the squared sine of an angle, which multiplies its error by at most its inverse squared.
+// With M the sum of the lengths of the six vectors that define the blend, the right sides of the
+// linear systems are sums of at most 42 M |u|, and the systems, scaled by |u| and |v|, have
+// condition at most 2: 1000 roundings of M cover all. The shift of Near_line divides by the squared
+// sine of an angle, which multiplies its error by at most its inverse squared.
 TEST_WITH_RANDOM_INPUT_IF(rounded_blends, !exact) {
   const Blend_input<Traits> input = random_blend<Traits>(random, d, 2, &Random::rational);
   const Blend_input<Reference> reference{

@@ -182,7 +182,8 @@ TEST_IN_EVERY_SPACE(fallbacks) {
 // The middle part of a curve is found again from the outer ones.
 TEST_WITH_RANDOM_INPUT_IF(reproduction, exact&& cancels) {
   const auto check = [&](int degree, const auto& strategy) {
-    const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3)); // three parts of length 1
+    // three parts of length 1
+    const Taylor_curve<Traits> whole(random_jet<Traits>(random, d, degree), FT(0), FT(3));
     const Jet<Traits> phi = whole.jet(FT(1), 3), psi = whole.jet(FT(2), 3);
     if (is_zero(phi[1]) || is_zero(psi[1])) return;
     BOOST_CHECK(GC::blend(phi, psi, strategy, {}).start_jet(7) == whole.jet(FT(1), 7));
@@ -248,11 +249,13 @@ TEST_WITH_RANDOM_INPUT_IF(own_strategies_and_curves, exact) {
 
 // ---------------------------------------------------------------- rounded numbers
 
-// At an end with derivatives d1, d2, d3 (times beta, beta^2, beta^3) all terms of the closed formulas are at most
-// M = (|d1| + |d2| + |d3|)(1 + c)^2 with c = |d2|/|d1| + (|d1| + |d2| + |d3|) / |n|, n = d2 orthogonal to d1, and the
-// errors of their factors grow by c^2: 1000 roundings of M (1 + c)^2 cover all. Where a minimum is computed, an error of
-// the four scalars counts in second order only: elimination is backward stable, so the energy exceeds the least one by at
-// most (1000 * 2^-53 * K)^2 of that at zero, where K is the condition of the scaled system. 2^-40 admits K up to 2^23.
+// At an end with derivatives d1, d2, d3 (times beta, beta^2, beta^3) all terms of the closed
+// formulas are at most M = (|d1| + |d2| + |d3|)(1 + c)^2 with c = |d2|/|d1| + (|d1| + |d2| + |d3|)
+// / |n|, n = d2 orthogonal to d1, and the errors of their factors grow by c^2: 1000 roundings of M
+// (1 + c)^2 cover all. Where a minimum is computed, an error of the four scalars counts in second
+// order only: elimination is backward stable, so the energy exceeds the least one by at most
+// (1000 * 2^-53 * K)^2 of that at zero, where K is the condition of the scaled system. 2^-40 admits
+// K up to 2^23.
 TEST_WITH_RANDOM_INPUT_IF(rounded_blends, !exact) {
   const Blend_input<Traits> input = random_blend<Traits>(random, d, 3, &Random::number);
   const Blend_input<Reference> reference{

@@ -250,7 +250,8 @@ BOOST_AUTO_TEST_CASE(placements) {
   a.placement = b.placement = turned;
   GC::Edge_enclosure e = GC::edge_enclosure(a, b, -1, 5);
   check_is(e, 0, 0, 1);
-  // a half of a shape that is mirrored to the other half: the planes and cylinders continue each other
+  // a half of a shape that is mirrored to the other half: the planes and cylinders continue each
+  // other
   auto [c, d] = fillet(2);
   GC::Edge_side image = d;
   image.placement = mirrored;

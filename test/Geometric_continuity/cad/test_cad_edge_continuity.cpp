@@ -36,7 +36,8 @@ unsigned seed() {
   return s;
 }
 
-// Cubic with inner knots in u, cubic in v; near a plane so that no normal vanishes. Its numbers have few digits.
+// Cubic with inner knots in u, cubic in v; near a plane so that no normal vanishes. Its numbers
+// have few digits.
 template <class Random> GC::Cad_spline_surface random_surface(Random& random, const std::vector<double>& inner_v) {
   GC::Cad_spline_surface s{3, 3, clamped(3, {0.25, 0.5, 0.5, 0.875}), clamped(3, inner_v), {}, {}};
   for (int i = 0; i < 8; ++i)

@@ -12,8 +12,8 @@
 
 const double degree = 0.017453292519943295;
 
-// The plane z = 0 along the axis of x, and a ruled surface below y = 0 that rises like `start` at x = 0 and like `end` at x = 1: the angle
-// is the arc tangent of the slope.
+// The plane z = 0 along the axis of x, and a ruled surface below y = 0 that rises like `start` at
+// x = 0 and like `end` at x = 1: the angle is the arc tangent of the slope.
 const GC::Edge_side ground = side(Elementary{Kind::plane, standard}, line(0, 0, 1, 0));
 GC::Edge_side ramp(double start, double end) {
   return side(

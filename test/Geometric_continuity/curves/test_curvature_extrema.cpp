@@ -273,7 +273,8 @@ TEST_FOR_EACH(pieces, Traits, Planar_traits) {
   BOOST_CHECK(found);
 }
 
-// With floating-point numbers the Bezier pieces of a B-spline curve would be rounded; it is decided as it is given.
+// With floating-point numbers the Bezier pieces of a B-spline curve would be rounded; it is decided
+// as it is given.
 TEST_FOR_EACH(splines, Traits, Planar_traits) {
   const std::vector<typename Traits::Point> p =
       points<Traits>({{0, 0}, {0.1, 1}, {1.3, 1.7}, {2, -1}, {3, 0.3}, {4, 0}});

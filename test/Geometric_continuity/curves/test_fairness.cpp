@@ -198,7 +198,8 @@ struct Wave {
   }
 };
 
-// A curve that is no spline is asked for its jets: it may turn too often, stop in the middle, or have too few derivatives.
+// A curve that is no spline is asked for its jets: it may turn too often, stop in the middle, or
+// have too few derivatives.
 BOOST_AUTO_TEST_CASE(curves_by_their_jets) {
   BOOST_CHECK(std::isfinite(GC::fairness(Wave{20})));
   CHECK_ERROR(GC::fairness(Wave{1e5}), work_limit);

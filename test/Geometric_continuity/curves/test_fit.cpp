@@ -111,8 +111,8 @@ int pieces(const Points& p, double tolerance, Closure closure, int order, double
                order);
 }
 
-// As few pieces as known constructions have, and perhaps one more at the end: quarters of a circle by cubics are wrong by 2.7e-4 of
-// the radius.
+// As few pieces as known constructions have, and perhaps one more at the end: quarters of a circle
+// by cubics are wrong by 2.7e-4 of the radius.
 BOOST_AUTO_TEST_CASE(smooth_polylines) {
   BOOST_CHECK_LE(pieces(circle(300, 100), 0.1, Closure::closed, 1), 5);
   BOOST_CHECK_LE(pieces(circle(300, 100), 0.1, Closure::closed, 2), 4);

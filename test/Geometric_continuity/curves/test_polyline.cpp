@@ -135,7 +135,8 @@ TEST_FOR_EACH(random_curves_are_near_their_polylines, Traits, All_traits) {
 }
 
 TEST_FOR_EACH(bound_is_sharp_for_a_parabola, Traits, All_traits) {
-  // y = 4 x (1 - x): over a parameter interval of length h the chord is h^2 below the curve in the middle
+  // y = 4 x (1 - x): over a parameter interval of length h the chord is h^2 below the curve in the
+  // middle
   const Curve<Traits> c = bezier<Traits>({{0, 0}, {0.5, 2}, {1, 0}});
   BOOST_CHECK_EQUAL(chords(c, FT(2)).size(), 2u);
   BOOST_CHECK_EQUAL(chords(c, FT(1.001)).size(), 2u);

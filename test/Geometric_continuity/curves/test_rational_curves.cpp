@@ -491,7 +491,8 @@ BOOST_AUTO_TEST_CASE(lines_and_arcs) {
               3);
 }
 
-// All vertices on the circle, and the middle of each chord no farther away than the tolerance; boxes that contain what they should.
+// All vertices on the circle, and the middle of each chord no farther away than the tolerance;
+// boxes that contain what they should.
 TEST_FOR_EACH(polylines_and_boxes, Traits, Planar) {
   typedef typename Traits::Point Point;
   const auto arc = GC::circular_arc<Traits>(Point(0, 0), Point(1, 0), FT(3)); // 286 degrees

@@ -237,7 +237,8 @@ TEST_WITH_RANDOM_INPUT(values_and_jets) {
     BOOST_CHECK_EQUAL(q.dimension(), d);
     const FT t = random.number();
     const Jet<Traits> x = q.jet(t, 5);
-    const FT powers[4][4] = {{FT(t * t * t), FT(t * t), t, FT(1)}, // t^3, t^2, t, 1 and its derivatives
+    // t^3, t^2, t, 1 and its derivatives
+    const FT powers[4][4] = {{FT(t * t * t), FT(t * t), t, FT(1)},
                              {FT(FT(3) * t * t), FT(FT(2) * t), FT(1), FT(0)},
                              {FT(FT(6) * t), FT(2), FT(0), FT(0)},
                              {FT(6), FT(0), FT(0), FT(0)}};
@@ -365,7 +366,8 @@ TEST_WITH_RANDOM_INPUT(piecewise_curves) {
     const int n = random.integer(closed ? 3 : 5, 6);
     const std::vector<Point<Traits>> p = random_points<Traits>(random, d, n);
     const GC::Cardinal_basis<FT> tight{ratio(1, 4)};
-    // in a closed triangle or quadrilateral the second derivative jumps by a multiple of the first: G2
+    // in a closed triangle or quadrilateral the second derivative jumps by a multiple of the first:
+    // G2
     const Orders cardinal(1, closed && n <= 4 ? 2 : 1);
     if constexpr (exact_predicates && cancels) {
       BOOST_CHECK((orders<Traits>(p, GC::Catmull_rom_basis(), closed) == cardinal));
@@ -405,24 +407,27 @@ TEST_WITH_RANDOM_INPUT(piecewise_curves) {
   }
 }
 
-// What coincides is no error, and the analysis says what it does to the curve. Zero derivatives and whole coordinates: no
-// rounding decides here.
+// What coincides is no error, and the analysis says what it does to the curve. Zero derivatives and
+// whole coordinates: no rounding decides here.
 TEST_IN_EVERY_SPACE(piecewise_degenerate) {
   typedef std::pair<int, int> Orders;
   const GC::Catmull_rom_basis catmull_rom;
   const GC::Uniform_bspline_basis bspline;
   if constexpr (exact_predicates) {
-    const auto there_and_back = points<Traits>(d, {{0}, {1, 2}, {0}, {3, 1}}); // zero derivative at (1,2), (3,1)
+    // zero derivative at (1,2), (3,1)
+    const auto there_and_back = points<Traits>(d, {{0}, {1, 2}, {0}, {3, 1}});
     BOOST_CHECK((orders<Traits>(there_and_back, catmull_rom, true) == Orders(1, 0)));
     const auto doubled = points<Traits>(d, {{0}, {1, 2}, {1, 2}, {4, 1}, {3, 5}});
     BOOST_CHECK((orders<Traits>(doubled, catmull_rom, true) == Orders(1, 1)));
     const auto one_place = points<Traits>(d, {{3, 1}, {3, 1}, {3, 1}, {3, 1}});
     BOOST_CHECK((orders<Traits>(one_place, catmull_rom, true) == Orders(3, 0)));
     BOOST_CHECK((orders<Traits>(one_place, bspline, true) == Orders(3, 0)));
-    const auto tripled = points<Traits>(d, {{0}, {1, 2}, {1, 2}, {1, 2}, {4, 1}, {5}}); // a corner at (1,2)
+    // a corner at (1,2)
+    const auto tripled = points<Traits>(d, {{0}, {1, 2}, {1, 2}, {1, 2}, {4, 1}, {5}});
     BOOST_CHECK((orders<Traits>(tripled, bspline, false) == Orders(2, 0)));
     const auto collinear = points<Traits>(d, {{0}, {1, 1}, {3, 3}, {4, 4}, {9, 9}});
-    BOOST_CHECK(orders<Traits>(collinear, catmull_rom, false).second == 3); // a line, whatever its speed
+    // a line, whatever its speed
+    BOOST_CHECK(orders<Traits>(collinear, catmull_rom, false).second == 3);
   }
   const auto line = points<Traits>(d, {{0}, {6}, {12}, {18}, {24}});
   const auto steady = GC::piecewise_cubic<Traits>(line.begin(), line.end(), catmull_rom);
@@ -641,7 +646,8 @@ TEST_IN_EVERY_SPACE(closed_curves) {
   const auto closing = [d](std::initializer_list<Row> rows) { return GC::closing(curve<Traits>(d, rows)); };
   BOOST_CHECK(closing({{0, 0}, {1, 2}, {3, 0}}) == Closing::open);
   BOOST_CHECK(closing({{0, 0}, {2, 0}, {1, 1}, {-1, 0}, {0, 0}}) == Closing::smooth);
-  BOOST_CHECK(closing({{0, 0}, {2, 0}, {1, 1}, {1, 0}, {0, 0}}) == Closing::cusp); // collinear, and not smooth
+  // collinear, and not smooth
+  BOOST_CHECK(closing({{0, 0}, {2, 0}, {1, 1}, {1, 0}, {0, 0}}) == Closing::cusp);
   BOOST_CHECK(closing({{0, 0}, {2, 0}, {1, 1}, {0, 0}}) == Closing::corner);
   BOOST_CHECK(closing({{0, 0}, {0, 0}, {1, 1}, {-1, 0}, {0, 0}}) == Closing::singular);
   BOOST_CHECK(closing({{0, 0}, {1, 1}, {0, 0}, {0, 0}}) == Closing::singular);

@@ -40,7 +40,8 @@ Certificate certificate(const Net& a, const Net& b, int order) {
   return c[0];
 }
 
-// The second surface is S(u + alpha v + alpha2 v^2/2, beta v + delta v^2/2) up to second order, and then moved away from that.
+// The second surface is S(u + alpha v + alpha2 v^2/2, beta v + delta v^2/2) up to second order, and
+// then moved away from that.
 BOOST_AUTO_TEST_CASE(constructed_edges) {
   Random random;
   for (int i = 0; i < 10; ++i) {

@@ -12,7 +12,8 @@
 
 using enclosures::ulps;
 
-// The angle between the normals of two surfaces with the edge v = v_0 in one direction, by floating-point arithmetic.
+// The angle between the normals of two surfaces with the edge v = v_0 in one direction, by
+// floating-point arithmetic.
 template <class K> double sampled_angle(const Patch<K>& a, const Patch<K>& b, const typename K::FT& u) {
   const auto m = a.normal(u, a.domain_v().first), n = b.normal(u, b.domain_v().first);
   const typename K::Vector_3 cross = CGAL::cross_product(m, n);

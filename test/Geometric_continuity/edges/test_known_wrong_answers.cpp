@@ -26,7 +26,8 @@ using GC::Sign_pattern;
 constexpr GC::Patch_edge v0 = GC::Patch_edge::v0;
 const double pi = std::acos(-1.0), tolerance = 1e-6; // what the rules use
 
-// The patch C(u) + v T(u) + v^2 W(u), where the coordinates are polynomials with coefficients that every kernel can represent.
+// The patch C(u) + v T(u) + v^2 W(u), where the coordinates are polynomials with coefficients that
+// every kernel can represent.
 typedef std::array<Polynomial, 3> Column;
 template <class K, class FT = typename K::FT> Patch<K> patch(const Column& c, const Column& t, const Column& w) {
   int n = 0;
@@ -190,7 +191,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(differences_have_no_sign, K, Kernels) {
 
 // --------------------------------------------------------- cross derivatives that are not parallel
 
-// Wrong: "T1 and T2 are parallel", or the control points across the edge collinear. Both may have a part along the edge.
+// Wrong: "T1 and T2 are parallel", or the control points across the edge collinear. Both may have a
+// part along the edge.
 template <class K, class FT = typename K::FT> bool parallel_cross_derivatives(const Patch<K>& a, const Patch<K>& b) {
   for (int k = 0; k <= 4; ++k) {
     const FT u = FT(FT(k) / FT(4));
@@ -238,7 +240,8 @@ BOOST_AUTO_TEST_CASE(ribbons_with_a_part_along_the_edge_are_smooth) {
 
 // ---------------------------------------------------------------- samples
 
-// Wrong: "the normals agree at n + 1 parameters". The surfaces bend away from each other between them.
+// Wrong: "the normals agree at n + 1 parameters". The surfaces bend away from each other between
+// them.
 TEST_FOR_EACH(bumps_between_samples, K, Kernels) {
   for (int samples : {5, 21}) {
     if (samples == 21 && !std::is_same_v<FT, Q>) continue; // its coefficients are no doubles

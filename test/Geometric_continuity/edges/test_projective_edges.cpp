@@ -11,7 +11,8 @@ BOOST_AUTO_TEST_SUITE(projective_edges)
 
 template <class K> using Rational_patch = GC::Rational_bezier_patch<GC::Traits_3<K>>;
 
-// The image under (x, y, z) -> (x, y, z) / (1 + (x + 2 y + 3 z) / 1000), which is defined near the origin.
+// The image under (x, y, z) -> (x, y, z) / (1 + (x + 2 y + 3 z) / 1000), which is defined near the
+// origin.
 template <class K, class FT = typename K::FT> Rational_patch<K> projected(const Patch<K>& s) {
   typedef typename Rational_patch<K>::Homogeneous Homogeneous;
   std::vector<std::vector<typename Homogeneous::Point>> net(s.degree_u() + 1);

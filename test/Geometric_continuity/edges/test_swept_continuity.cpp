@@ -168,8 +168,8 @@ BOOST_AUTO_TEST_CASE(defects_of_random_profiles) {
 
 // ---------------------------------------------------------------- continuity
 
-// A right profile that continues the surface s, and not necessarily its profile: y(t) = s(u(t), v(t)), as far as the second
-// derivative shows, plus `normal` times the normal.
+// A right profile that continues the surface s, and not necessarily its profile: y(t) = s(u(t),
+// v(t)), as far as the second derivative shows, plus `normal` times the normal.
 Curve continued(const Revolution& s, Random& random, const Q& p, const Q& normal) {
   const GC::Surface_jet<Exact> j = s.jet(s.domain_u().second, Q(0), 2);
   const Q b = random.positive(), c = random.rational(), q = random.rational();

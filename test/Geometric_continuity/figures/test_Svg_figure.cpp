@@ -167,7 +167,8 @@ BOOST_AUTO_TEST_CASE(the_first_label_without_room) {
   BOOST_CHECK(legend.find("\n1 label has no room\n") != std::string::npos);
 }
 
-// A line upwards, a curve that stays at its start for many steps, and control points that are far to the left and the right.
+// A line upwards, a curve that stays at its start for many steps, and control points that are far
+// to the left and the right.
 BOOST_AUTO_TEST_CASE(frames_and_combs_of_special_curves) {
   const auto drawn = [](const auto& curve) {
     const std::string s = svg(GC::Svg_figure().add(GC::Svg_panel().add(curve, Svg_style{Svg_role::given, true, true})));
@@ -248,7 +249,8 @@ BOOST_AUTO_TEST_CASE(coordinates_of_all_sizes) {
   BOOST_CHECK_EQUAL(texts(GC::Svg_figure().add(panel)), "given curve\n"); // as it was before
 }
 
-// Each of many curves is drawn, with its comb, its polygon and its join; labels only where there is room.
+// Each of many curves is drawn, with its comb, its polygon and its join; labels only where there is
+// room.
 BOOST_AUTO_TEST_CASE(many_curves) {
   const auto count = [](const std::string& text, const std::string& word) {
     int n = 0;
@@ -271,7 +273,8 @@ BOOST_AUTO_TEST_CASE(many_curves) {
   BOOST_CHECK(drawn.find("nan") == std::string::npos);
 }
 
-// A quarter of a circle of radius 2 and its tangent: the axes have the units of what is given, and so has the comb.
+// A quarter of a circle of radius 2 and its tangent: the axes have the units of what is given, and
+// so has the comb.
 BOOST_AUTO_TEST_CASE(numbers_of_curvature_and_arc_length) {
   const auto numbers = [](double size) {
     const double k = 0.5522847498 * 2 * size, r = 2 * size;
@@ -295,7 +298,8 @@ BOOST_AUTO_TEST_CASE(the_plot_of_a_point) {
   BOOST_CHECK_EQUAL(texts(s).find("\xe2\x88\x92" + std::string("0.5\n0\n0.5\n")), 0u);
 }
 
-// Captions are broken between words, and words that are longer than a line within, but not within a letter.
+// Captions are broken between words, and words that are longer than a line within, but not within a
+// letter.
 BOOST_AUTO_TEST_CASE(long_captions) {
   const auto without_breaks = [](std::string text) {
     text.erase(std::remove_if(text.begin(), text.end(), [](char c) { return c == ' ' || c == '\n'; }), text.end());
@@ -324,7 +328,8 @@ BOOST_AUTO_TEST_CASE(combs_and_plots_that_are_cut_off) {
   for (const char* text :
        {"a &gt; &quot;b&quot;\n", "\ncurvature comb (long teeth cut off)\n", " (1/unit, cut off) against "})
     BOOST_CHECK_MESSAGE(legend.find(text) != std::string::npos, legend + " has not " + text);
-  // a short curve with the longest teeth: it is its part of the whole length that counts, not how its parameter runs
+  // a short curve with the longest teeth: it is its part of the whole length that counts, not how
+  // its parameter runs
   const Curve flat{P(0, 0), P(50, 2.5), P(100, 0)}, bent{P(0, 10), P(2.5, 12), P(5, 10)};
   const Svg_style combed{Svg_role::given, false, true};
   const auto cut_off = [&](const Curve& curve) {
@@ -344,14 +349,16 @@ BOOST_AUTO_TEST_CASE(combs_and_plots_that_are_cut_off) {
   BOOST_CHECK(drawn(Conic(points, std::vector<double>{1, 2, 5})) != drawn(Curve(points.begin(), points.end())));
 }
 
-// In the plane a left turn is plotted above the middle and a right turn below it, as far as it is curved; the most curved point is at the
-// top, however little that is. In space the plot goes from the bottom to the top.
+// In the plane a left turn is plotted above the middle and a right turn below it, as far as it is
+// curved; the most curved point is at the top, however little that is. In space the plot goes from
+// the bottom to the top.
 BOOST_AUTO_TEST_CASE(heights_of_curvature) {
   const auto heights = [](const auto& curve) { // of the plot of a curve, the least and the greatest
     const std::string s =
         svg(GC::Svg_figure().add(GC::Svg_panel().add(curve, Svg_style{Svg_role::result, false, false, "", true})));
-    const std::size_t plot = s.find("<svg", s.find("<svg", s.find("<svg") + 1) + 1), // in a panel in a figure
-        line = s.find("#d55e00", plot), begin = s.find(" d=\"", line) + 4, end = s.find('"', begin);
+    // in a panel in a figure
+    const std::size_t plot = s.find("<svg", s.find("<svg", s.find("<svg") + 1) + 1), line = s.find("#d55e00", plot),
+                      begin = s.find(" d=\"", line) + 4, end = s.find('"', begin);
     std::pair<double, double> found(1000, -1000);
     std::istringstream path(s.substr(begin, end - begin));
     double x, y;
@@ -429,7 +436,8 @@ BOOST_AUTO_TEST_CASE(pictures_of_surfaces) {
     CHECK_ERROR(GC::write_svg_surfaces(os, std::vector<Patch>{bent}, wrong), empty_domain);
     BOOST_CHECK(os.str().empty());
   }
-  // a flat patch that is curved along one parameter has as many facets when the parameters are exchanged
+  // a flat patch that is curved along one parameter has as many facets when the parameters are
+  // exchanged
   const Patch curved{{Q(0, 0, 0), Q(4, 1, 0), Q(0, 2, 0)}, {Q(1, 0, 0), Q(5, 1, 0), Q(1, 2, 0)}};
   const auto numbers = [](const Patch& patch) { // that occur
     std::ostringstream os;
@@ -474,7 +482,8 @@ BOOST_AUTO_TEST_CASE(lines_of_surfaces) {
   BOOST_CHECK_EQUAL(drawn({flat, corner}), first + "edge, G1 but where a normal vanishes\nboundary\n");
 }
 
-// The test draws one surface with and without infinite control points. A surface that cannot be drawn is named by its number.
+// The test draws one surface with and without infinite control points. A surface that cannot be
+// drawn is named by its number.
 BOOST_AUTO_TEST_CASE(rational_and_exact_surfaces) {
   const auto drawn = [](const auto& surfaces) {
     std::ostringstream os;
@@ -539,7 +548,8 @@ BOOST_AUTO_TEST_CASE(silhouettes_of_a_hump) {
   BOOST_CHECK(above.str().find(silhouette) == std::string::npos);
 }
 
-// Pictures stay what they are, to the last digit. Who changes how they look, and has looked at them, puts in the new number.
+// Pictures stay what they are, to the last digit. Who changes how they look, and has looked at
+// them, puts in the new number.
 BOOST_AUTO_TEST_CASE(domains_do_not_show) { // nor do those of rational curves
   const auto picture = [](double first, double last) {
     const std::vector<P> points{P(0, 0), P(1, 2), P(3, 2)};

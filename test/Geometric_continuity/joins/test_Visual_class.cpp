@@ -28,7 +28,8 @@ GC::Bezier_curve<Traits, Degree> curve(const std::vector<std::vector<double>>& r
   return GC::Bezier_curve<Traits, Degree>(points.begin(), points.end());
 }
 
-// The same by the integers of a grid, where the coordinates are such and the curves meet. Fewer bits have the same answer.
+// The same by the integers of a grid, where the coordinates are such and the curves meet. Fewer
+// bits have the same answer.
 struct Grid_point {
   std::int64_t x, y;
 };

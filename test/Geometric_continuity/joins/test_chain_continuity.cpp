@@ -10,7 +10,8 @@
 
 // ------------------------------------------------------------------------------------------ chains
 
-// Curves of which each starts where the one before it ends but for some gaps, with joins of all kinds.
+// Curves of which each starts where the one before it ends but for some gaps, with joins of all
+// kinds.
 template <class Traits, class FT = typename Traits::FT>
 std::vector<Bezier<Traits>> random_chain(Random& random, int n) {
   std::vector<Bezier<Traits>> chain(1, random.curve<Traits>(3, 1).segment(0));

@@ -73,8 +73,9 @@ TEST_FOR_EACH(parametric_continuity_implies_that_of_the_invariants, Traits, Spac
 }
 
 TEST_FOR_EACH(natural_spline_condition_of_cubics, Traits, Spaces) {
-  // A C1 join of cubics is C2 if and only if the legs before and after it, prolonged in the ratio of the intervals, meet
-  // in one point: the natural splines (Boehm). They are one member of the line of curvature continuous alternatives.
+  // A C1 join of cubics is C2 if and only if the legs before and after it, prolonged in the ratio
+  // of the intervals, meet in one point: the natural splines (Boehm). They are one member of the
+  // line of curvature continuous alternatives.
   for (const FT& beta : dyadic_ratios<FT>())
     for (int i = -3; i <= 3; ++i) {
       Two_cubics<Traits> cubics = c3_member<Traits>(beta);

@@ -199,7 +199,8 @@ BOOST_AUTO_TEST_CASE(other_ends) {
     const GC::Rational_bezier_curve<Exact_3> positive(p.begin(), p.end(), w.begin(), w.end());
     compare<Exact_3>(spline, positive, n);
     compare<Exact_3>(positive, spline, n);
-    for (const Q& weight : {Q(1), Q(Q(-1) / Q(16))}) { // the second one may be negative where there is no zero
+    // the second one may be negative where there is no zero
+    for (const Q& weight : {Q(1), Q(Q(-1) / Q(16))}) {
       const std::vector<Q> v{1, weight, 1, 1, 1};
       const GC::Rational_bezier_curve<Exact_3> dent(p.begin(), p.end(), v.begin(), v.end());
       compare<Exact_3>(dent.reverse(), dent, n);

@@ -106,7 +106,8 @@ template <class Traits> void check_disturbed(const Jet<Traits>& x, const std::ve
 }
 
 TEST_WITH_RANDOM_INPUT(disturbed_joins) {
-  const Jet<Traits> x = random_jet<Traits>(random, d, max_order); // no coordinate of x' is 0: no e_i is parallel to it
+  // no coordinate of x' is 0: no e_i is parallel to it
+  const Jet<Traits> x = random_jet<Traits>(random, d, max_order);
   std::vector<FT> betas(max_order, FT(0));
   betas[0] = FT(1);
   check_disturbed(x, betas);
@@ -324,7 +325,8 @@ TEST_WITH_RANDOM_INPUT(curves) {
     CHECK_ERROR(GC::continuity(left, curve<Traits>(d + 1, {{1}, {2}})), dimension_mismatch);
 }
 
-// A curve of the user's own on either side. In rounded kernels Taylor polynomials up to degree 2 are exact.
+// A curve of the user's own on either side. In rounded kernels Taylor polynomials up to degree 2
+// are exact.
 TEST_WITH_RANDOM_INPUT(user_curves) {
   const int k = exact ? 3 : 2;
   const Jet<Traits> x = random_jet<Traits>(random, d, k);
@@ -339,9 +341,9 @@ TEST_WITH_RANDOM_INPUT(user_curves) {
   check_orders(GC::continuity(Curve<Traits>(q.begin(), q.end()), left, 2), 2, 2, 2);
 }
 
-// A parabola phi with dyadic control points and a quintic that starts with B = A + c p, C = 2B - A + 5/8 c^2 q + e p, where
-// p and q are the last first and second differences of phi: beta = 5c/2 and beta_2 = 10e, without rounding. The next
-// double in place of any coordinate refutes that.
+// A parabola phi with dyadic control points and a quintic that starts with B = A + c p, C = 2B -
+// A + 5/8 c^2 q + e p, where p and q are the last first and second differences of phi: beta = 5c/2
+// and beta_2 = 10e, without rounding. The next double in place of any coordinate refutes that.
 TEST_WITH_RANDOM_INPUT_IF(last_bit, exact_predicates) {
   std::vector<Point<Traits>> phi, gamma;
   Column<Traits> p, q, a;

@@ -61,7 +61,8 @@ template <class Traits> Jet<Traits> turned(Jet<Traits> x) {
 const int binary_sizes[] = {-500, -300, -254, -100, 100, 254, 300, 500};
 const double decimal_sizes[] = {1e-150, 1e-100, 1e-80, 1e78, 1e80, 1e100, 1e150};
 
-// Powers of two only shift the exponent: the results are those of the jet of normal size, bit by bit.
+// Powers of two only shift the exponent: the results are those of the jet of normal size, bit by
+// bit.
 BOOST_AUTO_TEST_CASE(powers_of_two_change_exponents_only) {
   std::mt19937 random(1);
   for (int a : binary_sizes)

@@ -72,7 +72,8 @@ TEST_IN_EVERY_SPACE(access) {
 
 // ---------------------------------------------------------------- known curves
 
-// (r cos t, r sin t) at 0 and at pi/2, run through both ways, in the plane of the first two coordinates
+// (r cos t, r sin t) at 0 and at pi/2, run through both ways, in the plane of the first two
+// coordinates
 TEST_IN_EVERY_SPACE(circle) {
   const Jet<Traits> right = jet<Traits>(d, {{4, 0}, {0, 4}, {-4, 0}, {0, -4}, {4, 0}, {0, 4}}),
                     top = jet<Traits>(d, {{0, 4}, {-4, 0}, {0, -4}, {4, 0}, {0, 4}, {-4, 0}});
@@ -193,7 +194,8 @@ BOOST_AUTO_TEST_CASE(signed_squares) {
 
 // ---------------------------------------------------------------- random jets over exact numbers
 
-// Curvatures do not change under t -> beta_1 t + beta_2 t^2/2 + ...; with beta_1 < 0 the signed ones may change sign.
+// Curvatures do not change under t -> beta_1 t + beta_2 t^2/2 + ...; with beta_1 < 0 the signed
+// ones may change sign.
 TEST_WITH_RANDOM_INPUT_IF(reparametrisation, exact) {
   const Jet<Traits> x = random_jet<Traits>(random, d, std::max(d, 4));
   for (int sign : {1, -1}) {
@@ -292,9 +294,9 @@ BOOST_AUTO_TEST_CASE(unit_frame) {
   }
 }
 
-// d2 - (d2.d1 / d1.d1) d1 is off by at most (3n+4) u |d2|, as dot products of dimension n are off by n u |x| |y|; dividing
-// by d1.d1 adds (n+1) u. Here u = 2^-53, and 8n exceeds both. Determinants of order 3 are off by at most
-// 16 u |d1| |d2| |d3|, G_2 by 16 u |d1|^2 |d2|^2.
+// d2 - (d2.d1 / d1.d1) d1 is off by at most (3n+4) u |d2|, as dot products of dimension n are off
+// by n u |x| |y|; dividing by d1.d1 adds (n+1) u. Here u = 2^-53, and 8n exceeds both. Determinants
+// of order 3 are off by at most 16 u |d1| |d2| |d3|, G_2 by 16 u |d1|^2 |d2|^2.
 TEST_WITH_RANDOM_INPUT_IF(rounded_curvatures, !exact) {
   const double u = 0x1p-53;
   const Jet<Traits> x = random_jet<Traits>(random, d, 3, &Random::rational);

@@ -85,8 +85,8 @@ TEST_FOR_EACH(a_weight_that_is_negative, K, Kernels) {
   check_points(patch, 4);
 }
 
-// The triangles of a cell have its shorter diagonal in common; if both are equal, that from the corner where the parameters
-// are least. Floating-point numbers do not tell which it is.
+// The triangles of a cell have its shorter diagonal in common; if both are equal, that from the
+// corner where the parameters are least. Floating-point numbers do not tell which it is.
 TEST_FOR_EACH(shorter_diagonals, K, Kernels) {
   typedef typename K::Point_3 Point;
   FT tiny(1);

@@ -238,7 +238,8 @@ BOOST_AUTO_TEST_CASE(splines_over_simple_knots) {
           for (int l = 0; l <= step; ++l) {
             Exact_3::Point x = whole.control_point(step * i + k, step * j + l);
             if (kind == 4 && 0 < k && k < step && 0 < l && l < step) x = Exact_3::Point(x.x(), x.y(), Q(x.z() + 36));
-            if (kind == 3 && k == 2 && 0 < l && l < step) x = Exact_3::Point(x.x(), x.y(), Q(x.z() + 36)); // only G1
+            // only G1
+            if (kind == 3 && k == 2 && 0 < l && l < step) x = Exact_3::Point(x.x(), x.y(), Q(x.z() + 36));
             part[k].push_back(x);
           }
         const int factor = kind == 2 ? 2 : 1;

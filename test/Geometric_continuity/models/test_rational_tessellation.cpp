@@ -13,8 +13,8 @@
 
 BOOST_AUTO_TEST_SUITE(rational_tessellation)
 
-// Returns whether the middle of each triangle and of each of its sides is within the distance of the point of the patch with the middle of
-// the parameters.
+// Returns whether the middle of each triangle and of each of its sides is within the distance of
+// the point of the patch with the middle of the parameters.
 void check_distance(const Patch<Exact>& s, double distance) {
   const GC::Tessellation<Exact> mesh = GC::tessellate(s, GC::Chord_tolerance{distance});
   const Q bound = Q(distance) * Q(distance);
@@ -143,7 +143,8 @@ Q volume(const GC::Tessellation<Exact>& mesh) {
   return sum;
 }
 
-// Closed surfaces are outside outwards, whatever the direction of their parameters; each part of a model by itself.
+// Closed surfaces are outside outwards, whatever the direction of their parameters; each part of a
+// model by itself.
 BOOST_AUTO_TEST_CASE(solids_are_turned_outwards) {
   typedef Exact::Point Point;
   typedef Exact::Vector Vector;

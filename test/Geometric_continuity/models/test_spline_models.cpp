@@ -8,7 +8,8 @@
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 
-// As many bicubic patches of one smooth surface as a test may take: the number of edges of each kind is known.
+// As many bicubic patches of one smooth surface as a test may take: the number of edges of each
+// kind is known.
 BOOST_AUTO_TEST_CASE(model_of_a_large_grid) {
   constexpr int n = 15;
   std::vector<Patch<Exact>> patches;

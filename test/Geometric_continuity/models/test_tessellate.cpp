@@ -252,7 +252,8 @@ BOOST_AUTO_TEST_CASE(numbers_of_cells) {
   BOOST_CHECK_EQUAL(GC::tessellate(saddle, within(0.24)).triangles.size(), 4);
 }
 
-// Dense samples of every triangle: the point of the surface and the point of the triangle with the same parameters.
+// Dense samples of every triangle: the point of the surface and the point of the triangle with the
+// same parameters.
 TEST_FOR_EACH(tolerance_is_kept, K, Kernels) {
   std::mt19937 random(42);
   const std::array<std::pair<int, int>, 7> degrees = {{{1, 1}, {1, 3}, {2, 2}, {3, 2}, {3, 3}, {5, 1}, {6, 4}}};

@@ -10,8 +10,8 @@
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 
-// Segmented curves of whole and random numbers. Rounded kernels run the same tests as exact ones, on dyadic numbers
-// where every intermediate result is a double.
+// Segmented curves of whole and random numbers. Rounded kernels run the same tests as exact ones,
+// on dyadic numbers where every intermediate result is a double.
 
 typedef std::tuple<Exact_2, Exact_3, Exact_d, Double_2, Double_3, Double_d, Epick_3> All_traits;
 

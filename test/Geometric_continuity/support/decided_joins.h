@@ -4,9 +4,10 @@
 
 #pragma once
 
-// This declares what joins/join_continuity.h and joins/join_predicates.h define, for tests that ask about joins but do not test how they are
-// decided: it is compiled once, for the curves that decided_joins.cpp names, in a library that all unit tests link. Such tests need not be
-// compiled again when the stages of the decision change.
+// This declares what joins/join_continuity.h and joins/join_predicates.h define, for tests that ask
+// about joins but do not test how they are decided: it is compiled once, for the curves that
+// decided_joins.cpp names, in a library that all unit tests link. Such tests need not be compiled
+// again when the stages of the decision change.
 
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>

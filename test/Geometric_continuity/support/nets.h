@@ -68,8 +68,8 @@ inline Q denominator_of(const Q& x) {
   return Q(d);
 }
 
-// Nets in the coordinates of a kernel. Rounded kernels take all nets times a common denominator: whole numbers, which must
-// be represented exactly.
+// Nets in the coordinates of a kernel. Rounded kernels take all nets times a common denominator:
+// whole numbers, which must be represented exactly.
 template <class K, class FT = typename K::FT> std::vector<Patch<K>> patches(const std::vector<Net>& nets) {
   Q scale(1);
   if constexpr (!is_exact<FT>)

@@ -51,9 +51,10 @@ double length_of_span(const GC::Knot_vector<double>& knots, double u) {
 // differences of knots, which are no shorter than the span. With sums of absolute values in the
 // quotient rule this bounds the derivatives of x = p/w by
 //   X_kl = (D_kl + sum C(k,i) C(l,j) D_ij X_(k-i)(l-j)) / (1/4).
-// Each of the at most p+q+2 levels of de Boor's triangles makes fewer than 9 roundings on the way to a homogeneous coordinate;
-// the quotient reads two of them and the denominator once more, and adds 4 roundings for each of its at most k+l+1 terms, which
-// happens k+l+1 times one after the other. The result is off by as many times 2^-53 X_kl, but for terms with 2^-106.
+// Each of the at most p+q+2 levels of de Boor's triangles makes fewer than 9 roundings on the way
+// to a homogeneous coordinate; the quotient reads two of them and the denominator once more, and
+// adds 4 roundings for each of its at most k+l+1 terms, which happens k+l+1 times one after the
+// other. The result is off by as many times 2^-53 X_kl, but for terms with 2^-106.
 class Peer_bound {
   static constexpr int most = 3;
   double x_[most + 1][most + 1];

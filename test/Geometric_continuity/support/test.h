@@ -4,8 +4,8 @@
 
 #pragma once
 
-// This is the preamble of the unit tests: Boost.Test, the kernels, names for them, and how errors are checked. Most of it is
-// precompiled.
+// This is the preamble of the unit tests: Boost.Test, the kernels, names for them, and how errors
+// are checked. Most of it is precompiled.
 
 #include "errors.h"
 

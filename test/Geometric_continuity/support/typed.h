@@ -125,8 +125,8 @@ template <class Test> void with_random_input(Test test, int times = rounds) {
   });
 }
 
-// Tests of a traits class `Traits` in dimension `d`: in every space, and there with `random` input, `rounds` times or as often as
-// given, and only of kernels for which a condition holds.
+// Tests of a traits class `Traits` in dimension `d`: in every space, and there with `random` input,
+// `rounds` times or as often as given, and only of kernels for which a condition holds.
 #define TEST_IN_EVERY_SPACE(name)                                                                                      \
   template <class Traits> void name##_in(int d);                                                                       \
   BOOST_AUTO_TEST_CASE(name) {                                                                                         \

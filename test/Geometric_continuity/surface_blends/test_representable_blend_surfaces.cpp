@@ -188,7 +188,8 @@ struct Remembering_strategy {
   }
 };
 
-// The strategy chooses for the jets of the surfaces: of splines for those of their pieces next to the edge.
+// The strategy chooses for the jets of the surfaces: of splines for those of their pieces next to
+// the edge.
 BOOST_AUTO_TEST_CASE(jets_of_splines) {
   typedef Bspline<Double> S;
   Numbers random;

@@ -131,7 +131,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
   for_each_surface_type([&](auto b) { check_random_blend<A, typename decltype(b)::type>(random); });
 }
 
-// A shape of order 2 has third derivatives that are 0; the part between two parts of one surface is the blend of them.
+// A shape of order 2 has third derivatives that are 0; the part between two parts of one surface is
+// the blend of them.
 TEST_FOR_EACH(a_part_of_one_surface, Traits, All_traits) {
   typedef typename Traits::Point P;
   typedef GC::Surface_blend_shape<FT> Given;

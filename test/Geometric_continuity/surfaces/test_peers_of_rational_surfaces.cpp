@@ -95,7 +95,8 @@ BOOST_AUTO_TEST_CASE(knot_insertion) {
     const Surface<Double> s = random_surface(number);
     double u = random_parameter(s.domain_u()), v = random_parameter(s.domain_v());
     const Surface<Exact> e = exact(s).insert_u(Q(u)).insert_v(Q(v));
-    const Peer_bound bound(s.degree_u(), 1, s.degree_v(), 1); // convex combinations, and their quotients
+    // convex combinations, and their quotients
+    const Peer_bound bound(s.degree_u(), 1, s.degree_v(), 1);
     const auto compare = [&](Largest_error& error, int m, int n, auto point, auto weight) {
       BOOST_REQUIRE_EQUAL(m, e.number_of_points_u());
       BOOST_REQUIRE_EQUAL(n, e.number_of_points_v());

@@ -15,8 +15,8 @@ template <class FT> bool contains(const std::pair<FT, FT>& interval, const FT& x
   return interval.first <= x && x <= interval.second;
 }
 
-// z = (u - a)^2 over (u, v) with the place (a, b) of a vanishing normal: x = (u - a)^2, y = (v - b)^2, z = (u - a)(v - b) has there the
-// derivatives zero.
+// z = (u - a)^2 over (u, v) with the place (a, b) of a vanishing normal: x = (u - a)^2, y = (v -
+// b)^2, z = (u - a)(v - b) has there the derivatives zero.
 template <class Traits, class FT = typename Traits::FT>
 Bezier<Traits> cusp(const typename Traits::FT& a, const typename Traits::FT& b) {
   typedef typename Traits::Point P;

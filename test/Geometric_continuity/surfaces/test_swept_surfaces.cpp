@@ -169,8 +169,9 @@ BOOST_AUTO_TEST_CASE(rounding_stays_small) {
     const double u = random.integer(0, 1000) / 1000.0, v = number();
     const GC::Revolution_surface_3<GC::Bezier_curve<Double>> s(GC::Bezier_curve<Double>(p.begin(), p.end()), p[0], w);
     const Revolution t(Curve(q.begin(), q.end()), q[0], Vector(w.x(), w.y(), w.z()));
-    // |x| <= 28, |w| <= 15: the terms of the rotation are at most 2|x|, of w x (w x x) with its factor as well; the jet
-    // takes fewer than 100 roundings of numbers below 28 * 15 * 15 * 2 / W <= 2^14
+    // |x| <= 28, |w| <= 15: the terms of the rotation are at most 2|x|, of w x (w x x) with its
+    // factor as well; the jet takes fewer than 100 roundings of numbers below 28 * 15 * 15 * 2 /
+    // W <= 2^14
     for (int k = 0; k < 3; ++k)
       BOOST_CHECK_SMALL(CGAL::to_double(Q(Q(s(u, v)[k]) - t(Q(u), Q(v))[k])), 100 * 0x1p-53 * 0x1p14);
   }

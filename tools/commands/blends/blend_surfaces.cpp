@@ -39,7 +39,8 @@ template <class Surface> const Surface& only_surface(const std::string& file, co
   return surfaces[0];
 }
 
-// Reads the surfaces of both files, each of which has one: as rational ones if one of them is rational.
+// Reads the surfaces of both files, each of which has one: as rational ones if one of them is
+// rational.
 Surface_model<Exact_traits> read_both_surfaces(const Arguments& files) {
   Surface_model<Exact_traits> both;
   for (const std::string& file : files)
@@ -144,7 +145,8 @@ std::string strategy_name(const Command_line& line, const Table& strategies, con
   return name;
 }
 
-// Blends with control points that are doubles; the given surfaces are written, too, as they now are.
+// Blends with control points that are doubles; the given surfaces are written, too, as they now
+// are.
 Exit_code blend_representably(const Command_line& line) {
   const std::string name = strategy_name(line, quintic_strategies, "energy3");
   const Arguments files = line.files();
@@ -206,7 +208,8 @@ Exit_code blend_by_name(const Command_line& line, const Table& strategies, const
                                 GC::Edge_direction direction) {
     typedef std::decay_t<decltype(a)> Surface;
     typedef
-        typename std::tuple_element_t<0, Table>::Strategy First; // all strategies of a table choose shapes of one type
+        // all strategies of a table choose shapes of one type
+        typename std::tuple_element_t<0, Table>::Strategy First;
     GC::Chosen_surface_shape<Surface, Surface, First> shape;
     with_named_strategy(strategies, name, [&](const auto& strategy) {
       shape = automatic_surface_shape(a, edge_a, b, edge_b, strategy, direction);

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-// What was decided about some joins of a chain, one after the other.
+// The decisions about some joins of a chain, one after the other.
 struct Decided_joins {
   Report_part part = {};
   GC::Chain_summary summary = {};

@@ -17,7 +17,8 @@
 #include <ostream>
 #include <string>
 
-// How a join is drawn of which a tangent is zero, as by a handle of length 0: by the directions of the first derivatives that are not.
+// How a join is drawn of which a tangent is zero, as by a handle of length 0: by the directions of
+// the first derivatives that are not.
 struct Drawn_join {
   GC::Visual_class grade; // corner, kink, or G1
   GC::Enclosure angle;    // in radians
@@ -53,7 +54,8 @@ struct Drawn_counts {
   }
 };
 
-// The first derivative that is not zero, in the direction in which the curve runs; nothing where all of the jet are.
+// The first derivative that is not zero, in the direction in which the curve runs; nothing where
+// all of the jet are.
 inline std::optional<GC::Coordinate_vector<Exact, 0>> direction(const GC::Curve_jet<Program_traits<Exact>>& jet,
                                                                 GC::Curve_end end) {
   for (int k = 1; k <= jet.order(); ++k)
@@ -61,8 +63,8 @@ inline std::optional<GC::Coordinate_vector<Exact, 0>> direction(const GC::Curve_
   return std::nullopt;
 }
 
-// From the jets at the join. Nothing where the ends do not meet, where both tangents tell, or where a curve has no direction. Of `join` the
-// flag `regular` is read only where it is G0.
+// From the jets at the join. Nothing where the ends do not meet, where both tangents tell, or where
+// a curve has no direction. Of `join` the flag `regular` is read only where it is G0.
 inline std::optional<Drawn_join> drawn_join(const Join& join, const GC::Curve_jet<Program_traits<Exact>>& left,
                                             const GC::Curve_jet<Program_traits<Exact>>& right,
                                             const GC::Corner_threshold& bound) {

@@ -41,7 +41,8 @@ public:
     const bool only_orders = mode_.summary || mode_.has_findings();
     const Ends ends(left, right);
     Join join = only_orders ? ends.orders(demand_.max_order) : ends.continuity(demand_.max_order);
-    if (only_orders && join.g_order == 0) ends.complete(join, demand_.max_order); // is a tangent zero?
+    // is a tangent zero?
+    if (only_orders && join.g_order == 0) ends.complete(join, demand_.max_order);
     joins.summary.add(join);
     const Drawn drawn = this->drawn(join, left, right);
     if (drawn) joins.drawn.add(*drawn);
@@ -71,7 +72,7 @@ private:
     return demand_.order && demand_.order->kind() != GC::Continuity_kind::C && demand_.order->order() == 1;
   }
 
-  // Of most joins no jets are needed.
+  // Most joins need no jets.
   Drawn drawn(const Join& join, const Span& left, const Span& right) const {
     if (join.g_order != 0 || join.regular) return std::nullopt;
     const auto &x = left.jets(), &y = right.jets();
@@ -93,8 +94,9 @@ private:
            (right.degree() > order && !direction(right.jets().start_jet(order), GC::Curve_end::start));
   }
 
-  // What is required, exactly or within the tolerance; where nothing is required, all orders within the tolerance. Where a tangent is zero,
-  // that of the drawn curves is asked for.
+  // Returns the claim of the requirement, exactly or within the tolerance; where nothing is
+  // required, of all orders within the tolerance. Where a tangent is zero, the tangent of the drawn
+  // curves counts.
   Claim claim(const Join& join, const Drawn& drawn, const std::optional<GC::Order_within>& within) const {
     if (!demand_.order) return within && has_undecided_order(*within) ? Claim::undecided : Claim::met;
     if (demand_.order->met(join)) return Claim::met;
@@ -220,7 +222,8 @@ private:
     return std::nullopt;
   }
 
-  // What makes the defect: how the ends lie to each other, not where they are, and the first derivatives on both sides, so many of them.
+  // Describes the defect by the position of the ends relative to each other, not by their place,
+  // and by so many first derivatives on both sides.
   static std::string shape(int derivatives, const Span& left, const Span& right) {
     const auto x = left.jets().template end_jet_over<Exact>(3), y = right.jets().template start_jet_over<Exact>(3);
     std::ostringstream os;

@@ -47,24 +47,26 @@ public:
   int order() const { return order_; }
   bool met(const Join& join) const { return GC::order_of(join, kind_) >= order_; }
 
-  // Throws std::invalid_argument for an F order that no join has in this dimension, such as F3 in the plane.
+  // Throws std::invalid_argument for an F order that no join has in this dimension, such as F3 in
+  // the plane.
   void check_dimension(int dimension) const;
 
   std::string text() const;
 };
 
-// What is said of a chain without joins.
+// The words for a chain without joins.
 constexpr const char* no_join = "a single curve has no join; --closed asks for the join of its end and its start";
 
 // Returns the orders of a join, e.g. "C1 G2 F2", or "gap".
 std::string orders(const Join& join);
 
-// Returns what a reader wants to know of a join beyond its orders, in words and rounded numbers, from the jets of order 3 on both
-// sides.
+// Returns what a reader wants to know of a join beyond its orders, in words and rounded numbers,
+// from the jets of order 3 on both sides.
 std::string remark(const Join& join, const GC::Curve_jet<Program_traits<Exact>>& left,
                    const GC::Curve_jet<Program_traits<Exact>>& right);
 
-// The same from enclosures of the jets in the plane, while rounding is upwards; empty where they do not tell the rounded numbers.
+// Returns the remark from enclosures of the jets in the plane, while rounding is upwards; it is
+// empty where they do not determine the rounded numbers.
 std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<CGAL::Interval_nt<false>, 2>& left,
                                   const GC::Coordinate_jet<CGAL::Interval_nt<false>, 2>& right);
 

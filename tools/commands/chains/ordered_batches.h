@@ -17,9 +17,10 @@
 #include <tbb/parallel_pipeline.h>
 #endif
 
-// Calls read(batch), work(batch) and take(batch) for one batch after the other, until read() returns false: read() and take() in
-// order, and work(), where TBB is there, on all cores, which have the limit of work of this thread. The memory of a batch is used again.
-// No function may throw but take().
+// Calls read(batch), work(batch) and take(batch) for one batch after the other, until read()
+// returns false: read() and take() in order, and work(), where TBB is there, on all cores, which
+// have the limit of work of this thread. The memory of a batch is used again. No function may throw
+// but take().
 template <class Batch, class Read, class Work, class Take> void for_batches(Read read, Work work, Take take) {
 #ifdef CGAL_LINKED_WITH_TBB
   const std::size_t cores = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);

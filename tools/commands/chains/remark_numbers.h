@@ -44,8 +44,8 @@ public:
     return four_digits(root(dot(d, d)));
   }
 
-  // The angle between the tangents in degrees. The sine comes from an exact square, so that the tiny kinks that designers
-  // look for keep their digits.
+  // The angle between the tangents in degrees. The sine comes from an exact square, so that the
+  // tiny kinks that designers look for keep their digits.
   std::string angle() const {
     const Exact xx = dot(x_[1], x_[1]), yy = dot(y_[1], y_[1]), xy = dot(x_[1], y_[1]);
     const Exact sine_squared = (xx * yy - xy * xy) / (xx * yy), cosine_squared = xy * xy / (xx * yy);
@@ -83,7 +83,8 @@ private:
 
 typedef CGAL::Interval_nt<false> Interval;
 
-// From enclosures of the jets. A number is certain if all numbers of its enclosure are rounded to the same text.
+// From enclosures of the jets. A number is certain if all numbers of its enclosure are rounded to
+// the same text.
 template <int N> class Enclosed_numbers {
   typedef GC::Coordinate_jet<Interval, N> Enclosed_jet;
   typedef GC::Coordinate_vector<Interval, N> Vector;

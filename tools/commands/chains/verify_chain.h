@@ -13,7 +13,7 @@
 
 #include <optional>
 
-// What is asked of the joins of a chain.
+// The demands on the joins of a chain.
 struct Join_demand {
   int max_order;
   std::optional<Requirement> order;
@@ -21,8 +21,9 @@ struct Join_demand {
   GC::Corner_threshold corner_threshold; // a larger angle is a corner
 };
 
-// Decides the joins of the chain that the curves of the files form, and of its end and its start when it is closed, and prints a
-// report. The numbers are those of the files, or these rounded to doubles.
+// Decides the joins of the chain that the curves of the files form, and of its end and its start
+// when it is closed, and prints a report. The numbers are those of the files, or these rounded to
+// doubles.
 int verify_chain(const Arguments& files, bool rounded, bool closed, const Report_mode& mode, const Join_demand& demand);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_VERIFY_CHAIN_H

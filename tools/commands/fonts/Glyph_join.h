@@ -18,8 +18,8 @@
 
 namespace GC = CGAL::Geometric_continuity;
 
-// What a join of a glyph is, from the worst to the best. The angle between the tangents is larger than a bound where there is a
-// corner, which is meant, and smaller at the next three.
+// The grades of a join of a glyph, from the worst to the best. The angle between the tangents is
+// larger than a bound at a corner, which is intended, and smaller at the next three.
 enum class Glyph_grade {
   corner,
   kink,     // a handle is off
@@ -45,7 +45,8 @@ inline bool is_defect(Glyph_grade grade) { return is_off(grade) && grade != Glyp
 __extension__ typedef __int128 Glyph_integer;
 typedef GC::Integer_join<Glyph_point, Glyph_integer> Glyph_integer_join;
 
-// Returns whether doubles of these magnitudes tell which one is larger, if both are right up to 2^-48; empty if they do not.
+// Returns whether doubles of these magnitudes tell which one is larger, if both are right up to
+// 2^-48; empty if they do not.
 inline std::optional<bool> is_surely_larger(double x, double y) {
   if (std::abs(x - y) <= 0x1p-46 * (std::abs(x) + std::abs(y))) return std::nullopt;
   return x > y;
@@ -63,7 +64,8 @@ public:
 
   const FT& units() const { return units_; }
 
-  // Returns whether numerator^2 / denominator, in steps of which a unit has so many, is larger than the square of the bound.
+  // Returns whether numerator^2 / denominator, in steps of which a unit has so many, is larger than
+  // the square of the bound.
   bool is_exceeded(Glyph_integer numerator, Glyph_integer denominator, std::int64_t steps) const {
     const double n = Numbers::rounded(numerator), bound = value_ * static_cast<double>(steps);
     if (const auto answer = is_surely_larger(n * n, bound * bound * Numbers::rounded(denominator))) return *answer;
@@ -127,7 +129,8 @@ public:
     return std::abs(join_.rounded(join_.cross())) / (std::max)(a, b) / steps;
   }
 
-  // What the eye sees of a kink, in units of the font: the angle in radians times the shorter handle.
+  // Returns the visible size of a kink, in units of the font: the angle in radians times the
+  // shorter handle.
   double severity() const {
     const double angle = std::atan2(std::abs(join_.rounded(join_.cross())), join_.rounded(join_.dot()));
     return angle * (std::min)(length(join_.incoming()), length(join_.outgoing())) / static_cast<double>(steps_);

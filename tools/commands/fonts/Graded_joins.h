@@ -19,12 +19,13 @@
 #include <utility>
 #include <vector>
 
-// What is asked of joins, and which of them are what.
+// The demands on joins, and the bounds of their grades.
 struct Join_rule {
   GC::Corner_threshold corner = GC::Corner_threshold(); // between kinks and corners
   Handle_rounding rounding = Handle_rounding();         // between kinks and rounding
-  std::optional<GC::Visual_class> required = {};        // g1 or g2, of all joins but corners, bends and rounding
-  std::optional<GC::Corner_threshold> max_kink = {};    // which no kink may exceed
+  // g1 or g2, of all joins but corners, bends and rounding
+  std::optional<GC::Visual_class> required = {};
+  std::optional<GC::Corner_threshold> max_kink = {}; // which no kink may exceed
 
   bool requires_something() const { return required || max_kink; }
 };
@@ -70,12 +71,14 @@ struct Shown_join {
   std::string glyph_name = {}, part_name = {}, font_name = {};
 };
 
-// The worst joins of a glyph, of a font or of all fonts: kinks and then bends by how far they are off, then those that are G1, in the
-// order in which they were added. Copies of a kink, as letters with accents have them, are counted once if that is wanted.
+// The worst joins of a glyph, of a font or of all fonts: kinks and then bends by how far they are
+// off, then those that are G1, in the order in which they were added. Copies of a kink, as letters
+// with accents have them, are counted once if that is wanted.
 class Worst_joins {
   std::size_t most_;
   bool unites_copies_;
-  std::vector<Shown_join> joins_; // more than there may be, so that they need not be sorted each time
+  // more than there may be, so that they need not be sorted each time
+  std::vector<Shown_join> joins_;
 
   // The coordinates of both segments from the node on.
   static std::array<std::int64_t, 16> shape(const Shown_join& join) {
@@ -143,7 +146,8 @@ inline std::string join_place(const std::string& glyph, const std::string& compo
          std::to_string(contour) + ", node " + std::to_string(node);
 }
 
-// Grades the joins of a glyph, and calls visit(contour, node, grade, fails, join, left, right) for each of them.
+// Grades the joins of a glyph, and calls visit(contour, node, grade, fails, join, left, right) for
+// each of them.
 template <class Visit> Join_counts grade_joins(const Glyph_outline& outline, const Join_rule& rule, Visit visit) {
   static const Handle_rounding one_unit;
   const bool wants_g2 = rule.required == GC::Visual_class::g2;

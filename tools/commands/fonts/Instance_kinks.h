@@ -16,14 +16,15 @@
 
 namespace GC = CGAL::Geometric_continuity;
 
-// What is asked of the joins of variable fonts.
+// The demands on the joins of variable fonts.
 struct Instance_bounds {
-  GC::Corner_threshold corner;   // above it an angle of the default instance is a corner, which is meant
+  // above it an angle of the default instance is a corner, which is meant
+  GC::Corner_threshold corner;
   GC::Corner_threshold max_kink; // which no instance of the other joins should exceed
   GC::Work_limit limit;          // for each join
 };
 
-// What was found out about joins over all instances.
+// The counts of joins over all instances.
 struct Instance_counts {
   std::size_t joins = 0;
   std::size_t corners = 0;      // at the default instance
@@ -42,12 +43,13 @@ struct Instance_kink {
   double x, y; // at the default instance
   GC::Largest_kink kink;
   GC::Enclosure initial_angle; // at the default instance, in radians
-  double severity;             // at the instance of the kink: the angle times the shorter handle over the em
+  // at the instance of the kink: the angle times the shorter handle over the em
+  double severity;
   std::string glyph_name = {}, part_name = {}, font_name = {};
   std::vector<std::string> instance = {}; // one text for each axis, e.g. "wght 650"
 };
 
-// What was found out about the joins of a glyph.
+// The results about the joins of a glyph.
 struct Instance_joins {
   Instance_counts counts;
   std::vector<Instance_kink> kinks;             // those whose angle is not zero in every instance

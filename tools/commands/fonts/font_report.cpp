@@ -45,8 +45,8 @@ std::string message(const Shown_join& join, const Join_numbers& numbers) {
          rounded(numbers.per_mille, 3) + " per mille of the em" + more;
 }
 
-// What makes the defect, in units of the font from the node on, wherever that is: of a kink both handles, of a jump of the curvature both
-// segments.
+// Describes the defect in units of the font relative to the node: a kink by both handles, and a
+// jump of the curvature by both segments.
 std::string shape(const Shown_join& join) {
   const double steps = static_cast<double>(join.steps);
   std::string text;

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-// What is required of the joins of fonts, in words.
+// The requirement on the joins of fonts, in words.
 struct Font_requirement {
   std::string text, json; // e.g. "G1", `"required":"G1"`; empty when nothing is required
   std::string off_by;     // as it was given: up to so many units it is rounding
@@ -38,7 +38,8 @@ class Font_report {
 public:
   Font_report(const Report_mode& mode, const Font_requirement& required);
 
-  // Returns whether glyph() wants the worst joins of each glyph; otherwise end_font() wants those of the font.
+  // Returns whether glyph() wants the worst joins of each glyph; otherwise end_font() wants those
+  // of the font.
   bool is_by_glyph() const { return is_json_ && !has_findings(); }
 
   // Returns whether each join has a finding of its own, also where several are equal.
@@ -56,7 +57,7 @@ private:
   void add_rows(const Font_result& font);
 };
 
-// What the numbers of a join are in a report: coordinates and offset in units of the font.
+// The numbers of a join in a report: coordinates and offset in units of the font.
 struct Join_numbers {
   std::string x, y;
   GC::Enclosure degrees;
@@ -65,16 +66,19 @@ struct Join_numbers {
   explicit Join_numbers(const Shown_join& join);
 };
 
-// Returns the members of a JSON object about what was found, e.g. "glyphs":5,"empty":1,"joins":84,"corners":20,...
+// Returns the members of a JSON object about what was found, e.g.
+// "glyphs":5,"empty":1,"joins":84,"corners":20,...
 std::string json_members(const Join_counts& counts);
 std::string json_members(const Font_counts& counts);
 std::string json_members(const Shown_join& join);
 
-// Returns the members of the object of a font behind its glyphs, with the arrays of what could not be verified, if it is one among several.
+// Returns the members of the object of a font behind its glyphs, with the arrays of what could not
+// be verified, if it is one among several.
 std::string json_unread(const std::vector<Unread_glyph>& glyphs);
 std::string json_members(const Font_result& font);
 
-// Returns lines for people: about joins, about a font, and the table of the worst joins, which names fonts if they are several.
+// Returns lines for people: about joins, about a font, and the table of the worst joins, which
+// names fonts if they are several.
 std::string counts_text(const Join_counts& joins);
 std::string counts_text(const Font_counts& counts);
 std::string counts_text(const Fonts_result& all);

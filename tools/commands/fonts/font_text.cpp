@@ -54,7 +54,8 @@ std::string joins_table(const std::vector<Shown_join>& joins, bool names_fonts) 
   return text;
 }
 
-// E.g. "84 joins: 20 corners, 2 kinks (1 off by more than one unit), 1 bend of two lines, 9 off by rounding, 20 G1, 32 G2 or more"
+// E.g. "84 joins: 20 corners, 2 kinks (1 off by more than one unit), 1 bend of two lines, 9 off by
+// rounding, 20 G1, 32 G2 or more"
 std::string counts_text(const Join_counts& joins) {
   std::string text = counted(joins.joins(), "join");
   if (joins.joins() == 0) return text;

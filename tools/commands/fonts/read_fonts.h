@@ -52,7 +52,7 @@ struct Font_result {
   const std::string& shown_name() const { return name.empty() ? file : name; }
 };
 
-// What was found in all fonts.
+// The results of all fonts.
 struct Fonts_result {
   std::size_t fonts = 0;
   Font_counts counts = {};
@@ -60,7 +60,7 @@ struct Fonts_result {
   std::vector<Shown_join> worst = {};
 };
 
-// What is done with fonts and their glyphs.
+// Visits fonts and their glyphs.
 class Font_visitor {
 public:
   virtual ~Font_visitor() = default;
@@ -71,9 +71,10 @@ public:
   virtual void end_font(const Font_face& font, Font_result& result) = 0;
 };
 
-// Reads fonts, which are files and those in folders, and their glyphs, one after the other; only one font is in memory at a time.
-// What of a folder, or which glyph, cannot be read is told in the results. Throws GC::Error for a file that is an argument and cannot be
-// read, std::invalid_argument for glyphs that no font has.
+// Reads fonts, which are files and those in folders, and their glyphs, one after the other; only
+// one font is in memory at a time. The results name the files of a folder and the glyphs that
+// cannot be read. Throws GC::Error for a file that is an argument and cannot be read,
+// std::invalid_argument for glyphs that no font has.
 Fonts_result read_fonts(const Arguments& arguments, const Glyph_selection& glyphs, Font_visitor& visitor);
 
 // The name of the component of a glyph; empty for what the glyph draws itself.

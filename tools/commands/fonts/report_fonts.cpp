@@ -62,7 +62,8 @@ public:
 
   Join_counts glyph(const Font_face& font, int glyph, const Glyph_outline& outline,
                     const Font_result& result) override {
-    std::vector<std::shared_ptr<const Report_outline>> drawn(outline.contours()); // where a join is shown
+    // where a join is shown
+    std::vector<std::shared_ptr<const Report_outline>> drawn(outline.contours());
     const Join_counts counts = grade_joins(
         outline, rule_,
         [&](std::size_t contour, std::size_t node, Glyph_grade glyph_grade, bool, const Glyph_join& join,

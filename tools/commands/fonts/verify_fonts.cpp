@@ -27,7 +27,7 @@ public:
                        !report.has_findings()),
         worst_of_glyph_(demand.worst, false) {}
 
-  // Of all fonts.
+  // Returns the worst joins of all fonts.
   const std::vector<Shown_join>& worst() { return worst_.sorted(); }
 
   void begin_font(const Font_face&, const Font_result& result) override { report_.begin_font(result); }

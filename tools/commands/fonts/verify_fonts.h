@@ -12,17 +12,19 @@
 #include <cstddef>
 #include <string>
 
-// What is asked of the joins of fonts.
+// The demands on the joins of fonts.
 struct Font_demand {
   Glyph_selection glyphs;
   Join_rule rule;
   std::string off_by = "1", max_kink = {}; // of the rule, as they were given
-  std::size_t worst = 0;                   // how many joins to show of each font, in JSON of each glyph
-  bool is_worst_given = false;             // so that findings are no more than these; otherwise they are all
+  // how many joins to show of each font, in JSON of each glyph
+  std::size_t worst = 0;
+  // so that findings are no more than these; otherwise they are all
+  bool is_worst_given = false;
 };
 
-// Grades the joins of all glyphs of fonts, which are files and those in folders, prints a report and returns the exit code. Only
-// one font is in memory at a time.
+// Grades the joins of all glyphs of fonts, which are files and those in folders, prints a report
+// and returns the exit code. Only one font is in memory at a time.
 int verify_fonts(const Arguments& files, const Report_mode& mode, const Font_demand& demand);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_VERIFY_FONTS_H

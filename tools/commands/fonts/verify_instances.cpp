@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What an error says behind its code.
+// Returns the text of an error after its code.
 std::string reason_of(const GC::Error& error) {
   return std::string(error.what()).substr(to_string(error.code()).size() + 2);
 }
@@ -123,7 +123,8 @@ class Instances_report {
           continue;
         }
         const GC::Variable_font font(tables);
-        const Font_face face = packed ? Font_face(unpacked) : Font_face(bytes, static_cast<int>(i)); // for names
+        // for names
+        const Font_face face = packed ? Font_face(unpacked) : Font_face(bytes, static_cast<int>(i));
         Instances_of_font found{input_name(file.name), faces == 1 ? "" : "font " + std::to_string(i) + ", ", font,
                                 face};
         read_font(found, faces == 1 ? "" : ",\"font\":" + std::to_string(i));
@@ -178,8 +179,8 @@ class Instances_report {
     ++fonts_;
   }
 
-  // Decides the joins of a glyph: of its own outline, and of parts that it stretches. Its other parts have the joins of the glyphs that they
-  // are, which are appended to those to be read.
+  // Decides the joins of a glyph: of its own outline, and of parts that it stretches. Its other
+  // parts have the joins of the glyphs that they are, which are appended to those to be read.
   Instance_joins judge(Instances_of_font& found, int index, std::vector<int>& glyphs, std::set<int>& known) const {
     Instance_joins joins;
     const GC::Variable_outline glyph = found.font.glyph(index);

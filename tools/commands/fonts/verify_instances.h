@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <string>
 
-// What is asked of all instances of variable fonts.
+// The demands on all instances of variable fonts.
 struct Instance_demand {
   Glyph_selection glyphs;
   Instance_bounds bounds;
@@ -21,8 +21,9 @@ struct Instance_demand {
   std::size_t worst;    // how many joins to show of each font, in JSON of each glyph
 };
 
-// Encloses the largest kink of each join over all instances of variable fonts, which are files and those in folders,
-// prints a report and returns the exit code. Fonts of other kinds are named as not covered.
+// Encloses the largest kink of each join over all instances of variable fonts, which are files and
+// those in folders, prints a report and returns the exit code. Fonts of other kinds are named as
+// not covered.
 int verify_instances(const Arguments& files, const Report_mode& mode, const Instance_demand& demand);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_VERIFY_INSTANCES_H

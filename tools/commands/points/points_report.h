@@ -53,7 +53,8 @@ template <class Work> auto with_name(const Command_line& line, Work work) {
   }
 }
 
-// Writes curves as they are, and draws them with the lines from point to point, where that is asked for.
+// Writes curves as they are, and draws them with the lines from point to point, where that is asked
+// for.
 template <class Traits>
 void write_curves(const Command_line& line, const std::string& text, std::vector<typename Traits::Point> points,
                   const std::string& name) {

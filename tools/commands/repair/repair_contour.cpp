@@ -205,8 +205,8 @@ class Contour_mender {
 
   bool is_movable(std::size_t curve) const { return is_free(curve) || is_free_quadratic(curve); }
 
-  // The direction in which a curve ends or starts: that of the chord for a line. Zero where a handle lies at the node, nothing where no
-  // vector of the grid has it.
+  // The direction in which a curve ends or starts: that of the chord for a line. Zero where a
+  // handle lies at the node, nothing where no vector of the grid has it.
   std::optional<Vector> first_difference(std::size_t curve, bool at_end) const {
     const Grid_curve& c = contour_.curves[curve];
     if (c.arc) return arc_direction(*c.arc, at_end);
@@ -272,7 +272,8 @@ class Contour_mender {
     return proposal;
   }
 
-  // What distinguishes handles that are no mirror images of each other, whichever way the contour is run through.
+  // What distinguishes handles that are no mirror images of each other, whichever way the contour
+  // is run through.
   static std::pair<std::int64_t, std::int64_t> rank(const Vector& v) {
     return {squared_length(v), (std::max)((std::abs)(v.x), (std::abs)(v.y))};
   }
@@ -285,7 +286,8 @@ class Contour_mender {
     return {next(join), 1, points(next(join))[0] + difference};
   }
 
-  // Handles that are mirror images of each other stay so: on a line of the grid at a right angle to the axis. Nothing for other handles.
+  // Handles that are mirror images of each other stay so: on a line of the grid at a right angle to
+  // the axis. Nothing for other handles.
   std::optional<Moves> symmetric(std::size_t join, const Vector& a, const Vector& b) const {
     for (const Vector& d : {Vector{1, 0}, Vector{0, 1}, Vector{1, 1}, Vector{1, -1}}) {
       if (cross(d, a) != -cross(d, b) || dot(d, a) != dot(d, b)) continue;
@@ -296,8 +298,9 @@ class Contour_mender {
     return std::nullopt;
   }
 
-  // align_handles() in coordinates in which mirror images are one: in the first octant with the longer difference first, seen from there to the
-  // left. So their handles move to mirror images, also where several positions are equally near.
+  // align_handles() in coordinates in which mirror images are one: in the first octant with the
+  // longer difference first, seen from there to the left. So their handles move to mirror images,
+  // also where several positions are equally near.
   static std::optional<GC::Aligned_handles> aligned(const Vector& a, const Vector& b,
                                                     const CGAL::Exact_rational& most) {
     const bool turned = rank(a) < rank(b);

@@ -12,23 +12,24 @@
 #include <utility>
 #include <vector>
 
-// Polynomials in several variables on the unit cube, in tensor-product Bernstein form: the range of the coefficients
-// encloses the range of the polynomial, and both agree at the corners. Farin, "Curves and Surfaces for CAGD", chapter 15.
+// Polynomials in several variables on the unit cube, in tensor-product Bernstein form: the range of
+// the coefficients encloses the range of the polynomial, and both agree at the corners. Farin,
+// "Curves and Surfaces for CAGD", chapter 15.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-// A polynomial \f$ \sum_i c_i \prod_k B_{i_k}^n(t_k) \f$ on \f$ [0, 1]^m \f$ of the same degree `n` in each of the `m`
-// variables. The coefficient with the indices \f$ i_0, \dots, i_{m-1} \f$ has the number
-// \f$ \sum_k i_k (n+1)^k \f$.
+// A polynomial \f$ \sum_i c_i \prod_k B_{i_k}^n(t_k) \f$ on \f$ [0, 1]^m \f$ of the same degree `n`
+// in each of the `m` variables. The coefficient with the indices \f$ i_0, \dots, i_{m-1} \f$ has
+// the number \f$ \sum_k i_k (n+1)^k \f$.
 // \tparam FT a field number type, or intervals
 template <class FT_> class Bernstein_tensor {
 public:
   typedef FT_ FT; // the number type
 
   // Constructs a polynomial from \f$ (n+1)^m \f$ coefficients.
-  // \throws Error `negative_count` when `variables` or `degree` is negative, `wrong_number_of_points` for another number of
-  //   coefficients
+  // \throws Error `negative_count` when `variables` or `degree` is negative,
+  //   `wrong_number_of_points` for another number of coefficients
   Bernstein_tensor(int variables, int degree, std::vector<FT> coefficients)
       : variables_(variables), degree_(degree), c_(std::move(coefficients)) {
     if (variables < 0 || degree < 0) throw Error(Error_code::negative_count, "Bernstein_tensor");
@@ -44,7 +45,8 @@ public:
   // Returns the coefficient with a number.
   const FT& operator[](std::size_t i) const { return c_[i]; }
 
-  // Returns the number of the coefficient that is the value at a corner, where bit `k` of `corner` is \f$ t_k \f$.
+  // Returns the number of the coefficient that is the value at a corner, where bit `k` of `corner`
+  // is \f$ t_k \f$.
   std::size_t corner_index(std::size_t corner) const {
     std::size_t index = 0;
     for (int k = 0; k < variables_; ++k)
@@ -52,13 +54,15 @@ public:
     return index;
   }
 
-  // Returns the value at a point with `m` coordinates, which may lie outside of the unit cube. \f$ O(m n^{m+1}) \f$
+  // Returns the value at a point with `m` coordinates, which may lie outside of the unit cube.
+  // \f$ O(m n^{m+1}) \f$
   // \throws Error `dimension_mismatch` for another number of coordinates
   FT operator()(const std::vector<FT>& t) const {
     if (t.size() != static_cast<std::size_t>(variables_))
       throw Error(Error_code::dimension_mismatch, "Bernstein_tensor: the coordinates of a point");
     std::vector<FT> c = c_, line(degree_ + 1, FT(0));
-    for (int k = variables_ - 1; k >= 0; --k) // the last variable first: then what remains lies in the first places
+    // the last variable first: then what remains lies in the first places
+    for (int k = variables_ - 1; k >= 0; --k)
       for (std::size_t i = 0; i < power(k); ++i) {
         for (int j = 0; j <= degree_; ++j) line[j] = c[i + j * power(k)];
         c[i] = Geometric_continuity::bernstein_value(line, degree_, t[k]);
@@ -66,8 +70,9 @@ public:
     return c[0];
   }
 
-  // Returns the parts with \f$ t_k \f$ in [0, t] and in [t, 1], each reparametrised to the unit cube.
-  // \f$ O(n^{m+1}) \f$ \throws Error `parameter_outside_domain` when there is no such variable
+  // Returns the parts with \f$ t_k \f$ in [0, t] and in [t, 1], each reparametrised to the unit
+  // cube. \f$ O(n^{m+1}) \f$ \throws Error `parameter_outside_domain` when there is no such
+  // variable
   std::pair<Bernstein_tensor, Bernstein_tensor> split(int variable, const FT& t) const {
     if (variable < 0 || variables_ <= variable)
       throw Error(Error_code::parameter_outside_domain, "Bernstein_tensor::split: the variable");
@@ -86,22 +91,26 @@ public:
     return parts;
   }
 
-  // Returns the sum of polynomials of the same degree. \throws Error `dimension_mismatch` for other ones
+  // Returns the sum of polynomials of the same degree. \throws Error `dimension_mismatch` for other
+  // ones
   friend Bernstein_tensor operator+(Bernstein_tensor x, const Bernstein_tensor& y) {
     check_same(x, y);
     for (std::size_t i = 0; i < x.c_.size(); ++i) x.c_[i] += y.c_[i];
     return x;
   }
-  // Returns the difference of polynomials of the same degree. \throws Error `dimension_mismatch` for other ones
+  // Returns the difference of polynomials of the same degree. \throws Error `dimension_mismatch`
+  // for other ones
   friend Bernstein_tensor operator-(Bernstein_tensor x, const Bernstein_tensor& y) {
     check_same(x, y);
     for (std::size_t i = 0; i < x.c_.size(); ++i) x.c_[i] -= y.c_[i];
     return x;
   }
 
-  // Returns the product of polynomials in the same variables, whose degree is the sum of the degrees:
+  // Returns the product of polynomials in the same variables, whose degree is the sum of the
+  // degrees:
   // \f$ c_k = \sum_{i+j=k} a_i b_j \prod \binom{n_a}{i} \binom{n_b}{j} / \binom{n_a+n_b}{k} \f$.
-  // \f$ O((n_a+1)^m (n_b+1)^m) \f$ \throws Error `dimension_mismatch` for other numbers of variables
+  // \f$ O((n_a+1)^m (n_b+1)^m) \f$ \throws Error `dimension_mismatch` for other numbers of
+  // variables
   friend Bernstein_tensor operator*(const Bernstein_tensor& x, const Bernstein_tensor& y) {
     if (x.variables_ != y.variables_) throw Error(Error_code::dimension_mismatch, "product of Bernstein_tensors");
     const Bernstein_tensor a = x.scaled(false), b = y.scaled(false);

@@ -16,15 +16,16 @@
 #include <utility>
 #include <vector>
 
-// Both sides of a join on a box with many free axes, in the time that the number of regions and the square of the number of axes
-// take, where Bernstein coefficients would be exponentially many.
+// Both sides of a join on a box with many free axes, in the time that the number of regions and the
+// square of the number of axes take, where Bernstein coefficients would be exponentially many.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-// With the coordinates x in [-1, 1] of the n free axes, a = a_0 + sum x_k a_k + sum e_r A_r, where A_r is the shift of region r and e_r
-// the rest of its scalar, which is of higher order; the same for b. So a x b and a . b are quadratic forms in x and an error.
-// The rounding mode must be that of intervals.
+// With the coordinates x in [-1, 1] of the n free axes, a = a_0 + sum x_k a_k + sum e_r A_r, where
+// A_r is the shift of region r and e_r the rest of its scalar, which is of higher order; the same
+// for b. So a x b and a . b are quadratic forms in x and an error. The rounding mode must be that
+// of intervals.
 class Centered_sides {
 public:
   typedef CGAL::Interval_nt<false> Interval;
@@ -41,10 +42,11 @@ private:
   };
   struct Region {
     std::size_t number;
-    Vector a, b;                      // shifts
-    Interval rest;                    // a bound of |e_r|
-    std::vector<Interval> slope_rest; // bounds of how far its derivatives are from those at the center
-    Products products;                // of A_r and b_0, and of a_0 and B_r
+    Vector a, b;   // shifts
+    Interval rest; // a bound of |e_r|
+    // bounds of how far its derivatives are from those at the center
+    std::vector<Interval> slope_rest;
+    Products products; // of A_r and b_0, and of a_0 and B_r
   };
 
   const Variation_cells* cells_;
@@ -54,7 +56,8 @@ private:
   std::vector<Region> regions_;
   std::vector<Products> forms_; // of x_k x_l for k <= l; x_0 is 1
   Vector rest_a_{Interval(0), Interval(0)}, rest_b_ = rest_a_, sum_a_ = rest_a_,
-                                            sum_b_ = rest_a_; // bounds of what is added to a_0 and b_0
+                                            // bounds of what is added to a_0 and b_0
+      sum_b_ = rest_a_;
   Products rest_{Interval(0), Interval(0)};
 
   static Interval interval(const Variable_join::FT& x) { return CGAL::to_interval(x); }
@@ -184,8 +187,9 @@ public:
     return (sum - rest_(magnitude(alpha), magnitude(beta))).inf();
   }
 
-  // An upper bound of `sign` (a x b) / (a . b); infinite when a . b is not known to be positive. The bound is the root of the
-  // lower bound of T a . b - sign a x b, which is concave in T: chords of it are above the root.
+  // An upper bound of `sign` (a x b) / (a . b); infinite when a . b is not known to be positive.
+  // The bound is the root of the lower bound of T a . b - sign a x b, which is concave in T: chords
+  // of it are above the root.
   double upper(int sign) const {
     const double dot = lower(Interval(1), Interval(0));
     if (!(dot > 0)) return std::numeric_limits<double>::infinity();
@@ -205,8 +209,8 @@ public:
     return high;
   }
 
-  // The sign of the derivative of T a . b - sign a x b with respect to x_k, if it has one on the box for all T in a range; 0
-  // otherwise.
+  // The sign of the derivative of T a . b - sign a x b with respect to x_k, if it has one on the
+  // box for all T in a range; 0 otherwise.
   int slope(std::size_t k, int sign, double least, double most) const {
     bool rises = true, falls = true;
     const Interval beta(-sign), b_size(1);
@@ -248,7 +252,8 @@ public:
     return bent;
   }
 
-  // The corner where T a . b - sign a x b is least if it is linear: bit k - 1 tells whether x_k is 1 there.
+  // The corner where T a . b - sign a x b is least if it is linear: bit k - 1 tells whether x_k is
+  // 1 there.
   std::vector<bool> corner(int sign, double t) const {
     std::vector<bool> corner;
     for (std::size_t k = 1; k <= free(); ++k) corner.push_back(form(0, k)(Interval(t), Interval(-sign)).sup() < 0);

@@ -24,8 +24,8 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-// Draws the outline of a glyph, all of whose numbers may vary, see Type_2_charstring. They are those of the file, multiples of 2^-16, and
-// their sums are exact.
+// Draws the outline of a glyph, all of whose numbers may vary, see Type_2_charstring. They are
+// those of the file, multiples of 2^-16, and their sums are exact.
 class Variable_pen {
 public:
   // A number, which moves by `deltas[r]` times the scalar of region r; without deltas it stays.
@@ -134,7 +134,8 @@ public:
   /// Returns the number of units of which the em consists.
   int units_per_em() const { return units_per_em_; }
 
-  /// Reads a glyph. \throws Error `malformed_input`, `work_limit`, `parameter_outside_domain` when there is no such glyph
+  /// Reads a glyph. \throws Error `malformed_input`, `work_limit`, `parameter_outside_domain` when
+  /// there is no such glyph
   Variable_outline glyph(int index) const {
     if (index < 0 || glyph_count() <= index)
       throw Error(Error_code::parameter_outside_domain, "there is no glyph " + std::to_string(index));

@@ -23,7 +23,8 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// A table 'CFF ' (Adobe Technical Note 5176) or 'CFF2' (OpenType specification). It refers to the bytes of the table.
+/// A table 'CFF ' (Adobe Technical Note 5176) or 'CFF2' (OpenType specification). It refers to the
+/// bytes of the table.
 class Cff_table {
 public:
   typedef std::vector<std::string_view> Index;
@@ -58,7 +59,8 @@ private:
   std::vector<std::size_t> region_counts_; // of each set
 
 public:
-  /// Reads what all glyphs have in common. `axes` are those of the font, if it is known how many they are. \throws Error `malformed_input`
+  /// Reads what all glyphs have in common. `axes` are those of the font, if it is known how many
+  /// they are. \throws Error `malformed_input`
   explicit Cff_table(std::string_view table, std::optional<std::size_t> axes = std::nullopt)
       : table_(table), is_cff2_(table.substr(0, 1) == "\2") {
     Font_bytes bytes = whole();

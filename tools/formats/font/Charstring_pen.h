@@ -11,14 +11,16 @@
 #include <cstddef>
 #include <cstdint>
 
-// A letter and its accent, as charstrings may draw them: codes of Adobe's standard encoding, and where the accent is.
+// A letter and its accent, as charstrings may draw them: codes of Adobe's standard encoding, and
+// where the accent is.
 struct Accented_letter {
   std::int64_t letter, accent;
   Glyph_point at; // in 2^-16 units
 };
 
-// Draws the outline of a glyph with cubic curves as a charstring says it, relative to the point where it is. Numbers are those of
-// charstrings, multiples of 2^-16 units, and their sums are exact.
+// Draws the outline of a glyph with cubic curves as a charstring says it, relative to the point
+// where it is. Numbers are those of charstrings, multiples of 2^-16 units, and their sums are
+// exact.
 class Charstring_pen {
   Glyph_outline& outline_;
   Glyph_point start_{0, 0}, at_{0, 0};

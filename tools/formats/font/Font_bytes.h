@@ -13,12 +13,14 @@
 #include <string_view>
 #include <utility>
 
-/// The bytes of a part of a font, most significant byte first, of which none is read outside of that part.
+/// The bytes of a part of a font, most significant byte first, of which none is read outside of
+/// that part.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-// Reads numbers one after the other. What is malformed is an Error `malformed_input` that begins with the place.
+// Reads numbers one after the other. What is malformed is an Error `malformed_input` that begins
+// with the place.
 class Font_bytes {
   std::string_view bytes_;
   std::string place_; // e.g. "table 'gvar', glyph 12"

@@ -26,7 +26,8 @@
 
 namespace {
 
-// What FreeType says about an error. Its header lists the texts for whoever defines these macros.
+// Returns FreeType's text for an error. Its header lists the texts for code that defines these
+// macros.
 std::string freetype_message(FT_Error error) {
   switch (FT_ERROR_BASE(error)) {
 #undef FTERRORS_H_
@@ -40,8 +41,9 @@ std::string freetype_message(FT_Error error) {
   return "error " + std::to_string(error);
 }
 
-// The memory of FreeType, which unpacks fonts in many ways: WOFF, WOFF2, suitcases, pictures packed by gzip, bzip2 or compress. What
-// it takes in all is limited, and so is what any of them can unpack to.
+// The memory of FreeType, which unpacks fonts in many ways: WOFF, WOFF2, suitcases, pictures packed
+// by gzip, bzip2 or compress. What it takes in all is limited, and so is what any of them can
+// unpack to.
 class Font_memory {
   struct alignas(std::max_align_t) Head {
     std::size_t size;
@@ -214,9 +216,10 @@ std::set<int> Font_face::components(int glyph) const {
 std::string Font_face::charstring(int glyph) const { return dictionary_value(face_.get(), PS_DICT_CHAR_STRING, glyph); }
 
 int Font_face::glyph_of_code(std::int64_t code) const {
-  static const char* const accents[] = {"grave",   "acute",     "circumflex",   "tilde",  "macron",
-                                        "breve",   "dotaccent", "dieresis",     "",       "ring",
-                                        "cedilla", "",          "hungarumlaut", "ogonek", "caron"}; // from 193 on
+  static const char* const accents[] = {"grave", "acute", "circumflex", "tilde", "macron", "breve", "dotaccent",
+                                        "dieresis", "", "ring",
+                                        // from 193 on
+                                        "cedilla", "", "hungarumlaut", "ogonek", "caron"};
   char letter[] = "?";
   letter[0] = static_cast<char>(code);
   const bool is_letter = ('A' <= code && code <= 'Z') || ('a' <= code && code <= 'z');

@@ -17,8 +17,8 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// The table directory of an OpenType or TrueType font, or of one face of a collection. It refers to the bytes, which must
-/// outlive it; fonts that are packed (WOFF) are not read.
+/// The table directory of an OpenType or TrueType font, or of one face of a collection. It refers
+/// to the bytes, which must outlive it; fonts that are packed (WOFF) are not read.
 class Font_tables {
   std::map<std::string, std::string_view, std::less<>> tables_;
 
@@ -36,8 +36,8 @@ public:
   }
 
   /// Reads the directory of a face. \f$ O(k \log k) \f$ for `k` tables
-  /// \throws Error `malformed_input` for other bytes, for tables that lie outside of them and for a table that is there twice,
-  ///   `parameter_outside_domain` when there is no such face
+  /// \throws Error `malformed_input` for other bytes, for tables that lie outside of them and for a
+  ///   table that is there twice, `parameter_outside_domain` when there is no such face
   explicit Font_tables(std::string_view font, std::size_t face = 0) {
     Font_bytes bytes = whole(font);
     if (face_count(font) <= face)

@@ -31,9 +31,10 @@ struct Glyph_segment {
   }
 };
 
-// The closed contours of a glyph. Segments of no length are left out, and contours without segments. Coordinates are integers: a
-// unit of the font has two steps, so that the points between two control points, which TrueType leaves out, are integers as well;
-// where the font has fractions, or scales a component, it has as many steps as that takes, a power of two.
+// The closed contours of a glyph. Segments of no length are left out, and contours without
+// segments. Coordinates are integers: a unit of the font has two steps, so that the points between
+// two control points, which TrueType leaves out, are integers as well; where the font has
+// fractions, or scales a component, it has as many steps as that takes, a power of two.
 class Glyph_outline {
   std::vector<Glyph_segment> segments_;
   std::vector<std::size_t> ends_; // of the contours
@@ -42,7 +43,8 @@ class Glyph_outline {
   int shift_ = 1;                 // a unit of the font has 2^shift steps
 
 public:
-  static constexpr int own = -1;                                        // no part: what the glyph itself draws
+  // no part: what the glyph itself draws
+  static constexpr int own = -1;
   static constexpr std::int64_t max_coordinate = std::int64_t(1) << 20; // in units of the font
   static constexpr int max_shift = 30;
 
@@ -58,8 +60,8 @@ public:
   std::int64_t steps() const { return std::int64_t(1) << shift_; }
   int shift() const { return shift_; }
 
-  // Says that coordinates are in 2^shift steps of a unit, and takes the longest steps, at most halves of a unit, in which all of them
-  // are integers.
+  // Says that coordinates are in 2^shift steps of a unit, and takes the longest steps, at most
+  // halves of a unit, in which all of them are integers.
   void set_shift(int shift) {
     std::uint64_t bits = 0; // of all coordinates
     for (const Glyph_segment& s : segments_)

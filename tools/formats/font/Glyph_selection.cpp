@@ -39,7 +39,8 @@ std::optional<char32_t> take_character(std::string_view& text) {
     return code && *code <= last_character ? code : std::nullopt;
   }
   const unsigned lead = text.empty() ? 0xFF : static_cast<unsigned char>(text[0]);
-  const std::size_t more = lead < 0x80 ? 0 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : 3; // bytes of UTF-8
+  // bytes of UTF-8
+  const std::size_t more = lead < 0x80 ? 0 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : 3;
   if (text.size() <= more || (0x80 <= lead && lead < 0xC2) || 0xF4 < lead) return std::nullopt;
   char32_t code = more == 0 ? lead : lead & (0x3Fu >> more);
   for (std::size_t i = 1; i <= more; ++i) {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-// The glyphs that --glyphs names, e.g. "a-z,U+00E9,ampersand,#12": characters and ranges of them, as they are or as U+XXXX, names
-// of glyphs, and numbers of glyphs. Without names it is all glyphs.
+// The glyphs that --glyphs names, e.g. "a-z,U+00E9,ampersand,#12": characters and ranges of them,
+// as they are or as U+XXXX, names of glyphs, and numbers of glyphs. Without names it is all glyphs.
 class Glyph_selection {
   enum class Kind { characters, name, numbers };
   struct Item {
@@ -32,8 +32,8 @@ public:
 
   bool is_all() const { return items_.empty(); }
 
-  // Returns the numbers of the glyphs of a font, in increasing order, and appends the names of what it does not have to
-  // `missing`.
+  // Returns the numbers of the glyphs of a font, in increasing order, and appends the names of what
+  // it does not have to `missing`.
   std::vector<int> glyphs(const Font_face& font, std::vector<std::string>& missing);
 
   // Throws std::invalid_argument, which names what none of the fonts had.

@@ -17,14 +17,15 @@
 #include <utility>
 #include <vector>
 
-/// How the points of TrueType glyphs move, as it is written. OpenType specification, table 'gvar' and "Tuple variation
-/// store".
+/// How the points of TrueType glyphs move, as it is written. OpenType specification, table 'gvar'
+/// and "Tuple variation store".
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// How some points of a glyph move in a region: point `points[i]` by `(dx[i], dy[i])` times the scalar of the region; without
-/// `points` all of them, in their order. Behind the points of the outline there are four that are no part of it.
+/// How some points of a glyph move in a region: point `points[i]` by `(dx[i], dy[i])` times the
+/// scalar of the region; without `points` all of them, in their order. Behind the points of the
+/// outline there are four that are no part of it.
 struct Tuple_variation {
   Variation_region region;
   std::optional<std::vector<int>> points; ///< ascending
@@ -42,12 +43,13 @@ class Glyph_variations {
   enum { has_peak = 0x8000, is_intermediate = 0x4000, has_points = 0x2000, index_mask = 0xfff };
 
 public:
-  /// How many movements of points a glyph may have in all its regions together, untouched points included. The largest glyphs that
-  /// designers draw have some ten thousand; a few bytes can stand for millions.
+  /// How many movements of points a glyph may have in all its regions together, untouched points
+  /// included. The largest glyphs that designers draw have some ten thousand; a few bytes can stand
+  /// for millions.
   static constexpr std::size_t max_movements = std::size_t(1) << 18;
 
-  /// Reads what all glyphs have in common. \throws Error `malformed_input`, also when it is made for another number of axes or
-  /// of glyphs
+  /// Reads what all glyphs have in common. \throws Error `malformed_input`, also when it is made
+  /// for another number of axes or of glyphs
   Glyph_variations(const Font_tables& font, std::size_t axes, int glyphs)
       : table_(font.table("gvar")), axes_(axes), glyphs_(glyphs) {
     Font_bytes bytes(table_, "table 'gvar'");
@@ -64,8 +66,8 @@ public:
   }
 
   /// Reads how the `point_count` points of the outline of a glyph move, and the four behind them.
-  /// \throws Error `malformed_input`, `work_limit` for more than `max_movements`, `parameter_outside_domain` when there is no
-  ///   such glyph
+  /// \throws Error `malformed_input`, `work_limit` for more than `max_movements`,
+  ///   `parameter_outside_domain` when there is no such glyph
   std::vector<Tuple_variation> glyph(int index, int point_count) const {
     if (index < 0 || glyphs_ <= index)
       throw Error(Error_code::parameter_outside_domain, "there is no glyph " + std::to_string(index));

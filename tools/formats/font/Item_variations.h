@@ -19,7 +19,8 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-// For each set of data the regions of its deltas, in their order. The axes are those of the font, if they are known.
+// For each set of data the regions of its deltas, in their order. The axes are those of the font,
+// if they are known.
 inline std::vector<std::vector<Variation_region>> read_variation_store(std::string_view store,
                                                                        std::optional<std::size_t> axes) {
   Font_bytes bytes(store, "table 'CFF2', the regions"), data = bytes;
@@ -43,7 +44,8 @@ inline std::vector<std::vector<Variation_region>> read_variation_store(std::stri
   }
   std::vector<std::vector<Variation_region>> result;
   for (int i = 0; i < sets; ++i) {
-    data.seek(bytes.u32()).skip(4); // the numbers of items and of long deltas, of which charstrings have none
+    // the numbers of items and of long deltas, of which charstrings have none
+    data.seek(bytes.u32()).skip(4);
     const int size = data.u16();
     std::vector<Variation_region> set;
     for (int j = 0; j < size; ++j) {

@@ -19,23 +19,25 @@
 #include <utility>
 #include <vector>
 
-// Parts of the space of instances, each with a guaranteed bound of the tangent of the angle of a join, of which the one with
-// the largest bound is halved again and again.
+// Parts of the space of instances, each with a guaranteed bound of the tangent of the angle of a
+// join, of which the one with the largest bound is halved again and again.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-// The boxes of a join. Those with few free axes have the Bernstein coefficients of both products, which are exact for whole cells and
-// bound the angle even where a side vanishes at a corner; those with more have centered forms, and lose the axes along which the angle
-// rises or falls everywhere.
+// The boxes of a join. Those with few free axes have the Bernstein coefficients of both products,
+// which are exact for whole cells and bound the angle even where a side vanishes at a corner; those
+// with more have centered forms, and lose the axes along which the angle rises or falls everywhere.
 class Kink_boxes {
   typedef CGAL::Interval_nt<false> Interval;
   typedef Bernstein_tensor<Interval> Polynomial;
 
   struct Box {
     Variation_box place;
-    std::optional<std::pair<Polynomial, Polynomial>> products; // cross and dot; none with many free axes
-    double upper;         // of |cross| / dot in the box; infinite when an angle may be a right one or larger
+    // cross and dot; none with many free axes
+    std::optional<std::pair<Polynomial, Polynomial>> products;
+    // of |cross| / dot in the box; infinite when an angle may be a right one or larger
+    double upper;
     std::size_t bent = 0; // the axis to halve, of those without polynomials
 
     friend bool operator<(const Box& x, const Box& y) { return x.upper < y.upper; }
@@ -46,7 +48,8 @@ class Kink_boxes {
   std::vector<Box> heap_;
   double steps_ = 0;
   double settled_ = 0; // the largest bound of the boxes that cannot be halved
-  double lower_ = -1;  // of |cross| / dot at a place that is known, infinite where dot is not positive
+  // of |cross| / dot at a place that is known, infinite where dot is not positive
+  double lower_ = -1;
   std::size_t cell_ = 0;
   std::vector<double> point_;
   bool vanishes_ = false;
@@ -74,7 +77,8 @@ public:
     heap_.pop_back();
     Variation_box first = box.place, second = box.place;
     const auto halve = [&](std::size_t v) {
-      first.upper[v] = second.lower[v] = box.place.lower[v] + (box.place.upper[v] - box.place.lower[v]) / 2; // exact
+      // exact
+      first.upper[v] = second.lower[v] = box.place.lower[v] + (box.place.upper[v] - box.place.lower[v]) / 2;
     };
     if (!box.products) {
       halve(box.bent);
@@ -104,7 +108,8 @@ public:
   // How much work there has been, in the steps of Work_limit.
   double steps() const { return steps_; }
 
-  // Guaranteed bounds of the largest tangent of an angle; infinite when that is or may be a right one or larger.
+  // Guaranteed bounds of the largest tangent of an angle; infinite when that is or may be a right
+  // one or larger.
   double lower() const { return (std::max)(lower_, 0.0); }
   double upper() const { return (std::max)({heap_.empty() ? 0 : heap_.front().upper, settled_, lower()}); }
 
@@ -144,7 +149,7 @@ private:
       if (box.is_free(v) && corner[k++]) point_[v] = box.upper[v];
   }
 
-  // What follows has the rounding mode of intervals.
+  // The following functions have the rounding mode of intervals.
   void add(Variation_box place) {
     for (std::size_t free = place.free_axes().size(); free > most_exact_axes; free = place.free_axes().size()) {
       const Centered_sides sides(cells_, place);
@@ -181,8 +186,9 @@ private:
     add({std::move(place), std::make_pair(in_intervals(products.cross), in_intervals(products.dot)), 0});
   }
 
-  // Takes those axes from a box along which the angle to each side that counts rises or falls everywhere, as far as it is larger than
-  // lower(), and returns whether there are some. The largest angle is at one of their ends.
+  // Takes those axes from a box along which the angle to each side that counts rises or falls
+  // everywhere, as far as it is larger than lower(), and returns whether there are some. The
+  // largest angle is at one of their ends.
   bool reduce(Variation_box& place, const Centered_sides& sides, const bool counts[2], double upper) {
     steps_ += Centered_sides::steps(cells_, sides.free());
     bool reduced = false;

@@ -26,8 +26,9 @@
 #include FT_TRUETYPE_TABLES_H
 #include FT_TRUETYPE_TAGS_H
 
-// The glyphs of a TrueType font that FreeType has opened, and unpacked if need be, at the default instance: their points are exactly those of
-// the table 'glyf', also where a component is scaled. Damaged tables are read as FreeType reads them, whose words for errors these are.
+// The glyphs of a TrueType font that FreeType has opened, and unpacked if need be, at the default
+// instance: their points are exactly those of the table 'glyf', also where a component is scaled.
+// Damaged tables are read as FreeType reads them, whose words for errors these are.
 class True_type_glyphs {
   typedef CGAL::Geometric_continuity::True_type_outline Outline;
   typedef CGAL::Geometric_continuity::Glyph_component Component;
@@ -62,7 +63,8 @@ class True_type_glyphs {
     return place_size_ == 2 ? 2 * x : x;
   }
 
-  // The bytes of a glyph. Those of a place outside of the table are none, but the last place is taken for the end of the table.
+  // The bytes of a glyph. Those of a place outside of the table are none, but the last place is
+  // taken for the end of the table.
   std::string_view bytes_of(std::size_t glyph) const {
     if (place_count_ <= glyph) return {};
     const std::size_t begin = place(glyph);
@@ -109,7 +111,8 @@ class True_type_glyphs {
     return result;
   }
 
-  // Where a component stands whose own parts begin at `begin`; the glyph of which it is one begins at `first`.
+  // Where a component stands whose own parts begin at `begin`; the glyph of which it is one begins
+  // at `first`.
   static Part_offset offset(const Component& component, const Leaves& leaves, std::size_t first, std::size_t begin) {
     const Part_matrix m = part_matrix(component);
     if (!component.has_offset) {
@@ -123,7 +126,8 @@ class True_type_glyphs {
     if (!component.scales_offset) return {component.x, component.y};
     if (m.is_diagonal() && m.xx > 0 && m.yy > 0)
       return Part_offset::reduced(component.x * m.xx, component.y * m.yy, m.shift);
-    const auto scaled = [&m](int x, std::int64_t a, std::int64_t b) -> std::int64_t { // rounded, as by FreeType
+    // rounded, as by FreeType
+    const auto scaled = [&m](int x, std::int64_t a, std::int64_t b) -> std::int64_t {
       const std::int64_t unit = std::int64_t(0x10000) >> m.shift;
       FT_Vector column{static_cast<FT_Pos>(a * unit), static_cast<FT_Pos>(b * unit)};
       return FT_MulFix(x, FT_Vector_Length(&column));
@@ -142,7 +146,8 @@ class True_type_glyphs {
     throw Font_error(invalid_composite);
   }
 
-  // Draws an outline in halves of a unit. Two control points in succession have their midpoint on the curve.
+  // Draws an outline in halves of a unit. Two control points in succession have their midpoint on
+  // the curve.
   static void draw(const Outline& glyph, Glyph_outline& outline) {
     std::size_t begin = 0;
     for (const int contour_end : glyph.contour_ends) {
@@ -183,17 +188,20 @@ public:
   explicit True_type_glyphs(FT_Face face) : face_(face), glyphs_(table(TTAG_glyf, table_size(TTAG_glyf))) {
     if (const auto* head = static_cast<const TT_Header*>(FT_Get_Sfnt_Table(face, FT_SFNT_HEAD)))
       place_size_ = head->Index_To_Loc_Format == 0 ? 2 : 4;
-    // FreeType reads beyond a table that is said to be shorter than it is, or leaves out the last glyphs.
+    // FreeType reads beyond a table that is said to be shorter than it is, or leaves out the last
+    // glyphs.
     const std::size_t count = (std::max)((std::min)(table_size(TTAG_loca) / place_size_, std::size_t(0x10000)),
                                          static_cast<std::size_t>(face->num_glyphs) + 1);
     places_ = table(TTAG_loca, static_cast<FT_ULong>(count * place_size_));
     if (!places_.empty()) place_count_ = count;
   }
 
-  // The glyphs without components of which a glyph consists; none if it has no components. Throws Font_error.
+  // The glyphs without components of which a glyph consists; none if it has no components. Throws
+  // Font_error.
   std::vector<Glyph_part> parts(int glyph) const { return leaves(outline(glyph).components).parts; }
 
-  // Reads the outline of a glyph. Components that have changed, in halves of a unit, are taken as they are now. Throws Font_error.
+  // Reads the outline of a glyph. Components that have changed, in halves of a unit, are taken as
+  // they are now. Throws Font_error.
   void read(int glyph, Glyph_outline& outline, const std::map<int, Glyph_outline>* changed) const {
     const Outline own = this->outline(glyph);
     if (own.components.empty()) {
@@ -212,8 +220,9 @@ public:
         drawn = changed->at(part.glyph);
       else
         draw(all.outlines[i], drawn);
-      const std::int64_t factor = std::int64_t(1) << (shift - 1 - part.matrix.shift), // of halves of a unit
-          unit = std::int64_t(1) << (shift - part.offset.shift);
+      // of halves of a unit
+      const std::int64_t factor = std::int64_t(1) << (shift - 1 - part.matrix.shift),
+                         unit = std::int64_t(1) << (shift - part.offset.shift);
       outline.begin_part(part.glyph);
       outline.append(drawn, [&](const Glyph_point& p) {
         Glyph_point q = part.matrix(p);

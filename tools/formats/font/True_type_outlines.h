@@ -14,12 +14,14 @@
 #include <string_view>
 #include <vector>
 
-/// The outlines of TrueType glyphs, as they are written. OpenType specification, tables 'head', 'maxp', 'loca' and 'glyf'.
+/// The outlines of TrueType glyphs, as they are written. OpenType specification, tables 'head',
+/// 'maxp', 'loca' and 'glyf'.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// A point of an outline in units of the font: on the curve, or the control point of a quadratic curve.
+/// A point of an outline in units of the font: on the curve, or the control point of a quadratic
+/// curve.
 struct Outline_point {
   int x, y;      ///< the coordinates
   bool on_curve; ///< between two control points in succession their midpoint is on the curve
@@ -33,9 +35,11 @@ struct Outline_point {
 /// Another glyph of which a composite glyph consists, how it is transformed and where it stands.
 struct Glyph_component {
   int glyph;
-  std::array<int, 4> matrix; ///< `(x, y)` becomes `(m[0] x + m[2] y, m[1] x + m[3] y)`, in units of 2^-14
-  bool has_offset;           ///< otherwise point `y` of the component is put on point `x` of those before it
-  bool scales_offset;        ///< by the lengths of the rows of the matrix
+  /// `(x, y)` becomes `(m[0] x + m[2] y, m[1] x + m[3] y)`, in units of 2^-14
+  std::array<int, 4> matrix;
+  /// otherwise point `y` of the component is put on point `x` of those before it
+  bool has_offset;
+  bool scales_offset; ///< by the lengths of the rows of the matrix
   int x, y;
 };
 
@@ -103,7 +107,8 @@ inline void read_points(Font_bytes& bytes, int contours, True_type_outline& outl
   coordinates(short_y, same_y, [&](std::size_t i, int y) { outline.points[i].y = y; });
 }
 
-/// Reads a glyph from its bytes. Takes memory in proportion to them only. \throws Error `malformed_input`
+/// Reads a glyph from its bytes. Takes memory in proportion to them only. \throws Error
+/// `malformed_input`
 inline True_type_outline read_true_type_outline(Font_bytes bytes) {
   True_type_outline outline;
   const int contours = bytes.i16();
@@ -123,7 +128,8 @@ class True_type_outlines {
   int count_;
 
 public:
-  /// Reads what all glyphs have in common. \throws Error `malformed_input`, also when the font has no TrueType outlines
+  /// Reads what all glyphs have in common. \throws Error `malformed_input`, also when the font has
+  /// no TrueType outlines
   explicit True_type_outlines(const Font_tables& font) : glyphs_(font.table("glyf")), places_(font.table("loca")) {
     Font_bytes head(font.table("head"), "table 'head'"), profile(font.table("maxp"), "table 'maxp'"),
         places(places_, "table 'loca'");
@@ -142,14 +148,16 @@ public:
   /// Returns the number of units of which the em consists.
   int units_per_em() const { return units_per_em_; }
 
-  /// Reads a glyph; one without an outline has no points. Takes memory in proportion to the glyph's bytes only.
+  /// Reads a glyph; one without an outline has no points. Takes memory in proportion to the glyph's
+  /// bytes only.
   /// \throws Error `malformed_input`, `parameter_outside_domain` when there is no such glyph
   True_type_outline glyph(int index) const {
     if (index < 0 || count_ <= index)
       throw Error(Error_code::parameter_outside_domain, "there is no glyph " + std::to_string(index));
     const std::string name = "table 'glyf', glyph " + std::to_string(index);
     const std::size_t begin = place(index), next = place(index + 1);
-    // FreeType, which unpacks WOFF2, may write a wrong end of the last glyph, and reads to the end of the table itself
+    // FreeType, which unpacks WOFF2, may write a wrong end of the last glyph, and reads to the end
+    // of the table itself
     const std::size_t end = index + 1 == count_ ? (std::min)(next, glyphs_.size()) : next;
     Font_bytes whole(glyphs_, name);
     if (end < begin || glyphs_.size() < end) whole.refuse("it lies outside of the table");

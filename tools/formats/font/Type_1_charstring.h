@@ -16,8 +16,9 @@
 #include <string_view>
 #include <vector>
 
-// Draws a glyph of a Type 1 font (Adobe Type 1 Font Format, 1990), with quotients that are multiples of 2^-16. Where another quotient
-// moves a point, which depends on the reader, the glyph is not covered.
+// Draws a glyph of a Type 1 font (Adobe Type 1 Font Format, 1990), with quotients that are
+// multiples of 2^-16. Where another quotient moves a point, which depends on the reader, the glyph
+// is not covered.
 class Type_1_charstring {
   struct Number {
     std::int64_t value; // in 2^-16
@@ -40,7 +41,8 @@ public:
   Type_1_charstring(const std::vector<std::string>& subroutines, Glyph_outline& outline)
       : subroutines_(subroutines), pen_(outline) {}
 
-  // Appends the outline, in 2^-16 units, as seen from a point; what is to be drawn instead is returned. Throws Font_error.
+  // Appends the outline, in 2^-16 units, as seen from a point; what is to be drawn instead is
+  // returned. Throws Font_error.
   std::optional<Accented_letter> draw(std::string_view charstring, const Glyph_point& origin = {0, 0}) {
     origin_ = origin;
     pen_.jump(origin);
@@ -114,7 +116,8 @@ private:
     case charstring::hstem3:
     case charstring::vstem3:
     case charstring::dot: break;
-    case charstring::bearing: needs(2), begin(stack_[0].value, 0); break; // a quotient here moves the glyph as a whole
+    // a quotient here moves the glyph as a whole
+    case charstring::bearing: needs(2), begin(stack_[0].value, 0); break;
     case charstring::bearings: needs(4), begin(stack_[0].value, stack_[1].value); break;
     case charstring::move: needs(2), move_by(s[0], s[1]); break;
     case charstring::hmove: needs(1), move_by(s[0], 0); break;
@@ -159,8 +162,8 @@ private:
     stack_.back() = {static_cast<std::int64_t>(x), a.exact && b.exact && numerator % b.value == 0};
   }
 
-  // The subroutines that all fonts have: 0 to 2 draw flat curves of seven points, the first of which is none of them, 3 changes hints,
-  // 12 and 13 are hints as well.
+  // The subroutines that all fonts have: 0 to 2 draw flat curves of seven points, the first of
+  // which is none of them, 3 changes hints, 12 and 13 are hints as well.
   void call_other() {
     const std::size_t number = pop_count(), operands = pop_count();
     needs(operands);

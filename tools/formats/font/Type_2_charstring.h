@@ -18,17 +18,19 @@
 #include <string_view>
 #include <vector>
 
-// What the charstrings of some glyphs share.
+// The charstrings of some glyphs share this.
 struct Type_2_context {
   const std::vector<std::string_view>& global; // subroutines
   const std::vector<std::string_view>& local;  // subroutines
-  const std::vector<std::size_t>* regions;     // CFF2: how many each set of them has; otherwise null
-  std::size_t set = 0;                         // of regions
+  // CFF2: how many each set of them has; otherwise null
+  const std::vector<std::size_t>* regions;
+  std::size_t set = 0; // of regions
   bool is_cff2() const { return regions != nullptr; }
 };
 
-// Draws a glyph of a table 'CFF ' or 'CFF2'. All numbers are taken as they are, multiples of 2^-16: those of the pen, which knows whether they
-// vary. A pen has the functions of Charstring_pen from `Number` to `blend`, and move(), line(), curve() and close().
+// Draws a glyph of a table 'CFF ' or 'CFF2'. All numbers are taken as they are, multiples of 2^-16:
+// those of the pen, which knows whether they vary. A pen has the functions of Charstring_pen from
+// `Number` to `blend`, and move(), line(), curve() and close().
 template <class Pen> class Type_2_charstring {
   static constexpr std::size_t max_stack = 513, max_operators = std::size_t(1) << 20;
   static constexpr int max_depth = 10;
@@ -119,7 +121,8 @@ private:
     run(subroutines[static_cast<std::size_t>(number)], depth + 1);
   }
 
-  // Takes the width away, which may come before the operands of the first operator that clears the stack.
+  // Takes the width away, which may come before the operands of the first operator that clears the
+  // stack.
   void take_width(bool is_there) {
     if (has_width_) return;
     has_width_ = true;
@@ -140,7 +143,7 @@ private:
     needs(operands);
   }
 
-  // Of n numbers, with all by which they vary behind them.
+  // Blends n numbers, which are followed by all their variations.
   void blend() {
     if (!context_.is_cff2() || context_.regions->size() <= set_) charstring::refuse("a blend without regions");
     const std::size_t n = pop_count(), k = (*context_.regions)[set_];
@@ -265,7 +268,8 @@ private:
     for (; i < behind; i += 6) pen_.curve(s[i], s[i + 1], s[i + 2], s[i + 3], s[i + 4], s[i + 5]);
   }
 
-  // Curves whose ends are both horizontal, or both vertical; the first operand of an odd number is the other coordinate.
+  // Curves whose ends are both horizontal, or both vertical; the first operand of an odd number is
+  // the other coordinate.
   void parallel_curves(bool horizontal) {
     std::size_t i = size_ % 4;
     if (i > 1) charstring::refuse("operands are missing");
@@ -279,7 +283,8 @@ private:
         pen_.curve(other, s[i], s[i + 1], s[i + 2], zero, s[i + 3]);
   }
 
-  // Curves from horizontal to vertical and back in turn; the last operand of an odd number is the other coordinate of the end.
+  // Curves from horizontal to vertical and back in turn; the last operand of an odd number is the
+  // other coordinate of the end.
   void alternating_curves(bool horizontal) {
     const std::size_t n = size_ / 4 * 4, odd = size_ % 4;
     if (odd > 1) charstring::refuse("operands are missing");

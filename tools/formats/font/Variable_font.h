@@ -21,7 +21,8 @@
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// A variable font with TrueType outlines, or with those of the table 'CFF2'. It refers to the bytes of the font.
+/// A variable font with TrueType outlines, or with those of the table 'CFF2'. It refers to the
+/// bytes of the font.
 class Variable_font {
   std::vector<Variation_axis> axes_;
   std::vector<Variation_range> ranges_;
@@ -37,7 +38,8 @@ public:
     return font.has("fvar") && (is_true_type(font) || font.has("CFF2"));
   }
 
-  /// Reads what all glyphs have in common. \throws Error `malformed_input`, also for a font that `is_variable()` denies
+  /// Reads what all glyphs have in common. \throws Error `malformed_input`, also for a font that
+  /// `is_variable()` denies
   explicit Variable_font(const Font_tables& font) : axes_(read_variation_axes(font)) {
     for (const Variation_axis& axis : axes_) ranges_.push_back(axis.range());
     if (!is_true_type(font) && font.has("CFF2")) {
@@ -57,7 +59,8 @@ public:
   /// Returns the number of units of which the em consists.
   int units_per_em() const { return cff_ ? cff_->units_per_em() : outlines_->units_per_em(); }
 
-  /// Returns the components of a glyph; none when it has an outline of its own. \throws Error as glyph()
+  /// Returns the components of a glyph; none when it has an outline of its own. \throws Error as
+  /// glyph()
   std::vector<Glyph_component> components(int index) const {
     return cff_ ? std::vector<Glyph_component>() : outlines_->glyph(index).components;
   }

@@ -16,12 +16,14 @@
 #include <vector>
 
 /// \file Variable_join.h
-/// Joins in the plane that move with the axes of a family of shapes, as the nodes of a variable font do.
+/// Joins in the plane that move with the axes of a family of shapes, as the nodes of a variable
+/// font do.
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// The vector along a handle or a line at a join: `constant` and the sum of `shifts[r]` times the scalar of region `r`.
+/// The vector along a handle or a line at a join: `constant` and the sum of `shifts[r]` times the
+/// scalar of region `r`.
 struct Variable_vector {
   typedef Variation_region::FT FT;  ///< the number type
   typedef std::array<FT, 2> Vector; ///< a vector in the plane
@@ -52,16 +54,16 @@ struct Variable_join {
 
   Variable_vector incoming, outgoing;
 
-  /// Returns \f$ a \times b \f$ and \f$ a \cdot b \f$ of the incoming and the outgoing side where the regions have these scalars. Both are zero
-  /// where a side has no length.
+  /// Returns \f$ a \times b \f$ and \f$ a \cdot b \f$ of the incoming and the outgoing side where
+  /// the regions have these scalars. Both are zero where a side has no length.
   std::pair<FT, FT> products(const std::vector<FT>& scalars) const {
     const Variable_vector::Vector a = incoming(scalars), b = outgoing(scalars);
     return {FT(a[0] * b[1] - a[1] * b[0]), FT(a[0] * b[0] + a[1] * b[1])};
   }
 };
 
-/// Decides whether a join is a corner at an instance, which is given by the scalars of the regions; empty when a side has no
-/// length there. The decision is exact.
+/// Decides whether a join is a corner at an instance, which is given by the scalars of the regions;
+/// empty when a side has no length there. The decision is exact.
 inline std::optional<bool> is_corner(const Variable_join& join, const std::vector<Variable_join::FT>& scalars,
                                      const Corner_threshold& bound) {
   const std::pair<Variable_join::FT, Variable_join::FT> products = join.products(scalars);

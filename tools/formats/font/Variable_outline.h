@@ -20,25 +20,28 @@ namespace Geometric_continuity {
 /// A vector of an outline in units of the font.
 typedef Variable_vector::Vector Outline_vector;
 
-/// A point at the default instance, in units of the font: the numbers of the file, which doubles have.
+/// A point at the default instance, in units of the font: the numbers of the file, which doubles
+/// have.
 struct Variable_point {
   double x, y;
   bool on_curve; ///< otherwise a control point
 };
 
-/// An outline that depends on the instance: point `i` is `points[i]` and the sum of `shifts[r][i]` times the scalar of
-/// `regions[r]` over all regions.
+/// An outline that depends on the instance: point `i` is `points[i]` and the sum of `shifts[r][i]`
+/// times the scalar of `regions[r]` over all regions.
 struct Variable_outline {
   bool
-      cubic; ///< whether two control points in succession belong to one curve; otherwise their midpoint is on the curve
+      /// whether two control points in succession belong to one curve; otherwise their midpoint is
+      /// on the curve
+      cubic;
   std::vector<Variable_point> points;
   std::vector<int> contour_ends;                ///< the points of a contour end before this one
   std::vector<Glyph_component> components = {}; ///< of a composite glyph, which has no points
   std::vector<Variation_region> regions = {};
   std::vector<std::vector<Outline_vector>> shifts = {};
 
-  /// Returns a point at an instance, which is given by its normalised values, exactly. \f$ O(rk) \f$ for `r` regions and `k`
-  /// axes
+  /// Returns a point at an instance, which is given by its normalised values, exactly.
+  /// \f$ O(rk) \f$ for `r` regions and `k` axes
   Outline_vector point(std::size_t i, const std::vector<Variable_vector::FT>& instance) const {
     Variable_vector point{{Variable_vector::FT(points[i].x), Variable_vector::FT(points[i].y)}, {}};
     for (const std::vector<Outline_vector>& shift : shifts) point.shifts.push_back(shift[i]);
@@ -62,16 +65,19 @@ inline Variable_vector variable_vector(const Variable_outline& glyph, std::size_
   return side;
 }
 
-/// Returns the joins of an outline at all points that are on the curve. Points that coincide at every instance are one
-/// point: then a handle is retracted or a segment has no length, and the side beyond has the direction of the image. It is on the curve if
-/// one of them is, or if they are control points of quadratic curves. The joins between two control points in succession of such curves
-/// are not among them: there the tangent is the line through both, in every instance. \f$ O(nr) \f$ for `n` points and `r` regions
+/// Returns the joins of an outline at all points that are on the curve. Points that coincide at
+/// every instance are one point: then a handle is retracted or a segment has no length, and the
+/// side beyond has the direction of the image. It is on the curve if one of them is, or if they are
+/// control points of quadratic curves. The joins between two control points in succession of such
+/// curves are not among them: there the tangent is the line through both, in every instance.
+/// \f$ O(nr) \f$ for `n` points and `r` regions
 inline std::vector<Outline_join> outline_joins(const Variable_outline& glyph) {
   std::vector<Outline_join> joins;
   std::size_t begin = 0;
   for (std::size_t contour = 0; contour < glyph.contour_ends.size(); ++contour) {
     const std::size_t end = static_cast<std::size_t>(glyph.contour_ends[contour]);
-    // the sides that are not zero, from each of these points to the next, and which points are on the curve
+    // the sides that are not zero, from each of these points to the next, and which points are on
+    // the curve
     std::vector<std::size_t> points;
     std::vector<bool> on_curve;
     std::vector<Variable_vector> sides;

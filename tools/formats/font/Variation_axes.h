@@ -15,27 +15,30 @@
 #include <utility>
 #include <vector>
 
-/// The axes of a variable font, and what their normalised values mean to its users. OpenType specification, tables 'fvar'
-/// and 'avar', and "Coordinate scales and normalization".
+/// The axes of a variable font, and what their normalised values mean to its users. OpenType
+/// specification, tables 'fvar' and 'avar', and "Coordinate scales and normalization".
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// An axis of a variable font. Its normalised values are -1 at the minimum, 0 at the default and 1 at the maximum, and
-/// between these piecewise linear.
+/// An axis of a variable font. Its normalised values are -1 at the minimum, 0 at the default and 1
+/// at the maximum, and between these piecewise linear.
 struct Variation_axis {
   typedef CGAL::Exact_rational FT; ///< the number type
 
   std::string tag;              ///< e.g. "wght"
   FT minimum, initial, maximum; ///< in the units of its users; `initial` is the default
-  /// What 'avar' gives: the pairs of normalised values before and after, ascending; none for the identity.
+  /// The map of 'avar': the pairs of normalised values before and after, ascending; none for the
+  /// identity.
   std::vector<std::pair<FT, FT>> map;
 
-  /// Returns the least normalised value, -1 or 0 when the default is the minimum, and the largest one, 1 or 0.
+  /// Returns the least normalised value, -1 or 0 when the default is the minimum, and the largest
+  /// one, 1 or 0.
   Variation_range range() const { return {minimum < initial ? -1. : 0., initial < maximum ? 1. : 0.}; }
 
-  /// Returns the value for users whose normalised value this is, from -1 to 1: exact, not rounded to the 14 bits that a
-  /// rasteriser may keep. It is the least one where several have the same normalised value.
+  /// Returns the value for users whose normalised value this is, from -1 to 1: exact, not rounded
+  /// to the 14 bits that a rasteriser may keep. It is the least one where several have the same
+  /// normalised value.
   FT user_value(const FT& normalised) const {
     FT x = normalised;
     for (std::size_t i = 1; i < map.size(); ++i)
@@ -49,7 +52,7 @@ struct Variation_axis {
   }
 };
 
-// What 'avar' says about one axis. A map without -1, 0 and 1 has no effect.
+// Reads the map of 'avar' for one axis. A map without -1, 0 and 1 has no effect.
 inline std::vector<std::pair<CGAL::Exact_rational, CGAL::Exact_rational>> read_axis_map(Font_bytes& bytes) {
   std::vector<std::pair<int, int>> units;
   const int count = bytes.u16();
@@ -67,12 +70,14 @@ inline std::vector<std::pair<CGAL::Exact_rational, CGAL::Exact_rational>> read_a
   return map;
 }
 
-/// Returns the version of the table 'avar', of which 1 can be read; 1 without that table. \throws Error `malformed_input`
+/// Returns the version of the table 'avar', of which 1 can be read; 1 without that table. \throws
+/// Error `malformed_input`
 inline int axis_map_version(const Font_tables& font) {
   return font.has("avar") ? Font_bytes(font.table("avar"), "table 'avar'").u16() : 1;
 }
 
-/// Reads the axes of a font; there are none when it is not a variable one. \f$ O(k) \f$ for `k` bytes
+/// Reads the axes of a font; there are none when it is not a variable one. \f$ O(k) \f$ for `k`
+/// bytes
 /// \throws Error `malformed_input`, also for a version of the table 'avar' other than 1
 inline std::vector<Variation_axis> read_variation_axes(const Font_tables& font) {
   std::vector<Variation_axis> axes;

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-// The cells of the space of instances on which both sides of a join are multi-affine: between the numbers at which a scalar
-// bends.
+// The cells of the space of instances on which both sides of a join are multi-affine: between the
+// numbers at which a scalar bends.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -40,7 +40,8 @@ class Variation_cells {
 public:
   typedef Variable_join::FT FT;
 
-  // a x b and a . b of the sides as functions on a box, in its free axes. NT: exact numbers, or intervals
+  // a x b and a . b of the sides as functions on a box, in its free axes. NT: exact numbers, or
+  // intervals
   template <class NT> struct Products { Bernstein_tensor<NT> cross, dot; };
 
   Variation_cells(const Variable_join& join, const std::vector<Variation_region>& regions,
@@ -79,7 +80,8 @@ public:
   // How many cells there are; there can be very many.
   double size() const { return size_; }
 
-  // Returns whether the sides are parallel at every instance because what moves them is, whatever the scalars are.
+  // Returns whether the sides are parallel at every instance because what moves them is, whatever
+  // the scalars are.
   bool is_parallel() const {
     const std::size_t n = moving_.size();
     for (std::size_t i = 0; i <= n; ++i)
@@ -95,7 +97,7 @@ public:
     return true;
   }
 
-  // What a cell is along each axis.
+  // The interval of a cell along each axis.
   struct Interval {
     double lower, upper;
   };
@@ -114,7 +116,8 @@ public:
   Variation_box whole(std::size_t number) const {
     Variation_box box{number, {}, {}};
     const Cell cell = this->cell(number);
-    for (const Interval& i : cell) box.lower.push_back(i.upper == 0 ? 1 : 0); // nearest to the default
+    // nearest to the default
+    for (const Interval& i : cell) box.lower.push_back(i.upper == 0 ? 1 : 0);
     box.upper = box.lower;
     for_each_region(cell, [&](const Vector&, const Vector&, std::size_t r) {
       for (std::size_t v = 0; v < variables(); ++v)
@@ -152,7 +155,8 @@ public:
     return values;
   }
 
-  // For each region that moves a side on a cell, calls f with its shift of both sides, and its number for factor().
+  // For each region that moves a side on a cell, calls f with its shift of both sides, and its
+  // number for factor().
   template <class Use> void for_each_region(const Cell& cell, Use f) const {
     for (std::size_t r : moving_)
       if (!vanishes(cell, r)) f(join_->incoming.shifts[r], join_->outgoing.shifts[r], r);
@@ -162,7 +166,8 @@ public:
   const Variable_vector::Vector& incoming() const { return join_->incoming.constant; }
   const Variable_vector::Vector& outgoing() const { return join_->outgoing.constant; }
 
-  // The factor of a region along axis v at t in the unit cube of a cell. \tparam NT exact numbers, or intervals
+  // The factor of a region along axis v at t in the unit cube of a cell. \tparam NT exact numbers,
+  // or intervals
   template <class NT> NT factor(std::size_t region, const Cell& cell, std::size_t v, const NT& t) const {
     const Interval i = cell[v];
     const NT value = NT(i.lower) + t * (NT(i.upper) - NT(i.lower));
@@ -198,7 +203,8 @@ private:
     return i == 0 ? side.constant : side.shifts[moving_[i - 1]];
   }
 
-  // Returns whether the scalar of a region is not zero everywhere because it depends on an axis that stays at 0.
+  // Returns whether the scalar of a region is not zero everywhere because it depends on an axis
+  // that stays at 0.
   static bool is_met(const Variation_region& region, const std::vector<Variation_range>& axes) {
     for (std::size_t k = 0; k < axes.size(); ++k)
       if (region.axes()[k].counts() && axes[k].lowest == axes[k].highest) return false;

@@ -11,29 +11,32 @@
 #include <utility>
 #include <vector>
 
-/// The axes of a family of shapes, and the parts of the space of its instances in which points move. OpenType specification,
-/// "Algorithm for interpolation of instance values".
+/// The axes of a family of shapes, and the parts of the space of its instances in which points
+/// move. OpenType specification, "Algorithm for interpolation of instance values".
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-/// The values of an axis, among which 0 is the default. They are taken as they are, with all their bits.
+/// The values of an axis, among which 0 is the default. They are taken as they are, with all their
+/// bits.
 struct Variation_range {
   double lowest = -1; ///< at most 0
   double highest = 1; ///< at least 0
 };
 
-/// How a region lies along one axis: its scalar rises linearly from 0 at `start` to 1 at `peak` and falls to 0 at `end`.
+/// How a region lies along one axis: its scalar rises linearly from 0 at `start` to 1 at `peak` and
+/// falls to 0 at `end`.
 struct Region_axis {
   double start, peak, end;
 
-  /// Returns whether the scalar depends on the axis: not when the peak is 0 or the three are not in order or not of one sign.
+  /// Returns whether the scalar depends on the axis: not when the peak is 0 or the three are not in
+  /// order or not of one sign.
   bool counts() const { return peak != 0 && start <= peak && peak <= end && (start >= 0 || end <= 0); }
 };
 
-/// A region of the space of instances. The scalar with which it moves points is the product of those along its axes,
-/// \f$ s(v) = (v - start) / (peak - start) \f$ before and \f$ (end - v) / (end - peak) \f$ behind the peak, hence piecewise
-/// multi-affine.
+/// A region of the space of instances. The scalar with which it moves points is the product of
+/// those along its axes, \f$ s(v) = (v - start) / (peak - start) \f$ before and
+/// \f$ (end - v) / (end - peak) \f$ behind the peak, hence piecewise multi-affine.
 class Variation_region {
 public:
   typedef Exact_field<double>::type FT; ///< the number type
@@ -52,8 +55,8 @@ public:
     return product;
   }
 
-  /// Returns the factor of axis `k` at `v`, by the linear function that it is on `[lower, upper]`, where that lies between
-  /// successive ones of the numbers `start`, `peak` and `end`.
+  /// Returns the factor of axis `k` at `v`, by the linear function that it is on `[lower, upper]`,
+  /// where that lies between successive ones of the numbers `start`, `peak` and `end`.
   /// \tparam NT exact numbers, or intervals \tparam Bound exact numbers, or `double`
   template <class NT, class Bound> NT factor(std::size_t k, const NT& v, const Bound& lower, const Bound& upper) const {
     const Region_axis& axis = axes_[k];

@@ -10,8 +10,9 @@
 #include <cstdint>
 #include <string>
 
-// What the bytes of charstrings mean, those of Type 1 fonts (Adobe Type 1 Font Format, 1990), of tables 'CFF ' (Adobe Technical Note 5177)
-// and 'CFF2' (OpenType specification, "CFF2 CharString Format").
+// The meaning of the bytes of charstrings: in Type 1 fonts (Adobe Type 1 Font Format, 1990), in
+// tables 'CFF ' (Adobe Technical Note 5177) and 'CFF2' (OpenType specification, "CFF2 CharString
+// Format").
 namespace charstring {
 
 // Behind the byte `escape` they begin at 0x0c00.
@@ -68,7 +69,8 @@ enum Operator {
   flex1 = 0x0c25
 };
 
-// An integer, also of a dictionary, whose first byte is from 32 to 254. From this one on there is a second byte.
+// An integer, also of a dictionary, whose first byte is from 32 to 254. From this one on there is a
+// second byte.
 constexpr int first_of_two = 247;
 inline std::int64_t short_integer(int first, std::int64_t second) {
   if (first < first_of_two) return first - 139;

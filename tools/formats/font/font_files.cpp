@@ -84,7 +84,8 @@ public:
 bool is_font_file(const std::string& file) {
   std::error_code error;
   if (has_font_ending(file)) return true;
-  if (!is_standard_input(file) && !fs::is_regular_file(file, error)) return false; // pipes cannot be opened twice
+  // pipes cannot be opened twice
+  if (!is_standard_input(file) && !fs::is_regular_file(file, error)) return false;
   return begins_as_font(Input(file).beginning(16));
 }
 

@@ -42,7 +42,8 @@ inline Variable_join join_of_part(const Glyph_part& part, Variable_join join) {
 }
 
 /// Returns the parts of a composite glyph, those of its components included.
-/// \throws Error `malformed_input`, `work_limit` for more than `max_glyph_parts`, as of a glyph that contains itself
+/// \throws Error `malformed_input`, `work_limit` for more than `max_glyph_parts`, as of a glyph
+///   that contains itself
 inline std::vector<Glyph_part> glyph_parts(const Variable_font& font, const std::vector<Glyph_component>& components) {
   std::vector<Glyph_part> parts;
   try {

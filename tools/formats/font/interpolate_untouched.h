@@ -14,14 +14,16 @@
 #include <utility>
 #include <vector>
 
-/// How points move of which a variation does not say it: between their neighbours along the contour. OpenType
-/// specification, table 'gvar', "Inferred deltas for un-referenced point numbers".
+/// How points move of which a variation does not say it: between their neighbours along the
+/// contour. OpenType specification, table 'gvar', "Inferred deltas for un-referenced point
+/// numbers".
 
 namespace CGAL {
 namespace Geometric_continuity {
 
-// The movement of a coordinate x between those of the touched points at a and b, which move by p and q: linear between them, and
-// that of the nearer one outside. Where both are at one place and do not move alike, no movement.
+// The movement of a coordinate x between those of the touched points at a and b, which move by p
+// and q: linear between them, and that of the nearer one outside. Where both are at one place and
+// do not move alike, no movement.
 inline CGAL::Exact_rational interpolated_shift(int x, int a, int b, int p, int q) {
   if (b < a) {
     std::swap(a, b);
@@ -34,8 +36,9 @@ inline CGAL::Exact_rational interpolated_shift(int x, int a, int b, int p, int q
          CGAL::Exact_rational(x - a) * CGAL::Exact_rational(q - p) / CGAL::Exact_rational(b - a);
 }
 
-/// Returns how each point of an outline moves by one variation: as that says, or in each coordinate linearly between the touched
-/// points before and behind it on the contour. The result is exact; rasterisers round it. \f$ O(n) \f$
+/// Returns how each point of an outline moves by one variation: as that says, or in each coordinate
+/// linearly between the touched points before and behind it on the contour. The result is exact;
+/// rasterisers round it. \f$ O(n) \f$
 /// \throws Error `malformed_input` when the variation has not one movement for each of its points
 inline std::vector<Outline_vector> interpolate_untouched(const True_type_outline& outline,
                                                          const Tuple_variation& variation) {
@@ -59,7 +62,8 @@ inline std::vector<Outline_vector> interpolate_untouched(const True_type_outline
         const std::size_t j = static_cast<std::size_t>(place[i]);
         shifts[i] = {variation.dx[j], variation.dy[j]};
       }
-    for (std::size_t t = 0; t < touched.size(); ++t) { // from a touched point to the next one, which may be itself
+    // from a touched point to the next one, which may be itself
+    for (std::size_t t = 0; t < touched.size(); ++t) {
       const std::size_t first = touched[t], second = touched[(t + 1) % touched.size()];
       const Outline_point &a = outline.points[first], &b = outline.points[second];
       const std::size_t p = static_cast<std::size_t>(place[first]), q = static_cast<std::size_t>(place[second]);

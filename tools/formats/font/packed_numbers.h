@@ -12,7 +12,8 @@
 #include <string>
 #include <vector>
 
-/// Runs of numbers in variation data. OpenType specification, "Packed point numbers" and "Packed deltas".
+/// Runs of numbers in variation data. OpenType specification, "Packed point numbers" and "Packed
+/// deltas".
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -9,7 +9,8 @@
 
 #include <CGAL/Geometric_continuity/IO/G2_span_reader.h>
 
-// The spans of curves with their numbers as they are written. Who only reads curves includes curves.h, which knows no decisions.
+// The spans of curves with their numbers as they are written. Who only reads curves includes
+// curves.h, which knows no decisions.
 template <class Number> using Program_span = GC::G2_span<Program_traits<Exact>, Number>;
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_G2_TEXT_SPANS_H

@@ -24,7 +24,8 @@ inline Svg_point svg_unit(const Svg_point& v) {
   return length > 0 ? v / length : Svg_point(3);
 }
 
-// A parallel projection from the side of the angles azimuth and elevation, in degrees; z points upwards.
+// A parallel projection from the side of the angles azimuth and elevation, in degrees; z points
+// upwards.
 class Svg_camera {
   Svg_point right_, up_, toward_; // the viewer
   double scale_ = 1;

@@ -16,7 +16,8 @@
 #include <vector>
 
 /// \file Svg_contours.h
-/// Lines through grids that separate what is inside from what is outside, and lines with as few points as a tolerance allows.
+/// Lines through grids that separate what is inside from what is outside, and lines with as few
+/// points as a tolerance allows.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -32,11 +33,13 @@ struct Grid_line {
   bool closed;
 };
 
-// The lines through these cells of a grid between nodes that are inside and neighbours that are not, with the inside on one side. A
-// cell has the number of its first node, j * columns + i. Lines that are not closed end at the border. Linear in the number of cells.
+// The lines through these cells of a grid between nodes that are inside and neighbours that are
+// not, with the inside on one side. A cell has the number of its first node, j * columns + i. Lines
+// that are not closed end at the border. Linear in the number of cells.
 template <class Inside>
 std::vector<Grid_line> grid_contours(int columns, const std::vector<std::size_t>& cells, Inside inside) {
-  std::unordered_map<std::size_t, std::size_t> next; // of crossings, by their numbers: twice that of the first node
+  // of crossings, by their numbers: twice that of the first node
+  std::unordered_map<std::size_t, std::size_t> next;
   std::unordered_set<std::size_t> has_before;
   std::vector<std::size_t> in_order;
   const std::size_t below = static_cast<std::size_t>(columns);
@@ -74,7 +77,8 @@ std::vector<Grid_line> grid_contours(int columns, const std::vector<std::size_t>
   return lines;
 }
 
-// The line without points that are within their tolerance of the chord of those around them that stay (Douglas and Peucker).
+// The line without points that are within their tolerance of the chord of those around them that
+// stay (Douglas and Peucker).
 inline std::vector<Svg_pixel> svg_simplified(const std::vector<Svg_pixel>& points,
                                              const std::vector<double>& tolerances, bool closed) {
   const std::size_t n = points.size();

@@ -18,7 +18,8 @@
 #include <vector>
 
 /// \file Svg_curvature_plots.h
-/// Plots of the curvature against the arc length, below the panels of a figure and with one scale for all: signed in the plane.
+/// Plots of the curvature against the arc length, below the panels of a figure and with one scale
+/// for all: signed in the plane.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -42,7 +43,7 @@ class Svg_curvature_plots {
   bool is_signed_, any_ = false, cut_ = false;
 
 public:
-  // Of curves that have been divided by `unit`.
+  // Takes curves that have been divided by `unit`.
   Svg_curvature_plots(const std::vector<const std::vector<Svg_curve>*>& panels, double unit, bool spatial)
       : unit_(unit), is_signed_(!spatial) {
     std::vector<std::pair<double, double>> weighted; // |curvature|, length of arc
@@ -57,7 +58,7 @@ public:
     choose_scale(weighted);
   }
 
-  // What a plot adds to the height of a panel.
+  // Returns the height that a plot adds to a panel.
   double height() const { return any_ ? above + height_ : 0; }
   bool is_cut() const { return cut_; }
   bool empty() const { return !any_; }
@@ -136,7 +137,8 @@ private:
     return result;
   }
 
-  // All is seen, unless a twentieth of the length has more than twice the curvature of the rest: that is cut off.
+  // All is seen, unless a twentieth of the length has more than twice the curvature of the rest:
+  // that is cut off.
   void choose_scale(std::vector<std::pair<double, double>>& weighted) {
     if (weighted.empty()) return;
     std::sort(weighted.begin(), weighted.end());

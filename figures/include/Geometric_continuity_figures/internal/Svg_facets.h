@@ -23,8 +23,9 @@
 #include <vector>
 
 /// \file Svg_facets.h
-/// The faces of a picture of surfaces: facets with the normals of the surface at their corners, so small that from one to the next the
-/// normal turns by a few degrees; what is seen of them, painted between contours of the brightness; and the silhouettes.
+/// The faces of a picture of surfaces: facets with the normals of the surface at their corners, so
+/// small that from one to the next the normal turns by a few degrees; what is seen of them, painted
+/// between contours of the brightness; and the silhouettes.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -110,7 +111,8 @@ private:
     return path.empty() ? path : "<path fill=\"" + colour + "\" d=\"" + path + "\"/>\n";
   }
 
-  // The lines in the grid of vertices where the normal turns from the viewer, each point found by bisection between two vertices.
+  // The lines in the grid of vertices where the normal turns from the viewer, each point found by
+  // bisection between two vertices.
   template <class Patch> void add_silhouettes(const Patch& s, int m, int n, const std::vector<Vertex>& vertices) {
     const auto faces_viewer = [&](const Vertex& v) { return dot(v.normal, camera_.toward()) >= 0; };
     const std::size_t columns = static_cast<std::size_t>(n) + 1;
@@ -136,7 +138,8 @@ private:
     }
   }
 
-  // Enough along a parameter line that normals and tangents turn little along each, and no more than its control polygon has pixels.
+  // Enough along a parameter line that normals and tangents turn little along each, and no more
+  // than its control polygon has pixels.
   template <class Patch> int cells(const Patch& s, Parameter_line line) const {
     const bool along_u = line == Parameter_line::along_u;
     double pixels = 0;

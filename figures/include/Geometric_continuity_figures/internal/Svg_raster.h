@@ -19,14 +19,15 @@
 #include <vector>
 
 /// \file Svg_raster.h
-/// What of many triangles is nearest to the viewer, on a grid of samples, and the regions of the picture where a value that varies
-/// along it exceeds a level, bounded by contours.
+/// What of many triangles is nearest to the viewer, on a grid of samples, and the regions of the
+/// picture where a value that varies along it exceeds a level, bounded by contours.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// A corner of a triangle: where it is in the picture, how near it is, and the value there, at least 0.
+// A corner of a triangle: where it is in the picture, how near it is, and the value there, at
+// least 0.
 struct Svg_corner {
   Svg_pixel place;
   double depth; // greater where it is nearer
@@ -98,14 +99,15 @@ public:
     return result;
   }
 
-  // For each k < levels: the outlines of where something is and its value is at least k / levels, in tenths of a pixel, to be filled
-  // by the rule evenodd. Where the value varies by less than `jump` from sample to sample they are contours, else the edges of
-  // what hides something.
+  // For each k < levels: the outlines of where something is and its value is at least k / levels,
+  // in tenths of a pixel, to be filled by the rule evenodd. Where the value varies by less than
+  // `jump` from sample to sample they are contours, else the edges of what hides something.
   std::vector<std::string> regions(int levels, double jump) const {
     std::vector<int> level(value_.size()); // the highest one that is reached
     for (std::size_t k = 0; k < level.size(); ++k)
       level[k] = value_[k] == empty ? -1 : (std::min)(levels - 1, static_cast<int>(value_[k] * levels));
-    std::vector<std::vector<std::size_t>> cells(static_cast<std::size_t>(levels)); // that are crossed
+    // that are crossed
+    std::vector<std::vector<std::size_t>> cells(static_cast<std::size_t>(levels));
     const std::size_t below = static_cast<std::size_t>(columns_);
     for (std::size_t k = 0; k + below + 1 < level.size(); ++k) {
       const int a = level[k], b = level[k + 1], c = level[k + below], d = level[k + below + 1];

@@ -18,7 +18,8 @@
 #include <vector>
 
 /// \file Svg_view.h
-/// From curves to the plane of a picture: one view, one scale and one comb for all panels of an `Svg_figure`.
+/// From curves to the plane of a picture: one view, one scale and one comb for all panels of an
+/// `Svg_figure`.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -75,8 +76,8 @@ inline std::vector<Svg_curve*> svg_in_frame(const std::vector<Svg_curve*>& curve
   return result.empty() ? curves : result;
 }
 
-// Moves and scales all curves alike, without overflow, those that the frame follows into the cube [-1, 1]^3. Returns how long its
-// half side was.
+// Moves and scales all curves alike, without overflow, those that the frame follows into the cube
+// [-1, 1]^3. Returns how long its half side was.
 inline double svg_normalise(const std::vector<Svg_curve*>& curves) {
   Svg_box<3> box;
   for (const Svg_curve* c : svg_in_frame(curves))
@@ -90,7 +91,8 @@ inline double svg_normalise(const std::vector<Svg_curve*>& curves) {
   return radius > 0 ? radius : 1;
 }
 
-// 256 samples of each curve, in a figure of up to 256 curves; of more curves fewer, but more of those that are longer.
+// 256 samples of each curve, in a figure of up to 256 curves; of more curves fewer, but more of
+// those that are longer.
 inline void svg_choose_samples(const std::vector<Svg_curve*>& curves) {
   const double most = 256, least = 8, average = most * most / static_cast<double>(curves.size());
   const auto length = [](const Svg_curve& c) { // of the control polygon
@@ -173,7 +175,8 @@ public:
     return ground(box_.centre() + svg_vector({(i - 0.5 * cells(0)) * cell(), (j - 0.5 * cells(1)) * cell(), 0.0}));
   }
 
-  // The teeth of a comb, evenly dense for the eye along curve and envelope, `per_tooth` to each that is to be drawn.
+  // The teeth of a comb, evenly dense for the eye along curve and envelope, `per_tooth` to each
+  // that is to be drawn.
   std::vector<Svg_tooth> comb(const Svg_curve& curve, int per_tooth) const {
     std::vector<double> way(1, 0.0);
     Svg_tooth last = tooth(curve, 0);
@@ -218,7 +221,8 @@ private:
     return {jet[0], jet[0] - (whole ? comb_scale_ : comb_scale_ * comb_limit() / length) * *k, whole};
   }
 
-  // Nine tenths of the combed length have teeth up to half the limit; more when thereby no tooth exceeds the limit.
+  // Nine tenths of the combed length have teeth up to half the limit; more when thereby no tooth
+  // exceeds the limit.
   void choose_comb_scale(const std::vector<Svg_curve*>& curves) {
     std::vector<std::pair<double, double>> weighted; // curvature, length of arc
     double total = 0;
@@ -235,14 +239,15 @@ private:
     double sum = 0;
     std::size_t i = 0;
     while ((sum += weighted[i].second) < 0.9 * total) ++i;
-    const double flat = 1e-6 / size_; // straight for the eye, so that rounding errors are not magnified
+    // straight for the eye, so that rounding errors are not magnified
+    const double flat = 1e-6 / size_;
     const double common = (std::max)(weighted[i].first, flat), most = (std::max)(weighted.back().first, flat);
     comb_scale_ = comb_limit() * (std::max)(1 / most, 0.5 / common);
     comb_is_cut_ = comb_scale_ * most > 1.02 * comb_limit();
   }
 
-  // Curves, whole teeth and the ground are seen entirely; of cut teeth two thirds and the margin, of a control polygon
-  // what is near.
+  // Curves, whole teeth and the ground are seen entirely; of cut teeth two thirds and the margin,
+  // of a control polygon what is near.
   void fit(const std::vector<Svg_curve*>& curves) {
     Svg_box<2> picture;
     for (const Svg_curve* c : curves)

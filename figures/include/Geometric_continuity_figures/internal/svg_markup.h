@@ -120,8 +120,8 @@ inline std::string svg_smooth_path(const std::vector<Svg_pixel>& p) {
   return path;
 }
 
-// The Bezier curve with these points: one cubic up to degree 3, else Hermite pieces, whose error is at most
-// h^4/384 max |x''''| and is kept below 1/50.
+// The Bezier curve with these points: one cubic up to degree 3, else Hermite pieces, whose error is
+// at most h^4/384 max |x''''| and is kept below 1/50.
 inline std::string svg_curve_path(std::vector<Svg_pixel> b) {
   const int m = static_cast<int>(b.size()) - 1;
   std::string path = 'M' + svg_pair(b[0]);

@@ -27,7 +27,7 @@ namespace internal {
 
 inline const char* svg_fonts() { return "Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif"; }
 
-// What XML does not allow becomes U+FFFD, and control characters become spaces.
+// Characters that XML does not allow become U+FFFD, and control characters become spaces.
 inline std::string svg_escape(const std::string& text) {
   std::string s;
   for_each_utf8_character(text, [&](const Utf8_character& c) {
@@ -82,7 +82,7 @@ inline std::string svg_text(double x, double y, double size, const char* colour,
          "\" fill=\"" + colour + "\" text-anchor=\"" + anchor + '"' + more + '>' + svg_escape(text) + "</text>\n";
 }
 
-// What the legend calls a curve.
+// Returns the name of a curve in the legend.
 inline std::string name_of(const Svg_style& style) {
   if (!style.name.empty()) return style.name;
   return style.role == Svg_role::given ? "given curve" : style.role == Svg_role::result ? "result" : "construction";
@@ -139,8 +139,9 @@ inline std::string svg_document(const std::string& title, double width, double h
          "</title>\n<rect width=\"" + w + "\" height=\"" + h + "\" fill=\"#ffffff\"/>\n" + body + "</svg>\n";
 }
 
-// What is drawn in a panel, as points, and the places that it leaves for labels. The points are kept in square cells, so
-// that a label looks only at those around it. What lies outside of the panel is farther from a label than the edge.
+// Holds the drawing of a panel as points, and finds the places that it leaves for labels. The
+// points are kept in square cells, so that a label only looks at the points around it. Points
+// outside of the panel are farther from a label than the edge.
 class Svg_label_places {
   static constexpr double cell = 2;               // pixels
   static constexpr std::size_t most_in_cell = 16; // more are not seen to make a difference
@@ -174,8 +175,9 @@ public:
     for (int i = 0; i <= pieces; ++i) add_point(p + i / double(pieces) * (q - p));
   }
 
-  // Where a label beside p is farthest from all that is drawn and from the edge of the panel, among eight places that are not
-  // taken; if all are, among eight that are farther away, and so on; none if there is no room.
+  // Where a label beside p is farthest from all that is drawn and from the edge of the panel, among
+  // eight places that are not taken; if all are, among eight that are farther away, and so on; none
+  // if there is no room.
   std::optional<Svg_pixel> place(const Svg_pixel& p, double text_width) const {
     const Svg_pixel half = half_size(text_width);
     std::optional<Svg_pixel> best;
@@ -215,8 +217,8 @@ private:
     return result;
   }
 
-  // The distance of the box with this centre from what is drawn and from the edge, negative beyond the edge. Once it is not
-  // greater than `enough`, it need not be exact.
+  // The distance of the box with this centre from what is drawn and from the edge, negative beyond
+  // the edge. Once it is not greater than `enough`, it need not be exact.
   double free_distance(const Svg_pixel& centre, const Svg_pixel& half, double enough) const {
     const double low_x = centre[0] - half[0], high_x = centre[0] + half[0], low_y = centre[1] - half[1],
                  high_y = centre[1] + half[1];

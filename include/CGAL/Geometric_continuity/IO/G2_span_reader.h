@@ -19,8 +19,8 @@
 #include <vector>
 
 /// \file G2_span_reader.h
-/// Spans of curves of the format `.g2`, with their numbers as they are written, and the joins of two spans, which are decided from these
-/// numbers.
+/// Spans of curves of the format `.g2`, with their numbers as they are written, and the joins of
+/// two spans, which are decided from these numbers.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -28,7 +28,8 @@ namespace Geometric_continuity {
 template <class Traits, class Number, class Concurrency_tag> class G2_span_reader;
 
 /// \ingroup PkgGeometricContinuityIO
-/// A span of a curve as it stands in a text, with the numbers as they are written; see `G2_span_reader`.
+/// A span of a curve as it stands in a text, with the numbers as they are written; see
+/// `G2_span_reader`.
 /// \tparam Traits, Number as those of `G2_span_reader`
 template <class Traits_, class Number_ = Decimal> class G2_span {
   internal::G2_spline_part<Number_> part_;
@@ -48,8 +49,8 @@ public:
   /// Returns the degree.
   int degree() const { return part_.degree; }
 
-  /// Returns the jets at both ends. They are computed when they are asked for first; therefore two threads must not ask one object at
-  /// the same time.
+  /// Returns the jets at both ends. They are computed when they are asked for first; therefore two
+  /// threads must not ask one object at the same time.
   /// \throws Error `work_limit`
   const Curve_end_jets<Traits>& jets() const {
     if (!jets_)
@@ -79,13 +80,17 @@ public:
 };
 
 /// \ingroup PkgGeometricContinuityIO
-/// Reads the curves of a text in the `.g2` format span by span, as `G2_piece_reader` does, but keeps the numbers as they are written:
-/// `continuity()` of two spans decides most joins from them at once, exactly. That is the fastest way from a file to
-/// verdicts. Of a curve, only the knots and what belongs to one span are kept; curves of an order above 16 are read as a whole.
+/// Reads the curves of a text in the `.g2` format span by span, as `G2_piece_reader` does, but
+/// keeps the numbers as they are written: `continuity()` of two spans decides most joins from them
+/// at once, exactly. That is the fastest way from a file to verdicts. Of a curve, only the knots
+/// and what belongs to one span are kept; curves of an order above 16 are read as a whole.
 ///
-/// \tparam Traits a model of `GeometricContinuityTraits` over an exact field, in which the other joins are decided
-/// \tparam Number `Decimal`, or a floating-point type to which numbers are rounded when they are read
-/// \tparam Concurrency_tag with `Parallel_tag`, or `Parallel_if_available_tag` and TBB, the numbers are read on several cores
+/// \tparam Traits a model of `GeometricContinuityTraits` over an exact field, in which the other
+///   joins are decided
+/// \tparam Number `Decimal`, or a floating-point type to which numbers are rounded when they are
+///   read
+/// \tparam Concurrency_tag with `Parallel_tag`, or `Parallel_if_available_tag` and TBB, the numbers
+///   are read on several cores
 template <class Traits, class Number = Decimal, class Concurrency_tag = Sequential_tag> class G2_span_reader {
   static constexpr int highest_order = 16; // of a curve that is cut span by span
 
@@ -96,15 +101,17 @@ template <class Traits, class Number = Decimal, class Concurrency_tag = Sequenti
       jets_; // of the spans of the last part that was not cut: what is left, the next one last
 
 public:
-  /// Reads from `is`, which must outlive the reader. Error messages begin with `name`. Joins of the spans can be decided up to
-  /// this order.
-  /// \throws Error `negative_count` for a negative order, `cannot_read_file` when the stream is not good
+  /// Reads from `is`, which must outlive the reader. Error messages begin with `name`. Joins of the
+  /// spans can be decided up to this order.
+  /// \throws Error `negative_count` for a negative order, `cannot_read_file` when the stream is not
+  ///   good
   G2_span_reader(std::istream& is, std::string name, int order)
       : parts_(is, std::move(name), highest_order), order_(order) {
     internal::check_count(order, "G2_span_reader");
   }
 
-  /// Reads the next span. Returns false at the end of the text. After an error the reader cannot be used any more.
+  /// Reads the next span. Returns false at the end of the text. After an error the reader cannot be
+  /// used any more.
   /// \throws Error as `G2_bspline_reader` does, `work_limit`
   bool next(G2_span<Traits, Number>& span) {
     if (jets_.empty()) {
@@ -128,8 +135,9 @@ public:
     return true;
   }
 
-  /// Returns the line of the text, from 1 on, in which the last number stands that was read for the last span: its last control
-  /// point. When it is asked for each span, each character of the text is looked at once more.
+  /// Returns the line of the text, from 1 on, in which the last number stands that was read for the
+  /// last span: its last control point. When it is asked for each span, each character of the text
+  /// is looked at once more.
   long long line() const { return parts_.line(); }
 };
 

@@ -21,13 +21,14 @@
 #include <vector>
 
 /// \file G2_text_reader.h
-/// Curves and surfaces of the format `.g2` with their numbers as they are written: one by one in constant memory, with the places of the
-/// numbers, or on a grid.
+/// Curves and surfaces of the format `.g2` with their numbers as they are written: one by one in
+/// constant memory, with the places of the numbers, or on a grid.
 ///
-/// Where the places of the numbers of curves are known a program can change numbers and leave everything else of a text as it is. Surfaces of
-/// decimals become surfaces of integers when all coordinates are multiplied by a power of ten and all parameters by another one. No order of
-/// continuity along any edge changes by that, and integers up to \f$ 2^{53} \f$ are doubles: so whatever is decided exactly on doubles is
-/// decided about the decimals.
+/// Where the places of the numbers of curves are known a program can change numbers and leave
+/// everything else of a text as it is. Surfaces of decimals become surfaces of integers when all
+/// coordinates are multiplied by a power of ten and all parameters by another one. No order of
+/// continuity along any edge changes by that, and integers up to \f$ 2^{53} \f$ are doubles: so
+/// whatever is decided exactly on doubles is decided about the decimals.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -41,17 +42,20 @@ struct G2_curve_text {
     std::size_t begin, end;
   };
 
-  int dimension;                           ///< of the points
-  int points;                              ///< the number of control points
-  int order;                               ///< the degree plus one
-  bool rational;                           ///< each point is followed by its weight, \f$ (w x, w) \f$
-  bool is_line;                            ///< the object is a line (class 120): its control points are not in the text
-  std::vector<Written_number> coordinates; ///< of one point after the other, with weights; empty for a line
+  int dimension; ///< of the points
+  int points;    ///< the number of control points
+  int order;     ///< the degree plus one
+  /// each point is followed by its weight, \f$ (w x, w) \f$
+  bool rational;
+  /// the object is a line (class 120): its control points are not in the text
+  bool is_line;
+  /// of one point after the other, with weights; empty for a line
+  std::vector<Written_number> coordinates;
 };
 
 /// \ingroup PkgGeometricContinuityIO
-/// Reads the curves of a text of the format `.g2`, one after the other, as `G2_piece_reader` does, with the places of
-/// their coordinates. Memory: the coordinates of one curve.
+/// Reads the curves of a text of the format `.g2`, one after the other, as `G2_piece_reader` does,
+/// with the places of their coordinates. Memory: the coordinates of one curve.
 class G2_text_reader {
   internal::G2_parser<Decimal, 0> parser_;
   internal::G2_size size_{0, 0};
@@ -85,7 +89,8 @@ public:
 template <class Traits> class G2_surface_text_reader;
 
 /// \ingroup PkgGeometricContinuityIO
-/// A polynomial B-spline surface in space as it stands in a text in the `.g2` format, with the numbers as they are written.
+/// A polynomial B-spline surface in space as it stands in a text in the `.g2` format, with the
+/// numbers as they are written.
 class G2_surface_text {
   internal::G2_direction<Decimal> u_, v_;
   std::vector<Decimal> coordinates_;
@@ -112,7 +117,8 @@ class G2_surface_text {
   }
 
 public:
-  /// Returns the surface. \tparam Traits a model of `GeometricContinuityTraits` of dimension 3 over `Exact_rational`
+  /// Returns the surface. \tparam Traits a model of `GeometricContinuityTraits` of dimension 3 over
+  /// `Exact_rational`
   template <class Traits> Bspline_surface<Traits> surface() const {
     const auto value = [](const Decimal& x) { return typename Traits::FT(x.value()); };
     return surface<Traits>(value, value);
@@ -159,8 +165,8 @@ public:
   /// Returns the exponent of the power of ten that is the unit of the knots.
   int exponent_of_knots() const { return knots_.exponent; }
 
-  /// Appends the surfaces in these units. Returns false, and appends nothing, unless all surfaces have been included and all numbers are
-  /// integers up to \f$ 2^{53} \f$.
+  /// Appends the surfaces in these units. Returns false, and appends nothing, unless all surfaces
+  /// have been included and all numbers are integers up to \f$ 2^{53} \f$.
   /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 3 over `double`
   template <class Traits>
   bool append(const std::vector<G2_surface_text>& texts, std::vector<Bspline_surface<Traits>>& surfaces) const {
@@ -176,8 +182,10 @@ public:
 };
 
 /// \ingroup PkgGeometricContinuityIO
-/// Reads the surfaces of a text in the `.g2` format one after the other, polynomial ones with the numbers as they are written.
-/// \tparam Traits a model of `GeometricContinuityTraits` of dimension 3 over `Exact_rational`, for rational surfaces
+/// Reads the surfaces of a text in the `.g2` format one after the other, polynomial ones with the
+/// numbers as they are written.
+/// \tparam Traits a model of `GeometricContinuityTraits` of dimension 3 over `Exact_rational`, for
+///   rational surfaces
 template <class Traits> class G2_surface_text_reader {
   typedef typename Traits::FT FT;
 
@@ -190,8 +198,9 @@ public:
   G2_surface_text_reader(std::istream& is, std::string name)
       : parser_(is, std::move(name), internal::g2_surfaces, internal::G2_weights::allowed) {}
 
-  /// Reads the next surface, and calls `f` with a `G2_surface_text`, or with a `Rational_bspline_surface<Traits>` if it has weights.
-  /// Returns false, without a call, at the end of the text.
+  /// Reads the next surface, and calls `f` with a `G2_surface_text`, or with a
+  /// `Rational_bspline_surface<Traits>` if it has weights. Returns false, without a call, at the
+  /// end of the text.
   /// \throws Error as `G2_surface_reader` does
   template <class Function> bool visit_next(Function f) {
     if (!parser_.next_object()) return false;
@@ -204,7 +213,8 @@ public:
       f(read_rational(text, all));
       return true;
     }
-    text.coordinates_.reserve(static_cast<std::size_t>(3 * (std::min)(all, 64LL))); // the text may be wrong
+    // the text may be wrong
+    text.coordinates_.reserve(static_cast<std::size_t>(3 * (std::min)(all, 64LL)));
     for (long long k = 0; k < all; ++k)
       for (int i = 0; i < 3; ++i) text.coordinates_.push_back(parser_.read_coordinate(i, k, all));
     f(std::move(text));
@@ -237,29 +247,34 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuityIO
-/// Reads the curves of a text in the `.g2` format, rational or not, piece by piece: for each span of a B-spline curve its Bézier
-/// curve, with the span as domain, as `Rational_bspline_curve::bezier_pieces()` returns them, and then those of the next curve. The
+/// Reads the curves of a text in the `.g2` format, rational or not, piece by piece: for each span
+/// of a B-spline curve its Bézier curve, with the span as domain, as
+/// `Rational_bspline_curve::bezier_pieces()` returns them, and then those of the next curve. The
 /// pieces of polynomial curves have the weights 1. The curve as a
-/// whole is never there. Of a curve, only the knots as they are written and what belongs to one span are kept, so that a
-/// text with millions of control points needs less memory than it has characters. A curve of an order above 16 is read as a
-/// whole: to cut it span by span would take much longer. Texts are accepted as by
-/// `G2_bspline_reader`; what is wrong in a curve is refused when it is reached, which may be after its first pieces.
+/// whole is never there. Of a curve, only the knots as they are written and what belongs to one
+/// span are kept, so that a text with millions of control points needs less memory than it has
+/// characters. A curve of an order above 16 is read as a whole: to cut it span by span would take
+/// much longer. Texts are accepted as by `G2_bspline_reader`; what is wrong in a curve is refused
+/// when it is reached, which may be after its first pieces.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
-/// \tparam Source a model of `GeometricContinuityTraits` of the same dimension. Numbers are read as `Source::FT`, which
-///   `parse_number()` accepts, and converted to `Traits::FT` before anything is computed
+/// \tparam Source a model of `GeometricContinuityTraits` of the same dimension. Numbers are read as
+///   `Source::FT`, which `parse_number()` accepts, and converted to `Traits::FT` before anything is
+///   computed
 template <class Traits, class Source = Traits> class G2_piece_reader {
   static constexpr int highest_order = 16; // of a curve that is cut span by span
 
   internal::G2_spline_parts<typename Source::FT, dimension_v<Traits>> parts_;
-  std::vector<Rational_bezier_curve<Traits>> pieces_; // of the last part: what is left, the next one last
+  // of the last part: what is left, the next one last
+  std::vector<Rational_bezier_curve<Traits>> pieces_;
 
 public:
   /// Reads from `is`, which must outlive the reader. Error messages begin with `name`.
   /// \throws Error `cannot_read_file` when the stream is not good
   G2_piece_reader(std::istream& is, std::string name) : parts_(is, std::move(name), highest_order) {}
 
-  /// Returns the next piece, or nothing at the end of the text. After an error the reader cannot be used any more.
+  /// Returns the next piece, or nothing at the end of the text. After an error the reader cannot be
+  /// used any more.
   /// \throws Error as `G2_bspline_reader` does, `work_limit`
   std::optional<Rational_bezier_curve<Traits>> next() {
     while (pieces_.empty()) {

@@ -83,8 +83,8 @@ template <class FT> std::string json_members(const Join_continuity<FT>& join, in
   return json;
 }
 
-// The members of a deviation and of verdicts on it. They are templates so that who writes other JSON does
-// not include what decides joins.
+// The members of a deviation and of verdicts on it. They are templates so that who writes other
+// JSON does not include what decides joins.
 template <class Deviation> std::string json_of_deviation(const Deviation& d) {
   std::optional<Enclosure> degrees, percent;
   if (d.tangent_angle) degrees = in_degrees(*d.tangent_angle);

@@ -227,8 +227,10 @@ public:
   /// \throws Error `zero_weight` when the denominator is zero there
   Point operator()(const FT& u) const { return Kind::point(*this, u); }
 
-  /// Returns the jet of order `k` at `u`, from the right at a knot. \f$ O(m^2 + m k^2 + k^3) \f$, and the search for the span
-  /// \throws Error `negative_count` unless `k >= 0`, `zero_weight` when the denominator is zero there
+  /// Returns the jet of order `k` at `u`, from the right at a knot. \f$ O(m^2 + m k^2 + k^3) \f$,
+  /// and the search for the span
+  /// \throws Error `negative_count` unless `k >= 0`, `zero_weight` when the denominator is zero
+  ///   there
   Curve_jet<Traits> jet(const FT& u, int k) const { return Kind::jet(*this, u, k); }
   /// Returns the jet of an order `k >= 0` that is known at compile time.
   /// \throws Error `zero_weight` when the denominator is zero there
@@ -237,9 +239,11 @@ public:
     return Kind::template jet<k>(*this, u);
   }
 
-  /// Returns the jet of order `k` of a B-spline curve at `u` from the left; at the start of the domain from the right.
+  /// Returns the jet of order `k` of a B-spline curve at `u` from the left; at the start of the
+  /// domain from the right.
   Curve_jet<Traits> left_jet(const FT& u, int k) const { return Kind::jet_on_span(*this, u, knots().left_span(u), k); }
-  /// Returns the jet of order `k` of a B-spline curve at `u` from the right; at the end of the domain from the left.
+  /// Returns the jet of order `k` of a B-spline curve at `u` from the right; at the end of the
+  /// domain from the left.
   Curve_jet<Traits> right_jet(const FT& u, int k) const { return Kind::jet_on_span(*this, u, knots().span(u), k); }
 
   /// Returns the jet of order `k` at the start of the domain; of a Bézier curve from `k + 1`
@@ -326,11 +330,13 @@ public:
   }
 
   /// Returns the curve with these control points and weights on another domain.
-  /// \throws Error `empty_domain` unless `a < b`, `not_finite` when one of them is not finite or `b - a` overflows
+  /// \throws Error `empty_domain` unless `a < b`, `not_finite` when one of them is not finite or
+  ///   `b - a` overflows
   Rational_curve with_domain(const FT& a, const FT& b) const { return Kind::with_domain(*this, a, b); }
 
-  /// Returns two opposite corners of a box that contains the curve: that of the control points where all weights are positive,
-  /// otherwise that of the control points of its parts, see `positive_parts()`.
+  /// Returns two opposite corners of a box that contains the curve: that of the control points
+  /// where all weights are positive, otherwise that of the control points of its parts, see
+  /// `positive_parts()`.
   std::pair<Point, Point> bounding_box() const { return Kind::bounding_box(*this); }
   /// Returns the box as `Bbox_2` or `Bbox_3`, rounded outwards. Dimension 2 or 3 only.
   auto bbox() const { return internal::bbox_of<Traits>(bounding_box()); }
@@ -352,7 +358,8 @@ public:
 
   /// Returns the same curve with `times >= 0` more copies of the knot `u`. \f$ O(n + p\,times) \f$
   Rational_curve insert(const FT& u, int times = 1) const { return Kind::insert(*this, u, times); }
-  /// Returns the same curve over finer knots. \f$ O(p) \f$ for each knot that is inserted, and the copy
+  /// Returns the same curve over finer knots. \f$ O(p) \f$ for each knot that is inserted, and the
+  /// copy
   Rational_curve refine(const Knot_vector<FT>& finer) const { return Rational_curve(homogeneous().refine(finer)); }
   /// Returns the same curve with knots of multiplicity `p + 1` at the ends, without those outside
   /// the domain.

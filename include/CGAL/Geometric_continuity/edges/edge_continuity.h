@@ -413,17 +413,22 @@ std::vector<Common_edge> common_edges(const Rational_bezier_patch<Traits>& a, co
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What lets anybody check the order of two surfaces along a span of an edge by multiplying polynomials. All points are homogeneous, of
-/// polynomial surfaces with the weight 1; `P(u)` is the edge, `u` in [0, 1], and \f$ P_u, P_v, Q_v, P_{vv}, \dots \f$ are derivatives of the
-/// first surface `P` and of the second one `Q`, where `v` grows into each surface. With the planes \f$ \pi \f$ and \f$ \rho \f$,
-/// \f$ \pi \cdot x = \det(x, P, P_u, P_v) \f$ and \f$ \rho \cdot x = \det(x, P, P_u, Q_v) \f$, and coordinates `i` of planes:
+/// What lets anybody check the order of two surfaces along a span of an edge by multiplying
+/// polynomials. All points are homogeneous, of polynomial surfaces with the weight 1; `P(u)` is the
+/// edge, `u` in [0, 1], and \f$ P_u, P_v, Q_v, P_{vv}, \dots \f$ are derivatives of the first
+/// surface `P` and of the second one `Q`, where `v` grows into each surface. With the planes
+/// \f$ \pi \f$ and \f$ \rho \f$, \f$ \pi \cdot x = \det(x, P, P_u, P_v) \f$ and
+/// \f$ \rho \cdot x = \det(x, P, P_u, Q_v) \f$, and coordinates `i` of planes:
 ///
-/// - \f$ G^1 \f$ holds if \f$ \pi \cdot Q_v \equiv 0 \f$, which is the determinant, and \f$ \pi_1\rho_1 + \pi_2\rho_2 + \pi_3\rho_3 < 0 \f$
-///   on the closed interval, where the first three coordinates are normals;
+/// - \f$ G^1 \f$ holds if \f$ \pi \cdot Q_v \equiv 0 \f$, which is the determinant, and
+///   \f$ \pi_1\rho_1 + \pi_2\rho_2 + \pi_3\rho_3 < 0 \f$ on the closed interval, where the first
+///   three coordinates are normals;
 /// - then \f$ Q_v = a P + \frac{m}{d} P_u + \frac{n}{d} P_v \f$ with the factors \f$ d = \pi_i \f$,
-///   \f$ m = \det(e_i, P, Q_v, P_v) \f$ and \f$ n = \rho_i \f$, where `i` is the first coordinate with \f$ \pi_i \not\equiv 0 \f$;
+///   \f$ m = \det(e_i, P, Q_v, P_v) \f$ and \f$ n = \rho_i \f$, where `i` is the first coordinate
+///   with \f$ \pi_i \not\equiv 0 \f$;
 /// - \f$ G^2 \f$ holds if
-///   \f$ d^2 (\pi \cdot Q_{vv}) - m^2 (\pi \cdot P_{uu}) - 2 m n (\pi \cdot P_{uv}) - n^2 (\pi \cdot P_{vv}) \equiv 0 \f$, too.
+///   \f$ d^2 (\pi \cdot Q_{vv}) - m^2 (\pi \cdot P_{uu}) - 2 m n (\pi \cdot P_{uv}) - n^2 (\pi \cdot P_{vv}) \equiv 0 \f$,
+///   too.
 /// \tparam FT an exact field
 template <class FT> struct Edge_certificate {
   typedef Power_polynomial<FT> Polynomial; ///< in the parameter `u`
@@ -433,12 +438,16 @@ template <class FT> struct Edge_certificate {
   int g_order;        ///< as `Edge_continuity::g_order`
   Edge_rows<FT, 4> a; ///< \f$ P, P_v, P_{vv} \f$
   Edge_rows<FT, 4>
-      b; ///< \f$ Q, Q_v, Q_{vv} \f$, in the direction of the first edge, with the weight of `P` where the span begins
+      /// \f$ Q, Q_v, Q_{vv} \f$, in the direction of the first edge, with the weight of `P` where
+      /// the span begins
+      b;
   std::optional<Polynomial> determinant; ///< empty where the edges are different curves
-  std::optional<Polynomial> side;  ///< the scalar product of the normals; empty where the edges are different curves
+  /// the scalar product of the normals; empty where the edges are different curves
+  std::optional<Polynomial> side;
   std::vector<Polynomial> factors; ///< `d`, `m`, `n` for an order of 1 or 2
   std::optional<Polynomial>
-      second_order; ///< the difference of both sides of the identity of \f$ G^2 \f$, for an order of 1 or 2
+      /// the difference of both sides of the identity of \f$ G^2 \f$, for an order of 1 or 2
+      second_order;
 };
 
 namespace internal {
@@ -509,8 +518,9 @@ template <class Field, int N> std::vector<Edge_piece<Field, 4>> homogeneous(std:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns what certifies the verdict on two edges that are the same curve as a whole, for each of its spans; computed anew from the
-/// surfaces, so that it shows when the verdict is wrong. Each span costs a number of operations that is quadratic in the degrees.
+/// Returns what certifies the verdict on two edges that are the same curve as a whole, for each of
+/// its spans; computed anew from the surfaces, so that it shows when the verdict is wrong. Each
+/// span costs a number of operations that is quadratic in the degrees.
 /// \param a, edge_a, b, edge_b the edges
 /// \param verdict what `model_continuity()` or `edge_continuity()` has decided about them
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
@@ -524,7 +534,8 @@ edge_certificates(const Surface& a, Patch_edge edge_a, const Surface& b, Patch_e
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns what certifies the verdict on a knot line of a surface, for each of its spans; see `edge_certificates()`.
+/// Returns what certifies the verdict on a knot line of a surface, for each of its spans; see
+/// `edge_certificates()`.
 /// \throws Error `dimension_mismatch` unless in dimension 3, `work_limit`
 template <class Surface>
 std::vector<Edge_certificate<Edge_field<typename Surface::Traits>>>

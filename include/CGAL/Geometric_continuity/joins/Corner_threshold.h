@@ -271,15 +271,16 @@ inline std::string to_string(Visual_class grade) {
 inline std::ostream& operator<<(std::ostream& os, Visual_class grade) { return os << to_string(grade); }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// How large a kink is: guaranteed enclosures. With `a` and `b` for the handles at the node, from the control point before it and to
-/// the one behind it:
+/// How large a kink is: guaranteed enclosures. With `a` and `b` for the handles at the node, from
+/// the control point before it and to the one behind it:
 struct Kink_size {
   Enclosure angle; ///< the angle between `a` and `b`, in radians, in \f$ [0, \pi] \f$
-  /// By how much a handle is off, in units of the coordinates: how far the tip of one of them must move at least to make their directions
-  /// equal, \f$ |a \times b| / \max(|a|, |b|) \f$; from a right angle on \f$ \min(|a|, |b|) \f$. On a grid, about one unit is rounding.
+  /// By how much a handle is off, in units of the coordinates: how far the tip of one of them must
+  /// move at least to make their directions equal, \f$ |a \times b| / \max(|a|, |b|) \f$; from a
+  /// right angle on \f$ \min(|a|, |b|) \f$. On a grid, about one unit is rounding.
   Enclosure handle_offset;
-  /// What the eye sees: the angle times the length of the shorter handle, in units of the coordinates. Compare it to the size of what is
-  /// drawn, an em or a drawing.
+  /// What the eye sees: the angle times the length of the shorter handle, in units of the
+  /// coordinates. Compare it to the size of what is drawn, an em or a drawing.
   Enclosure severity;
 
   /// Writes e.g. `angle [0.0499583, 0.0499584], handle off by 1, severity [0.999166, 0.999167]`.

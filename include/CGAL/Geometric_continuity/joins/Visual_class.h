@@ -85,7 +85,8 @@ public:
   const auto& left() const { return left_; }
   const auto& right() const { return right_; }
 
-  // Returns whether the angle is larger than the bound; empty when it is zero. \pre both ends have a length
+  // Returns whether the angle is larger than the bound; empty when it is zero. \pre both ends have
+  // a length
   std::optional<bool> exceeds(const Corner_threshold& bound) const {
     if constexpr (is_double<typename Traits::FT>) {
       // Differences, products and sums are rounded by 2^-52 in every rounding mode, once each.
@@ -120,9 +121,11 @@ inline const Corner_threshold& usual_corner_threshold() {
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns how large the angle at the join between the end of `left` and the start of `right` is, whatever the curvatures; empty when one of
-/// the curves has no length. A handle that is retracted is taken as `visual_class()` takes it: by the first side that is not zero.
-/// Everything is computed in an exact field from the control points as given and rounded once, outwards. A gap is not seen.
+/// Returns how large the angle at the join between the end of `left` and the start of `right` is,
+/// whatever the curvatures; empty when one of the curves has no length. A handle that is retracted
+/// is taken as `visual_class()` takes it: by the first side that is not zero. Everything is
+/// computed in an exact field from the control points as given and rounded once, outwards. A gap is
+/// not seen.
 /// \throws Error `not_finite` for an infinite or undefined coordinate
 template <class Traits, int Left, int Right>
 std::optional<Kink_size> kink_size(const Bezier_curve<Traits, Left>& left, const Bezier_curve<Traits, Right>& right) {

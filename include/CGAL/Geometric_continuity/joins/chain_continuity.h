@@ -23,7 +23,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// A join of a chain, as it is reported. It refers to the two curves and is valid during the report only.
+/// A join of a chain, as it is reported. It refers to the two curves and is valid during the report
+/// only.
 template <class Curve> struct Chain_join {
   std::size_t left, right;  ///< the numbers of the curves in the chain, from 0 on
   const Curve& left_curve;  ///< the curve that ends at the join

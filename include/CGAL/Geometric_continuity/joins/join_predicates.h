@@ -37,13 +37,16 @@
 /// points in the plane and in space: they would double the time of compilation. Where such a kernel
 /// meets jets, the compiler asks for numbers/Exact_field.h.
 ///
-/// Hagen's tests (3.1.1) to (3.1.3) on two Bézier polygons of one degree `m`, corrected and for every ratio \f$ \beta \f$ of the first
-/// sides (Hagen: \f$ \beta = 1 \f$), are the predicates for \f$ G^1 \f$, \f$ G^2 \f$ and \f$ F^3 \f$ under his names and conditions. The
-/// left polygon ends with the sides \f$ p = b_0 - b_{-1} \f$, \f$ r = b_{-2} - b_{-1} \f$, \f$ s = b_{-2} - b_{-3} \f$, the right one starts
-/// with \f$ b_0, b_1, b_2, b_3 \f$. The parameter intervals do not matter.
+/// Hagen's tests (3.1.1) to (3.1.3) on two Bézier polygons of one degree `m`, corrected and for
+/// every ratio \f$ \beta \f$ of the first sides (Hagen: \f$ \beta = 1 \f$), are the predicates for
+/// \f$ G^1 \f$, \f$ G^2 \f$ and \f$ F^3 \f$ under his names and conditions. The left polygon ends
+/// with the sides \f$ p = b_0 - b_{-1} \f$, \f$ r = b_{-2} - b_{-1} \f$,
+/// \f$ s = b_{-2} - b_{-3} \f$, the right one starts with \f$ b_0, b_1, b_2, b_3 \f$. The parameter
+/// intervals do not matter.
 ///
-/// One question about each of many joins, on several cores if wanted, is answered by `failing_joins()`. The question is a predicate, or
-/// any function of two curves that returns a `bool`:
+/// One question about each of many joins, on several cores if wanted, is answered by
+/// `failing_joins()`. The question is a predicate, or any function of two curves that returns a
+/// `bool`:
 ///
 /// \code{.cpp}
 /// const auto is_g2 = [](const Curve& left, const Curve& right) { return is_g2_join(left, right); };
@@ -51,9 +54,10 @@
 ///   std::cout << "curves " << i << " and " << i + 1 << '\n';
 /// \endcode
 ///
-/// The curves are read once, in order and where they are. Predicates are called concurrently unless the tag is `Sequential_tag`: those of
-/// this file may be, on number types that may be copied concurrently, as those of all kernels with floating-point numbers and rational
-/// numbers may. An exception that a predicate throws leaves the function.
+/// The curves are read once, in order and where they are. Predicates are called concurrently unless
+/// the tag is `Sequential_tag`: those of this file may be, on number types that may be copied
+/// concurrently, as those of all kernels with floating-point numbers and rational numbers may. An
+/// exception that a predicate throws leaves the function.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -217,12 +221,14 @@ std::vector<std::size_t> failing_indices(std::size_t n, const Predicate& holds) 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns the joins of a chain of curves at which `holds` is false: numbers \f$ i \f$ in increasing order, for the join between the
-/// curves \f$ i \f$ and \f$ i + 1 \f$, counted from 0 on. Empty for a chain without joins, i.e. of at most one curve.
+/// Returns the joins of a chain of curves at which `holds` is false: numbers \f$ i \f$ in
+/// increasing order, for the join between the curves \f$ i \f$ and \f$ i + 1 \f$, counted from 0
+/// on. Empty for a chain without joins, i.e. of at most one curve.
 ///
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
 /// \tparam RandomAccessIterator over curves, or whatever `holds` takes
-/// \tparam Predicate called as `holds(left, right)`, concurrently unless the tag is `Sequential_tag`
+/// \tparam Predicate called as `holds(left, right)`, concurrently unless the tag is
+///   `Sequential_tag`
 ///
 /// One call of `holds` for each join; memory is allocated for the joins that fail only.
 template <class Concurrency_tag = Sequential_tag, class RandomAccessIterator, class Predicate>
@@ -243,12 +249,15 @@ std::vector<std::size_t> failing_joins(const Range& chain, const Predicate& hold
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns the joins of many pairs of curves at which `holds` is false: numbers \f$ i \f$ in increasing order, for the join
-/// between the left curve \f$ i \f$ and the right curve \f$ i \f$, counted from 0 on.
+/// Returns the joins of many pairs of curves at which `holds` is false: numbers \f$ i \f$ in
+/// increasing order, for the join between the left curve \f$ i \f$ and the right curve \f$ i \f$,
+/// counted from 0 on.
 ///
 /// \tparam Concurrency_tag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`
-/// \tparam Left_iterator, Right_iterator random access iterators over curves, or whatever `holds` takes
-/// \tparam Predicate called as `holds(left, right)`, concurrently unless the tag is `Sequential_tag`
+/// \tparam Left_iterator, Right_iterator random access iterators over curves, or whatever `holds`
+///   takes
+/// \tparam Predicate called as `holds(left, right)`, concurrently unless the tag is
+///   `Sequential_tag`
 ///
 /// One call of `holds` for each join; memory is allocated for the joins that fail only.
 /// \throws Error `wrong_number_of_points` when there are not as many right curves as left ones

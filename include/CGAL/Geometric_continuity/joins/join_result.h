@@ -24,9 +24,9 @@
 #include <vector>
 
 /// \file join_result.h
-/// What is said about a join: orders of continuity, what is equal, and the shape parameters, which are
-/// computed on request; the certificate by which anybody can check the orders; and how many joins of
-/// a chain have which order.
+/// What is said about a join: orders of continuity, what is equal, and the shape parameters, which
+/// are computed on request; the certificate by which anybody can check the orders; and how many
+/// joins of a chain have which order.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -154,9 +154,9 @@ private:
   }
 };
 
-// The first three points on both sides of a join, from it inwards, from which it is told how far it is from the order G that it misses:
-// for a report, in floating-point numbers, and when someone asks. With the differences a and b and the vectors h from the join to the next but
-// one point,
+// The first three points on both sides of a join, from it inwards, from which it is told how far it
+// is from the order G that it misses: for a report, in floating-point numbers, and when someone
+// asks. With the differences a and b and the vectors h from the join to the next but one point,
 //
 //   gap:  |q_0 - p_0|,   G1:  what of the shorter difference is orthogonal to the other,
 //   G2:   |K_b - K_a| min(n/(n-1) |b|^2, m/(m-1) |a|^2),   K = (m-1)/m  (w_0 w_2 / w_1^2)  h^orthogonal / |a|^2.
@@ -313,16 +313,19 @@ template <class FT> struct Join_continuity {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What lets anybody check the orders of a join by adding and multiplying: with the derivatives \f$ X^{(j)}, Y^{(j)} \f$ of the left and of
-/// the right curve at the join, for each order `j` the equation
+/// What lets anybody check the orders of a join by adding and multiplying: with the derivatives
+/// \f$ X^{(j)}, Y^{(j)} \f$ of the left and of the right curve at the join, for each order `j` the
+/// equation
 ///
 /// - C: \f$ Y^{(j)} = X^{(j)} + r \f$;
-/// - G: \f$ Y^{(j)} = \sum_{m=2}^{j} B_{j,m}(\beta_1, \beta_2, \dots) X^{(m)} + \beta_j X' + r \f$ with \f$ r \cdot X' = 0 \f$, where
-///   \f$ B_{j,m} \f$ are the Bell polynomials of the chain rule;
-/// - F: \f$ Y^{(j)} = \beta_1^j X^{(j)} + \sum_{i=1}^{j-1} a_{j,i} X^{(i)} + r \f$ with \f$ r \cdot X^{(i)} = 0 \f$ for each `i < j`.
+/// - G: \f$ Y^{(j)} = \sum_{m=2}^{j} B_{j,m}(\beta_1, \beta_2, \dots) X^{(m)} + \beta_j X' + r \f$
+///   with \f$ r \cdot X' = 0 \f$, where \f$ B_{j,m} \f$ are the Bell polynomials of the chain rule;
+/// - F: \f$ Y^{(j)} = \beta_1^j X^{(j)} + \sum_{i=1}^{j-1} a_{j,i} X^{(i)} + r \f$ with
+///   \f$ r \cdot X^{(i)} = 0 \f$ for each `i < j`.
 ///
-/// An order holds if for it and all before it `r` is zero, and \f$ \beta_1 > 0 \f$. Where an order does not hold, the residual `r` of the first
-/// that fails is not zero, or for the order 1 \f$ \beta_1 \le 0 \f$, or a first derivative is zero.
+/// An order holds if for it and all before it `r` is zero, and \f$ \beta_1 > 0 \f$. Where an order
+/// does not hold, the residual `r` of the first that fails is not zero, or for the order 1
+/// \f$ \beta_1 \le 0 \f$, or a first derivative is zero.
 /// \tparam FT an exact field
 /// \tparam N the dimension, or 0 when it is known at run time only
 template <class FT, int N = 0> struct Join_certificate {
@@ -337,27 +340,29 @@ template <class FT, int N = 0> struct Join_certificate {
   std::optional<Vector> c_residual;
   /// \f$ \beta_1, \dots, \beta_g \f$ for `g_order`, and one more if there is `g_residual`.
   std::vector<FT> betas;
-  /// The residual of the order `g_order + 1`; empty when no higher order was asked for, and where a tangent is zero or the points differ.
+  /// The residual of the order `g_order + 1`; empty when no higher order was asked for, and where a
+  /// tangent is zero or the points differ.
   std::optional<Vector> g_residual;
-  /// \f$ a_{j,1}, \dots, a_{j,j-1} \f$ for `j = 2`, ..., `f_order`, and one row more if there is `f_residual`. Numbers of derivatives that are
-  /// combinations of those before them are 0.
+  /// \f$ a_{j,1}, \dots, a_{j,j-1} \f$ for `j = 2`, ..., `f_order`, and one row more if there is
+  /// `f_residual`. Numbers of derivatives that are combinations of those before them are 0.
   std::vector<std::vector<FT>> f_factors;
-  /// The residual of the order `f_order + 1` if that is at least 2 and at most the dimension; empty as `g_residual`.
+  /// The residual of the order `f_order + 1` if that is at least 2 and at most the dimension; empty
+  /// as `g_residual`.
   std::optional<Vector> f_residual;
 };
 
 namespace internal {
 
-// Vectors that come one at a time, and what writes others as their combinations: Gram and Schmidt's orthogonal vectors o_i, each with
-// its factors in terms of the given vectors.
+// Vectors that come one at a time, and what writes others as their combinations: Gram and Schmidt's
+// orthogonal vectors o_i, each with its factors in terms of the given vectors.
 template <class FT, int N> class Orthogonal_span {
   typedef Coordinate_vector<FT, N> Vector;
   std::vector<Vector> orthogonal_;
   std::vector<std::vector<FT>> factors_;
 
 public:
-  // v = sum factors_i v_i + residual, where the residual is orthogonal to all vectors v_i; the factor of a vector that depends on those before
-  // it is 0.
+  // v = sum factors_i v_i + residual, where the residual is orthogonal to all vectors v_i; the
+  // factor of a vector that depends on those before it is 0.
   struct Combination {
     std::vector<FT> factors;
     Vector residual;
@@ -387,12 +392,14 @@ public:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// Returns what certifies the orders that were decided for a join up to order `max_order`, computed anew from the jets: when the verdict is
-/// wrong, the certificate shows it. \f$ O(k^3 + k^2 n) \f$ operations for the order `k` in dimension `n`
+/// Returns what certifies the orders that were decided for a join up to order `max_order`, computed
+/// anew from the jets: when the verdict is wrong, the certificate shows it. \f$ O(k^3 + k^2 n) \f$
+/// operations for the order `k` in dimension `n`
 /// \param left, right the jets at the join, of order `max_order` or more
 /// \param verdict what `continuity()` has returned for `max_order`
 /// \param max_order the highest order that was asked for
-/// \throws Error `negative_count` for a negative `max_order`, `jet_order_too_low`, `dimension_mismatch`
+/// \throws Error `negative_count` for a negative `max_order`, `jet_order_too_low`,
+///   `dimension_mismatch`
 template <class FT, int N, class Number>
 Join_certificate<FT, N> join_certificate(const Coordinate_jet<FT, N>& left, const Coordinate_jet<FT, N>& right,
                                          const Join_continuity<Number>& verdict, int max_order) {
@@ -482,8 +489,8 @@ public:
   /// Returns the number of joins.
   std::size_t joins() const { return joins_; }
 
-  /// Returns for each order that occurs the number of joins of exactly this order; -1 stands for a gap. Joins of the highest order
-  /// that was asked for may be smoother than that.
+  /// Returns for each order that occurs the number of joins of exactly this order; -1 stands for a
+  /// gap. Joins of the highest order that was asked for may be smoother than that.
   std::map<int, std::size_t> counts(Continuity_kind kind) const {
     std::map<int, std::size_t> counts;
     int order = -1;
@@ -494,7 +501,8 @@ public:
     return counts;
   }
 
-  /// Returns the least \f$ C \f$ order of all joins: the chain as a whole has this continuity. Empty for a chain without joins.
+  /// Returns the least \f$ C \f$ order of all joins: the chain as a whole has this continuity.
+  /// Empty for a chain without joins.
   std::optional<int> c_order() const { return least_order(Continuity_kind::C); }
   /// Returns the least \f$ G \f$ order of all joins. Empty for a chain without joins.
   std::optional<int> g_order() const { return least_order(Continuity_kind::G); }

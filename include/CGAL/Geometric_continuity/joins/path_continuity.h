@@ -247,8 +247,9 @@ bool visit_direction_products(const Path_segment<Traits>& left, const Path_segme
   });
 }
 
-// The angle with these products. With square roots, the tangent or cotangent that is at most 1 is enclosed before it is squared: the roots
-// in its square would cancel, and leave the more of an error the smaller it is.
+// The angle with these products. With square roots, the tangent or cotangent that is at most 1 is
+// enclosed before it is squared: the roots in its square would cancel, and leave the more of an
+// error the smaller it is.
 template <class FT, class Field> Enclosure angle_of_products(const Plane_products<Field>& p) {
   if constexpr (std::is_same_v<FT, Field>)
     return angle_enclosure(FT(p.cross * p.cross), p.dot);
@@ -330,8 +331,9 @@ std::optional<Visual_class> visual_class(const Path_join<Traits>& join,
   if (!directed) return std::nullopt;
   if (left.end() != right.start()) return Visual_class::gap;
   if (corner) return *corner ? Visual_class::corner : Visual_class::kink;
-  // Readers of paths make lines of cubics that are drawn as lines, so that a handle that is retracted here is one that bends.
-  // equivalent [2 -> 3, 1]: deciding the order 3 as well changes nothing below it
+  // Readers of paths make lines of cubics that are drawn as lines, so that a handle that is
+  // retracted here is one that bends. equivalent [2 -> 3, 1]: deciding the order 3 as well changes
+  // nothing below it
   return continuity(join, 2)->g_order >= 2 ? Visual_class::g2 : Visual_class::g1;
 }
 

@@ -55,14 +55,16 @@ inline std::ostream& operator<<(std::ostream& os, Model_edge_kind kind) { return
 /// An edge of a model, with the decision if it is shared.
 /// \tparam FT the field in which it was decided
 template <class FT> struct Model_edge {
-  Model_edge_kind kind;               ///< whether there is a second patch
-  std::size_t patch_a;                ///< the number of the patch, from 0 on
-  Patch_edge edge_a;                  ///< its edge
-  std::optional<std::size_t> patch_b; ///< the other patch of a shared edge; the same one where a patch closes up
-  std::optional<Patch_edge> edge_b;   ///< its edge
+  Model_edge_kind kind; ///< whether there is a second patch
+  std::size_t patch_a;  ///< the number of the patch, from 0 on
+  Patch_edge edge_a;    ///< its edge
+  /// the other patch of a shared edge; the same one where a patch closes up
+  std::optional<std::size_t> patch_b;
+  std::optional<Patch_edge> edge_b; ///< its edge
   // equivalent [false -> true, 1]: assigned for every edge
-  bool non_manifold = false;             ///< more than two patches have the edge
-  Spline_edge_continuity<FT> continuity; ///< of a shared edge, with a verdict for each span of the knots
+  bool non_manifold = false; ///< more than two patches have the edge
+  /// of a shared edge, with a verdict for each span of the knots
+  Spline_edge_continuity<FT> continuity;
 
   /// Writes the row, e.g. `0 u1 - 1 u0: G2` or `5 v0: boundary`.
   friend std::ostream& operator<<(std::ostream& os, const Model_edge& e) {

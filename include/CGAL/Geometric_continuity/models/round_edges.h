@@ -33,8 +33,8 @@
 #include <vector>
 
 /// \file round_edges.h
-/// Edges are rounded: two surfaces that meet in an edge are cut back from it, and a blend is put in its
-/// place; and so are all sharp edges of a model.
+/// Edges are rounded: two surfaces that meet in an edge are cut back from it, and a blend is put in
+/// its place; and so are all sharp edges of a model.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -47,16 +47,19 @@ template <class Surface_a, class Surface_b> struct Rounded_edge {
 
   Surface_a first; ///< the first surface without a strip along the edge
   Blend_surface<Surface_a, Surface_b>
-      blend;                ///< from the new edge of the first surface, `v = 0`, to that of the second one
-  Surface_b second;         ///< the second surface without a strip along the edge
-  Edge_direction direction; ///< how the edge of the second surface runs in comparison with that of the first
+      /// from the new edge of the first surface, `v = 0`, to that of the second one
+      blend;
+  Surface_b second; ///< the second surface without a strip along the edge
+  /// how the edge of the second surface runs in comparison with that of the first
+  Edge_direction direction;
   /// Where the blend may be folded; nothing is a proof that it is not, see `possible_fold()`.
   std::optional<Parameter_rectangle<FT>> fold;
 };
 
 namespace internal {
 
-// That an edge has normals: the surface and its mirror image S(u, -v), with the rows C, -T, W, continue each other wherever it has.
+// That an edge has normals: the surface and its mirror image S(u, -v), with the rows C, -T, W,
+// continue each other wherever it has.
 template <class Surface> void check_normals(const Surface& surface, Patch_edge edge, const std::string& place) {
   const auto rows = spline_edge_rows(surface, edge);
   auto mirrored = rows;
@@ -87,22 +90,29 @@ Edge_direction direction_of_sharp_edge(const Surface_a& a, Patch_edge edge_a, co
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Rounds the edge in which two surfaces meet: both are trimmed back from it, see `cut_back()`, and a blend leads from the one new edge
-/// to the other. With an exact kernel all three surfaces together are exactly \f$ G^2 \f$ along the whole new edges.
+/// Rounds the edge in which two surfaces meet: both are trimmed back from it, see `cut_back()`, and
+/// a blend leads from the one new edge to the other. With an exact kernel all three surfaces
+/// together are exactly \f$ G^2 \f$ along the whole new edges.
 ///
-/// That the surfaces have the edge in common, and are not \f$ G^2 \f$ there, is decided exactly with every kernel. An edge with \f$ G^1 \f$
-/// is rounded as well. The blend may be folded where it has not enough room; `Rounded_edge::fold` is nothing where that is disproved.
+/// That the surfaces have the edge in common, and are not \f$ G^2 \f$ there, is decided exactly
+/// with every kernel. An edge with \f$ G^1 \f$ is rounded as well. The blend may be folded where it
+/// has not enough room; `Rounded_edge::fold` is nothing where that is disproved.
 /// \param set_back_a the width of the strip of the first surface, in its parameter
-/// \param set_back_b the width of the strip of the second surface, in its parameter; for widths of a given length see `set_back_parameter()`
+/// \param set_back_b the width of the strip of the second surface, in its parameter; for widths of
+///   a given length see `set_back_parameter()`
 /// \param strategy chooses the shape, see `automatic_surface_shape()`
-/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or `Rational_bspline_surface`, with one
-///   traits class
-/// \tparam Strategy a model of `BlendStrategy`; by a septic one the blend has degree 7 and is \f$ G^3 \f$
-/// \throws Error `curves_do_not_meet` unless the whole edges are one curve, see `edge_continuity()`; `already_smooth` when the surfaces are
-///   \f$ G^2 \f$ along it; `zero_tangent` when it is a single point
-/// \throws Error `parameter_outside_domain` unless the widths are positive and less than the lengths of the domains
+/// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
+///   `Rational_bspline_surface`, with one traits class
+/// \tparam Strategy a model of `BlendStrategy`; by a septic one the blend has degree 7 and is
+///   \f$ G^3 \f$
+/// \throws Error `curves_do_not_meet` unless the whole edges are one curve, see
+///   `edge_continuity()`; `already_smooth` when the surfaces are \f$ G^2 \f$ along it;
+///   `zero_tangent` when it is a single point
+/// \throws Error `parameter_outside_domain` unless the widths are positive and less than the
+///   lengths of the domains
 /// \throws Error `singular_frame` where a normal vanishes at a new edge
-/// \throws Error `dimension_mismatch` unless in dimension 3; as `blend()` with a strategy; `work_limit`
+/// \throws Error `dimension_mismatch` unless in dimension 3; as `blend()` with a strategy;
+///   `work_limit`
 template <class Surface_a, class Surface_b, class Strategy = Minimal_energy<3>>
 Rounded_edge<Surface_a, Surface_b> round_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b,
                                               Patch_edge edge_b, const typename Surface_a::FT& set_back_a,
@@ -121,8 +131,8 @@ Rounded_edge<Surface_a, Surface_b> round_edge(const Surface_a& a, Patch_edge edg
 
 namespace internal {
 
-// The exact width for set_back_parameter(), where the surface is linear across the edge and the mean square of the lengths across has a
-// rational root.
+// The exact width for set_back_parameter(), where the surface is linear across the edge and the
+// mean square of the lengths across has a rational root.
 template <class Surface>
 std::optional<typename Surface::FT> set_back_of_ruled(const Surface& surface, Patch_edge edge,
                                                       const typename Surface::FT& distance) {
@@ -153,11 +163,14 @@ std::optional<typename Surface::FT> set_back_of_ruled(const Surface& surface, Pa
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns a width in the parameter for `cut_back()` and `round_edge()` with which the new edge is at about a given distance from the
-/// old one: the mean square of the distances of their points at the same parameters, at the Greville abscissae, is that of the distance
-/// up to one per cent. The width is a fraction of the domain of few binary digits, so that exact numbers stay short. A polynomial surface that is
-/// linear across the edge has the distance exactly, with an exact kernel, where that needs no irrational root: a plane face, for instance.
-/// \throws Error `parameter_outside_domain` unless the distance is positive and less than that of the opposite edge; `not_finite`
+/// Returns a width in the parameter for `cut_back()` and `round_edge()` with which the new edge is
+/// at about a given distance from the old one: the mean square of the distances of their points at
+/// the same parameters, at the Greville abscissae, is that of the distance up to one per cent. The
+/// width is a fraction of the domain of few binary digits, so that exact numbers stay short. A
+/// polynomial surface that is linear across the edge has the distance exactly, with an exact
+/// kernel, where that needs no irrational root: a plane face, for instance.
+/// \throws Error `parameter_outside_domain` unless the distance is positive and less than that of
+///   the opposite edge; `not_finite`
 template <class Surface>
 typename Surface::FT set_back_parameter(const Surface& surface, Patch_edge edge, double distance) {
   typedef typename Surface::FT FT;

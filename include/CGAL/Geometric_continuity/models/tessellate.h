@@ -251,16 +251,18 @@ Tessellation<typename Surface::Traits> tessellate(const Surface& surface, const 
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Appends triangles to a mesh of \cgal: a vertex for each point, a face for each triangle, with the orientation that `tessellate()` gives
-/// it, outwards for closed solids. When it throws, the mesh has
+/// Appends triangles to a mesh of \cgal: a vertex for each point, a face for each triangle, with
+/// the orientation that `tessellate()` gives it, outwards for closed solids. When it throws, the
+/// mesh has
 /// not been changed. \f$ O(n \log n) \f$ for `n` triangles
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Mesh a model of the concept `MutableFaceGraph` of \cgal
-/// \tparam VertexPointMap a writable property map from the vertices of the mesh to points, to which `Traits::Point` is
-///   assigned
-/// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite orientations, or the triangles
-///   at a point are not one fan, or a triangle has one point twice or a point that does not exist
+/// \tparam VertexPointMap a writable property map from the vertices of the mesh to points, to which
+///   `Traits::Point` is assigned
+/// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite
+///   orientations, or the triangles at a point are not one fan, or a triangle has one point twice
+///   or a point that does not exist
 template <class Traits, class Mesh, class VertexPointMap>
 void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh, VertexPointMap points) {
   typedef boost::graph_traits<Mesh> Graph;
@@ -284,7 +286,8 @@ void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh, VertexP
     set_target(halfedges[h], vertices[triangles.target(h)], mesh);
     set_target(opposite(halfedges[h], mesh), vertices[triangles.source(h)], mesh);
   }
-  std::vector<Halfedge> leaving(tessellation.points.size(), Graph::null_halfedge()); // along the boundary
+  // along the boundary
+  std::vector<Halfedge> leaving(tessellation.points.size(), Graph::null_halfedge());
   for (std::size_t h = 0; h < triangles.size(); ++h) {
     set_halfedge(vertices[triangles.target(h)], halfedges[h], mesh);
     set_next(halfedges[h], halfedges[triangles.next(h)], mesh);
@@ -305,13 +308,15 @@ void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh, VertexP
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Appends triangles to a mesh of \cgal, whose point map is `get(CGAL::vertex_point, mesh)`: a vertex for each point, a face
-/// for each triangle. When it throws, the mesh has not been changed. \f$ O(n \log n) \f$ for `n` triangles
+/// Appends triangles to a mesh of \cgal, whose point map is `get(CGAL::vertex_point, mesh)`: a
+/// vertex for each point, a face for each triangle. When it throws, the mesh has not been changed.
+/// \f$ O(n \log n) \f$ for `n` triangles
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Mesh a model of the concept `MutableFaceGraph` of \cgal with a property map of points
-/// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite orientations, or the triangles
-///   at a point are not one fan, or a triangle has one point twice or a point that does not exist
+/// \throws Error `not_a_manifold` when an edge has more than two triangles or two of opposite
+///   orientations, or the triangles at a point are not one fan, or a triangle has one point twice
+///   or a point that does not exist
 template <class Traits, class Mesh> void to_face_graph(const Tessellation<Traits>& tessellation, Mesh& mesh) {
   to_face_graph(tessellation, mesh, get(CGAL::vertex_point, mesh));
 }

@@ -249,7 +249,8 @@ inline std::array<Across_edge, 2> across_edges(const Septic_ends<double, 0>&, co
            {s.eta, short_part(p.end.beta2, s.eta), short_part(p.end.beta3, s.eta)}}};
 }
 
-// The derivatives that a strategy chooses for all curves together, which `start` and `end` are the ends of.
+// The derivatives that a strategy chooses for all curves together, which `start` and `end` are the
+// ends of.
 template <class Strategy>
 std::array<Across_edge, 2> chosen_across_edges(const Strategy& strategy, const Coordinate_jet<double, 0>& start,
                                                const Coordinate_jet<double, 0>& end) {

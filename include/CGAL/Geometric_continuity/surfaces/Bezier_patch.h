@@ -126,8 +126,8 @@ Surface_jet<Traits> bezier_jet(int p, int q, int d, const std::pair<typename Tra
     }
   const FT s = local_parameter(u, domain_u), t = local_parameter(v, domain_v);
   const FT hu = FT(domain_u.second - domain_u.first), hv = FT(domain_v.second - domain_v.first);
-  // equivalent [1 -> 2, 3]: memory only
-  Blocks row(q + 1), column(p + 1), rows(static_cast<std::size_t>(k + 1) * (p + 1)); // derivatives with respect to v
+  // equivalent [1 -> 2, 3]: memory only derivatives with respect to v
+  Blocks row(q + 1), column(p + 1), rows(static_cast<std::size_t>(k + 1) * (p + 1));
   for (int x = 0; x < d; x += width) {
     for (int i = 0; i <= p; ++i) {
       for (int j = 0; j <= q; ++j)
@@ -421,8 +421,8 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns an edge of a patch as a Bézier curve on the domain of the edge; its control points are those of the patch
-/// along the edge. \f$ O(p) \f$ for an edge of degree `p`
+/// Returns an edge of a patch as a Bézier curve on the domain of the edge; its control points are
+/// those of the patch along the edge. \f$ O(p) \f$ for an edge of degree `p`
 template <class Traits> Bezier_curve<Traits> boundary_curve(const Bezier_patch<Traits>& patch, Patch_edge edge) {
   const typename Bezier_patch<Traits>::Interval domain = patch.domain(edge);
   std::vector<typename Traits::Point> points;

@@ -315,8 +315,9 @@ private:
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns an edge of a B-spline surface as a curve over the knots of the surface along the edge. The knots across the
-/// edge need not be clamped. \f$ O(m q + q^2) \f$ for an edge with `m` control points, of degree `q` across the edge
+/// Returns an edge of a B-spline surface as a curve over the knots of the surface along the edge.
+/// The knots across the edge need not be clamped. \f$ O(m q + q^2) \f$ for an edge with `m` control
+/// points, of degree `q` across the edge
 template <class Traits> Bspline_curve<Traits> boundary_curve(const Bspline_surface<Traits>& surface, Patch_edge edge) {
   std::vector<typename Traits::Point> points;
   const auto rows = surface.rows(edge, 0);

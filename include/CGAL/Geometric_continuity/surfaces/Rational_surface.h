@@ -506,7 +506,8 @@ template <class Traits> using Rational_bezier_patch = Rational_surface<Bezier_pa
 template <class Traits> using Rational_bspline_surface = Rational_surface<Bspline_surface<Traits>>;
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Returns an edge of a rational patch as a rational curve, with the domain and the direction of the edge.
+/// Returns an edge of a rational patch as a rational curve, with the domain and the direction of
+/// the edge.
 template <class Traits>
 Rational_bezier_curve<Traits> boundary_curve(const Rational_bezier_patch<Traits>& patch, Patch_edge edge) {
   const typename Rational_bezier_patch<Traits>::Interval domain = patch.domain(edge);

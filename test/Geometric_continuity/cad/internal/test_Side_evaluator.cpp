@@ -80,8 +80,8 @@ struct Outside {
   }
 };
 
-// The range of a coordinate that turns back holds its values and little else; where numbers are so large that sums of them might overflow,
-// nothing is known.
+// The range of a coordinate that turns back holds its values and little else; where numbers are so
+// large that sums of them might overflow, nothing is known.
 BOOST_AUTO_TEST_CASE(ranges_of_coordinates) {
   typedef GC::Cad_conic<2> Conic;
   const CGAL::Protect_FPU_rounding<true> upwards;
@@ -155,7 +155,8 @@ BOOST_AUTO_TEST_CASE(vanishing_normals) {
 BOOST_AUTO_TEST_CASE(models_enclose_what_they_stand_for) {
   const unsigned seed = first_seed();
   random_bits.seed(seed);
-  const GC::Cad_placement moved{{{0.48, -0.8, 0.36, 5}, {0.64, 0.6, 0.48, -2}, {0.6, 0, -0.8, 1}}}; // with a mirror
+  // with a mirror
+  const GC::Cad_placement moved{{{0.48, -0.8, 0.36, 5}, {0.64, 0.6, 0.48, -2}, {0.6, 0, -0.8, 1}}};
   const GC::Cad_frame frame{{1, 2, 3}, {0, 0.6, 0.8}, {1, 0, 0}, {0, 0.8, -0.6}};
   typedef GC::Cad_conic<2> Conic;
   // How many models on short ranges of each surface are narrow. A few are not, where a normal

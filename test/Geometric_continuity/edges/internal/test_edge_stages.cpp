@@ -38,7 +38,8 @@ const unsigned combinations[] = {stage(Stage::comparison),
                                  all_stages};
 
 struct Counter {
-  std::array<std::array<long, GC::internal::number_of_stages>, 3> stages{}; // [order][stage], with all stages
+  // [order][stage], with all stages
+  std::array<std::array<long, GC::internal::number_of_stages>, 3> stages{};
   std::array<std::array<long, 2>, 3> answers{};
   long mismatches = 0;
 

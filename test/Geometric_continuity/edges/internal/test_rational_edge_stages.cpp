@@ -165,8 +165,8 @@ BOOST_AUTO_TEST_CASE(smooth_and_off_by_a_unit) {
   BOOST_CHECK_GT(fixed, 2 * multiprecision);
 }
 
-// A random patch of doubles, and its image in the plane y = 0 of the edge: they are G1 where the edge is planar, with the cross
-// derivatives normal to the plane, and G2 by symmetry.
+// A random patch of doubles, and its image in the plane y = 0 of the edge: they are G1 where the
+// edge is planar, with the cross derivatives normal to the plane, and G2 by symmetry.
 struct Symmetric {
   std::vector<std::vector<Filtered::Point>> points, image;
   std::vector<std::vector<double>> weights;

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Contours on grids, regions of what is nearest, and what is seen of a sphere: compared with circles.
+// Contours on grids, regions of what is nearest, and what is seen of a sphere: compared with
+// circles.
 
 #include <boost/test/unit_test.hpp>
 
@@ -99,8 +100,8 @@ BOOST_AUTO_TEST_CASE(lines_with_fewer_points) {
   BOOST_CHECK_EQUAL(svg_simplified({corner[0], corner[0], corner[0]}, {1, 1, 1}, true).size(), 1);
 }
 
-// A cone seen from above, of triangles that are thin sectors: its levels are circles within a tenth of a pixel, also where
-// another triangle hides a part.
+// A cone seen from above, of triangles that are thin sectors: its levels are circles within a tenth
+// of a pixel, also where another triangle hides a part.
 BOOST_AUTO_TEST_CASE(regions) {
   const Svg_pixel centre = svg_vector({50.0, 40.0});
   const double pi = 3.14159265358979323846, radius = 35;
@@ -133,7 +134,8 @@ BOOST_AUTO_TEST_CASE(regions) {
   BOOST_CHECK_LT(raster.depth_around(svg_vector({-5.0, 40.0})), -1e300);
 }
 
-// An ellipsoid in one patch that is none: a bump. Its silhouette is where the normal is orthogonal to the view.
+// An ellipsoid in one patch that is none: a bump. Its silhouette is where the normal is orthogonal
+// to the view.
 BOOST_AUTO_TEST_CASE(silhouettes) {
   typedef GC::internal::Svg_traits::Point Q;
   const GC::Bezier_patch<GC::internal::Svg_traits> bump{{Q(-1, -1, 0), Q(-1, 0, 0), Q(-1, 1, 0)},
@@ -161,13 +163,15 @@ BOOST_AUTO_TEST_CASE(silhouettes) {
   BOOST_CHECK(!facets.sees(svg_vector({0.0, 0.9, 0.25 * 6 * 0.19}))); // behind the bump
 }
 
-// The surface z = f(x) + y^2 / 2 of two patches with f = 0 for x < 0, and x^2 / 2 or x^3 / 2 behind the edge: G1 or G2 there. Where an
-// outline of a strip crosses the edge, it turns by a large angle or by none.
+// The surface z = f(x) + y^2 / 2 of two patches with f = 0 for x < 0, and x^2 / 2 or x^3 / 2 behind
+// the edge: G1 or G2 there. Where an outline of a strip crosses the edge, it turns by a large angle
+// or by none.
 BOOST_AUTO_TEST_CASE(isophotes_at_an_edge) {
   typedef GC::internal::Svg_traits::Point Q;
   typedef GC::Bezier_patch<GC::internal::Svg_traits> Patch;
   const auto largest_turn = [](int power) {
-    const auto patch = [](double x, const std::array<double, 4>& f) { // cubic in x, quadratic in y, both on [-1, 1]
+    // cubic in x, quadratic in y, both on [-1, 1]
+    const auto patch = [](double x, const std::array<double, 4>& f) {
       std::vector<std::vector<Q>> net;
       for (int i = 0; i < 4; ++i) {
         net.emplace_back();

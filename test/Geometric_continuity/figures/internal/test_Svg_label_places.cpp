@@ -38,7 +38,8 @@ double free_distance(const Svg_pixel& q, const Svg_pixel& half, const std::vecto
   return distance;
 }
 
-// The first with the greatest distance of the eight places, as far as they are in the panel; of those farther away if none is.
+// The first with the greatest distance of the eight places, as far as they are in the panel; of
+// those farther away if none is.
 std::optional<Svg_pixel> place(const Svg_pixel& p, double text_width, const std::vector<Svg_pixel>& drawn) {
   const Svg_pixel half = svg_vector({0.5 * text_width, 4.5});
   const std::array<std::array<double, 2>, 8> directions = {

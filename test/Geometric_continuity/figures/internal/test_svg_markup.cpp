@@ -20,7 +20,7 @@ BOOST_AUTO_TEST_SUITE(svg_markup)
 
 using namespace CGAL::Geometric_continuity::internal;
 
-// Numbers and texts of any kind are written into a picture.
+// Numbers and texts of any kind are written into a picture.
 BOOST_AUTO_TEST_CASE(numbers_texts_and_outlines) {
   BOOST_CHECK_EQUAL(svg_number(std::nan("")), "0");
   BOOST_CHECK_EQUAL(svg_number(std::numeric_limits<double>::infinity()), "1000000");
@@ -48,7 +48,8 @@ BOOST_AUTO_TEST_CASE(numbers_texts_and_outlines) {
   BOOST_CHECK_EQUAL(wrapped_lines("mm", 10, 1).size(), 2u);
 }
 
-// Points that are taken or drawn outside of a panel, on each side, do not matter; points across its edge do.
+// Points that are taken or drawn outside of a panel, on each side, do not matter; points across its
+// edge do.
 BOOST_AUTO_TEST_CASE(places_of_labels_at_the_edges) {
   const Svg_pixel middle = svg_vector({50., 40.}), half = svg_vector({10., 10.}), wide = svg_vector({200., 200.});
   const Svg_label_places empty(100, 80);

@@ -23,7 +23,8 @@ struct Stages {
 };
 constexpr unsigned stage(Stage s) { return 1u << static_cast<int>(s); }
 
-// By the ladder, with weights if they are asked for; and, where it does not tell, by numbers of any length.
+// By the ladder, with weights if they are asked for; and, where it does not tell, by numbers of any
+// length.
 template <CGAL::Geometric_continuity::internal::Join_question question, int N, bool weighted, class Left, class Right>
 Join_answer decide_by_ladder(const Left& left, const Right& right, Stages& stages) {
   namespace GC = CGAL::Geometric_continuity;

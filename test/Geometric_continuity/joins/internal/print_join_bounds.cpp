@@ -2,8 +2,9 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Writes the bounds of the rounding errors of the filter for joins as theorems for Gappa: for each form of Join_equations, each way of
-// rounding, and both ends of the range of Join_filter, between which values are scaled by powers of two.
+// Writes the bounds of the rounding errors of the filter for joins as theorems for Gappa: for each
+// form of Join_equations, each way of rounding, and both ends of the range of Join_filter, between
+// which values are scaled by powers of two.
 
 #include "support/Gappa_term.h"
 

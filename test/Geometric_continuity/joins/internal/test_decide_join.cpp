@@ -2,10 +2,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The predicates of join_predicates.h and continuity() on double coordinates: every stage is reached and agrees with the plain
-// decision in rational numbers (Join_decision on jets), on joins of every class.
+// The predicates of join_predicates.h and continuity() on double coordinates: every stage is
+// reached and agrees with the plain decision in rational numbers (Join_decision on jets), on joins
+// of every class.
 //
-// Set GEOMETRIC_CONTINUITY_JOINS for the number of joins of each class and GEOMETRIC_CONTINUITY_SEED for other numbers.
+// Set GEOMETRIC_CONTINUITY_JOINS for the number of joins of each class and
+// GEOMETRIC_CONTINUITY_SEED for other numbers.
 
 #define BOOST_TEST_MODULE filtered_joins
 
@@ -22,7 +24,8 @@ using GC::internal::Join_question;
 using GC::internal::Stage;
 
 typedef GC::Traits_2<CGAL::Exact_predicates_inexact_constructions_kernel> Plane;
-typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Space; // the predicates are exact although the kernel's are not
+// the predicates are exact although the kernel's are not
+typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Space;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_space;
 template <class Traits> using Curve = GC::Bezier_curve<Traits>;
 template <class Traits> constexpr int dimension = GC::dimension_v<Traits>;
@@ -173,9 +176,10 @@ Curve<Traits> curve(Points<dimension<Traits>> x, bool left, const std::pair<doub
   return Curve<Traits>(points.begin(), points.end(), domain.first, domain.second);
 }
 
-// Two polygons of whole numbers with contact of order `order` after a reparametrisation with beta_1 = p/q, and with
-// Y''' = beta_1^3 X''' + (3 beta_1 beta_2 + mu) X'' + beta_3 X'. Everything is a multiple of the denominators, so that all
-// points are whole. Derivatives that the degree of the right polygon does not allow are left out.
+// Two polygons of whole numbers with contact of order `order` after a reparametrisation with
+// beta_1 = p/q, and with Y''' = beta_1^3 X''' + (3 beta_1 beta_2 + mu) X'' + beta_3 X'. Everything
+// is a multiple of the denominators, so that all points are whole. Derivatives that the degree of
+// the right polygon does not allow are left out.
 template <int N> Join<N> contact(Random& random, int m, int n, int p, int q, int order, bool g3, int bits) {
   Join<N> join;
   join.left.resize(m + 1);
@@ -279,8 +283,8 @@ template <int N> Join<N> grossly_off(Random& random) {
   return join;
 }
 
-// Curvatures of one magnitude and opposite senses: the right polygon is the left one, turned by half a turn about the join. Of one end in
-// two a point of the other one is not.
+// Curvatures of one magnitude and opposite senses: the right polygon is the left one, turned by
+// half a turn about the join. Of one end in two a point of the other one is not.
 template <int N> Join<N> half_turn(Random& random) {
   Join<N> join;
   join.left.resize(random.integer(1, 5) + 1);
@@ -448,7 +452,8 @@ TEST_CLASS(anything)
 TEST_CLASS(degenerate)
 TEST_CLASS(invariants_only)
 
-// The form for F3 is 2^255 z: for z = 2 it is 0 modulo 2^256, and it is smaller than its rounding error.
+// The form for F3 is 2^255 z: for z = 2 it is 0 modulo 2^256, and it is smaller than its rounding
+// error.
 BOOST_AUTO_TEST_CASE(residue_of_a_number_that_is_not_zero) {
   const double s = 0x1p51;
   for (const double z : {0., 1., 2., 4., 6.}) {
@@ -463,7 +468,8 @@ BOOST_AUTO_TEST_CASE(residue_of_a_number_that_is_not_zero) {
   }
 }
 
-// The third difference 2^54 - 1 on the left becomes 2^54 in floating-point arithmetic, and so 8^3 times the one on the right.
+// The third difference 2^54 - 1 on the left becomes 2^54 in floating-point arithmetic, and so 8^3
+// times the one on the right.
 BOOST_AUTO_TEST_CASE(differences_that_are_rounded) {
   const double s = 0x1p51;
   for (const double off : {0., 1.}) {
@@ -486,7 +492,8 @@ BOOST_AUTO_TEST_CASE(joins_without_curvature) {
   }
 }
 
-// Tangents along one axis are parallel, whatever their lengths and wherever they are: no product has to be computed.
+// Tangents along one axis are parallel, whatever their lengths and wherever they are: no product
+// has to be computed.
 BOOST_AUTO_TEST_CASE(tangents_along_an_axis) {
   for (const bool holds : {true, false}) {
     const Points<3> p = {{1 / 3., 0.1, 1e-30}, {1 / 3., 0.1, -1 / 7.}, {1, 2, 3}, {4, 5, 6}},
@@ -600,7 +607,8 @@ template <Join_question question, bool weighted> void check_bits_of_form() {
         }
 }
 
-// The lengths of forms that the last stage supposes are those of the equations, for doubles of all sizes and all degrees.
+// The lengths of forms that the last stage supposes are those of the equations, for doubles of all
+// sizes and all degrees.
 BOOST_AUTO_TEST_CASE(bits_of_forms) {
   check_bits_of_form<Join_question::c1, false>();
   check_bits_of_form<Join_question::c2, false>();
@@ -620,7 +628,8 @@ BOOST_AUTO_TEST_CASE(bits_of_forms) {
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// The first derivatives differ by the product of the first n moduli of the last stage: one more decides.
+// The first derivatives differ by the product of the first n moduli of the last stage: one more
+// decides.
 BOOST_AUTO_TEST_CASE(forms_that_are_multiples_of_several_moduli) {
   typedef Plane::Point Point;
   const double r = 0x1p64;

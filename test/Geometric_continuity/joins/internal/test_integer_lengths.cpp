@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The test evaluates the equations themselves on bounds, and checks that the residues of fixed length suffice.
+// The test evaluates the equations themselves on bounds, and checks that the residues of fixed
+// length suffice.
 
 #include "support/bounded_integers.h"
 #include "support/test.h"
@@ -28,7 +29,8 @@ BOOST_AUTO_TEST_SUITE(integer_lengths)
 
 using namespace CGAL::Geometric_continuity::internal;
 
-// Looks at each form. With the one answer and with the other, the equations compute all forms that they have.
+// Looks at each form. With the one answer and with the other, the equations compute all forms that
+// they have.
 struct Fitting_zero {
   static constexpr bool exact = true, pivot_is_first = true;
   bool answer;
@@ -48,7 +50,8 @@ struct Lengths {
 // A factor below a limit.
 constexpr Factor_bound below(std::int64_t limit) { return Factor_bound(static_cast<double>(limit - 1)); }
 
-// Returns whether all parts of the forms of a question fit, for points of so many bits and factors up to their limits.
+// Returns whether all parts of the forms of a question fit, for points of so many bits and factors
+// up to their limits.
 template <Join_question question, int N> constexpr bool forms_fit(const Lengths& lengths = {}) {
   typedef Bounded_integer<1> Integer;
   typedef Degree_factors<Factor_bound> Factors;
@@ -113,8 +116,9 @@ BOOST_AUTO_TEST_CASE(no_form_exceeds_its_limbs) {
 }
 
 BOOST_AUTO_TEST_CASE(what_does_not_fit_is_noticed) {
-  // Points of 62 bits have differences of 65 bits. Long factors of the second and of the third differences exceed two limbs beside the
-  // square and three beside the cube of a number of one limb.
+  // Points of 62 bits have differences of 65 bits. Long factors of the second and of the third
+  // differences exceed two limbs beside the square and three beside the cube of a number of one
+  // limb.
   static_assert(!all_fit<Join_question::g1>({62, 1}));
   static_assert(all_fit<Join_question::g1>({53, 1 << 20})); // has no factors
   static_assert(!all_fit<Join_question::g2>({53, 1 << 20}));
@@ -124,7 +128,8 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_noticed) {
   static_assert(!all_fit<Join_question::curvature_vector>({53, std::int64_t(1) << 20}));
 }
 
-// Ends of integers have short legs where these are no longer than those of points with 53 bits, on either side.
+// Ends of integers have short legs where these are no longer than those of points with 53 bits, on
+// either side.
 BOOST_AUTO_TEST_CASE(short_legs) {
   const std::int64_t longest = std::int64_t(1) << 54;
   static_assert(2 * bound_of_bits(53) == 0x1p54);
@@ -137,7 +142,8 @@ BOOST_AUTO_TEST_CASE(short_legs) {
       }
 }
 
-// Points of quotients with numbers of 60 bits: a point between two, or none where one of the numbers gets longer.
+// Points of quotients with numbers of 60 bits: a point between two, or none where one of the
+// numbers gets longer.
 BOOST_AUTO_TEST_CASE(points_between_points) {
   typedef Short_point<2> Point;
   const auto between = [](const Point& x, const Point& y, std::int64_t part, std::int64_t whole) {
@@ -157,7 +163,8 @@ BOOST_AUTO_TEST_CASE(points_between_points) {
   };
   BOOST_CHECK(is_too_long({{1, 1}, power - 1}, {{1, 1}, power + 1}, 1, 2)); // of two denominators
   BOOST_CHECK(is_too_long({{1, 1}, 3}, {{1, 1}, power}, power - 1, power)); // and the whole
-  BOOST_CHECK(is_too_long({{1, 1}, 3}, {{1, 1}, power}, 1, power));         // a denominator and a part
+  // a denominator and a part
+  BOOST_CHECK(is_too_long({{1, 1}, 3}, {{1, 1}, power}, 1, power));
   BOOST_CHECK(is_too_long({{1, 1}, power}, {{1, 1}, 3}, power - 1, power));
   BOOST_CHECK(is_too_long({{largest, 1}, 1}, {{largest, 1}, power - 1}, 1, 2)); // a numerator
   BOOST_CHECK(equal(between({{largest, 1}, 1}, {{largest, 1}, 1}, 1, 3), largest, 1, 1));

@@ -2,10 +2,12 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Joins of rational curves with double coordinates and weights: every stage is reached and agrees with the decision on jets in
-// rational numbers, on joins that hold and on joins that fail by one unit in the last place, with short and with long numbers.
+// Joins of rational curves with double coordinates and weights: every stage is reached and agrees
+// with the decision on jets in rational numbers, on joins that hold and on joins that fail by one
+// unit in the last place, with short and with long numbers.
 //
-// Set GEOMETRIC_CONTINUITY_JOINS for the number of joins of each class and GEOMETRIC_CONTINUITY_SEED for other numbers.
+// Set GEOMETRIC_CONTINUITY_JOINS for the number of joins of each class and
+// GEOMETRIC_CONTINUITY_SEED for other numbers.
 
 #include "joins/internal/join_stages.h"
 #include "support/random.h"
@@ -138,7 +140,7 @@ template <int N> void check(const Join<N>& join, Counter& counter) {
   }
 }
 
-// Checks the join with a coordinate, and with a weight, changed by one unit in the last place.
+// Checks the join with a coordinate, and with a weight, changed by one unit in the last place.
 template <int N> void check_neighbours(const Join<N>& join, Counter& counter) {
   for (int i = 0; i < 4; ++i) {
     Join<N> other = join;
@@ -163,8 +165,9 @@ template <int N> End<N> random_end(int degree, int bits, int weight_bits) {
   return end;
 }
 
-// Contact of the order that is asked for, of ends with whole coordinates and weights: the differences and weights
-// of the left end, with x' = D1, x'' = alpha D2 - D1, x''' = gamma D3 along the reversed curve, in
+// Contact of the order that is asked for, of ends with whole coordinates and weights: the
+// differences and weights of the left end, with x' = D1, x'' = alpha D2 - D1, x''' = gamma D3 along
+// the reversed curve, in
 //   y' = b x',  y'' = b^2 x'' + c x',  y''' = b^3 x''' + m x'' + d x',  m = 3 b c for G3.
 // Nothing if the numbers are too long.
 template <int N> std::optional<Join<N>> contact(int order, bool g3) {
@@ -217,7 +220,8 @@ template <int N> std::optional<Join<N>> contact(int order, bool g3) {
   return join;
 }
 
-// One end, and the same turned by pi about its principal normal, which is the axis of y: curvature and torsion agree.
+// One end, and the same turned by pi about its principal normal, which is the axis of y: curvature
+// and torsion agree.
 template <int N, class Coordinate> Join<N> symmetric(Coordinate coordinate) {
   Join<N> join;
   const int m = integer(2, 5);
@@ -239,7 +243,8 @@ template <int N, class Coordinate> Join<N> symmetric(Coordinate coordinate) {
   return join;
 }
 
-// Two halves of a polynomial curve, each in another rational parameter and with another factor of 53 bits.
+// Two halves of a polynomial curve, each in another rational parameter and with another factor of
+// 53 bits.
 template <int N> Join<N> halves(int bits, int shift) {
   typedef GC::Bezier_curve<Traits<N>> Polynomial;
   const End<N> end = random_end<N>(integer(3, 5), bits, 1);
@@ -277,8 +282,8 @@ template <int N> void all_classes(Counter& counter) {
       check<N>(join, counter);
       check_neighbours<N>(join, counter);
     }
-    // forms that are multiples of 2^256 and not 0: differences with many zeros at the end, and weights of which only that of the end
-    // point has none
+    // forms that are multiples of 2^256 and not 0: differences with many zeros at the end, and
+    // weights of which only that of the end point has none
     Join<N> join = symmetric<N>([] { return whole(8) * 0x1p30; });
     for (End<N>* end : {&join.left, &join.right}) {
       for (auto& p : end->points) p[1] += 1;
@@ -287,7 +292,8 @@ template <int N> void all_classes(Counter& counter) {
     }
     check<N>(join, counter);
     check_neighbours<N>(join, counter);
-    // long coordinates, and weights that are the same but for a factor that is no power of two: tangents of four times the length
+    // long coordinates, and weights that are the same but for a factor that is no power of two:
+    // tangents of four times the length
     join = symmetric<N>([] { return whole(46); });
     const int bits = integer(4, 9);
     for (std::size_t j = 0; j < join.left.weights.size(); ++j) {

@@ -13,7 +13,8 @@
 
 BOOST_AUTO_TEST_SUITE(for_each_number)
 
-// Where two cores meet errors it is the one of the least number that leaves, also if the other one comes later.
+// Where two cores meet errors it is the one of the least number that leaves, also if the other one
+// comes later.
 BOOST_AUTO_TEST_CASE(the_first_of_two_errors) {
   std::atomic<bool> last_has_begun(false), first_is_thrown(false);
   const auto wait_for = [](const std::atomic<bool>& flag) { // not for ever: there may be one core

@@ -36,8 +36,8 @@ std::vector<std::uint64_t> samples(std::uint64_t c, std::mt19937_64& random) {
   return x;
 }
 
-// Each modulus is the largest below those before it that has no common divisor with any of them, so that their product is 2^28160 but for a
-// factor next to 1.
+// Each modulus is the largest below those before it that has no common divisor with any of them, so
+// that their product is 2^28160 but for a factor next to 1.
 BOOST_AUTO_TEST_CASE(moduli_have_no_common_divisors) {
   Integer product = 1;
   std::uint64_t c = 0;

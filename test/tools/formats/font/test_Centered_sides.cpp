@@ -21,7 +21,8 @@ int shift() { // often 0
 
 } // namespace
 
-// Bounds of both products on a box with many axes, also where what is bilinear in the axes moves the sides at right angles.
+// Bounds of both products on a box with many axes, also where what is bilinear in the axes moves
+// the sides at right angles.
 BOOST_AUTO_TEST_CASE(bounds_with_centered_legs) {
   using GC::Centered_sides;
   for (int round = 0; round < 200; ++round) {

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Joins over axes: their vectors and corners at single instances. The largest kinks over all of them are in test_largest_kink.cpp.
+// Joins over axes: their vectors and corners at single instances. The largest kinks over all of
+// them are in test_largest_kink.cpp.
 
 #define BOOST_TEST_MODULE variable_joins
 #include "support/test.h"

@@ -94,9 +94,12 @@ BOOST_AUTO_TEST_CASE(between_the_masters) {
 }
 
 BOOST_AUTO_TEST_CASE(smooth_in_every_instance) {
-  for (const Legs& legs : {linear({100, 0}, {30, 0}, {7, 0}, {Q(1) / 3, 0}),           // both horizontal
-                           linear({10, 20}, {-1, -2}, {5, 10}, {50, 100}),             // of one direction
-                           linear({3, -4}, {Q(1) / 7, 9}, {6, -8}, {Q(2) / 7, 18})}) { // multiples of each other
+  // both horizontal
+  for (const Legs& legs : {linear({100, 0}, {30, 0}, {7, 0}, {Q(1) / 3, 0}),
+                           // of one direction
+                           linear({10, 20}, {-1, -2}, {5, 10}, {50, 100}),
+                           // multiples of each other
+                           linear({3, -4}, {Q(1) / 7, 9}, {6, -8}, {Q(2) / 7, 18})}) {
     const GC::Largest_kink kink = checked(legs, axes(1, 1), Q(1) / 1000);
     BOOST_CHECK(kink.verdict == Verdict::proved);
     BOOST_CHECK(kink.angle == (GC::Enclosure{0, 0}));
@@ -125,14 +128,16 @@ BOOST_AUTO_TEST_CASE(large_angles_and_legs_without_length) {
   BOOST_CHECK(kink.verdict != Verdict::proved && std::isfinite(kink.angle.upper));
 }
 
-BOOST_AUTO_TEST_CASE(exactly_the_bound) { // 45 degrees at the end; the bound itself is not exceeded there
+// 45 degrees at the end; the bound itself is not exceeded there
+BOOST_AUTO_TEST_CASE(exactly_the_bound) {
   const Legs legs = linear({1, 0}, {0, 0}, {1, 0}, {0, 1});
   BOOST_CHECK(checked(legs, axes(1, 1), 45).verdict != Verdict::refuted);
   BOOST_CHECK(checked(legs, axes(1, 1), Q(45) - Q(1) / 1000000000).verdict == Verdict::refuted);
   BOOST_CHECK(checked(legs, axes(1, 1), Q(45) + Q(1) / 1000000000).verdict == Verdict::proved);
 }
 
-BOOST_AUTO_TEST_CASE(axes_that_end_before_their_regions) { // arctan 1/2 at 1/2, 45 degrees only beyond
+// arctan 1/2 at 1/2, 45 degrees only beyond
+BOOST_AUTO_TEST_CASE(axes_that_end_before_their_regions) {
   for (const double side : {-1., 1.}) {
     const Legs legs{{{{1, 0}, {{0, 0}}}, {{1, 0}, {{0, 1}}}}, {region({side})}};
     const std::vector<GC::Variation_range> half{{(std::min)(side / 2, 0.), (std::max)(side / 2, 0.)}};
@@ -143,7 +148,8 @@ BOOST_AUTO_TEST_CASE(axes_that_end_before_their_regions) { // arctan 1/2 at 1/2,
   }
 }
 
-BOOST_AUTO_TEST_CASE(regions_that_jump) { // a kink of 45 degrees from 1/2 on, up to 1/2, or there only
+// a kink of 45 degrees from 1/2 on, up to 1/2, or there only
+BOOST_AUTO_TEST_CASE(regions_that_jump) {
   for (const GC::Region_axis& axis :
        {GC::Region_axis{0.5, 0.5, 1}, {0, 0.5, 0.5}, {0.5, 0.5, 0.5}, {1, 1, 1}, {-1, -1, -1}}) {
     const Legs legs{{{{1, 0}, {{0, 0}}}, {{1, 0}, {{0, 1}}}}, {GC::Variation_region({axis})}};
@@ -203,7 +209,8 @@ BOOST_AUTO_TEST_CASE(random_joins_against_samples) {
 }
 
 BOOST_AUTO_TEST_CASE(many_axes) {
-  // a = (100, 0) and b = (100, sum y_k t_k): the largest angle is at two opposite corners, where the sum of the |y_k| is attained
+  // a = (100, 0) and b = (100, sum y_k t_k): the largest angle is at two opposite corners, where
+  // the sum of the |y_k| is attained
   for (std::size_t n : {4, 5, 9, 11}) {
     Legs legs{{{{100, 0}, {}}, {{100, 0}, {}}}, {}};
     Q sum(0);
@@ -228,7 +235,8 @@ BOOST_AUTO_TEST_CASE(many_axes) {
 }
 
 BOOST_AUTO_TEST_CASE(between_the_masters_of_many_axes) {
-  // as in between_the_masters along the first axis, while the other ones make the legs longer and shorter, or turn both
+  // as in between_the_masters along the first axis, while the other ones make the legs longer and
+  // shorter, or turn both
   for (std::size_t n : {4, 5, 6, 8}) {
     Legs legs = linear({100, 0}, {0, 20}, {100, 0}, {200, 60});
     std::vector<double> peaks(n, 0.0);
@@ -256,7 +264,8 @@ BOOST_AUTO_TEST_CASE(between_the_masters_of_many_axes) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(parallel_in_all_of_many_axes) { // both along (3, 4), by fractions that no double has
+// both along (3, 4), by fractions that no double has
+BOOST_AUTO_TEST_CASE(parallel_in_all_of_many_axes) {
   Legs legs{{{{30, 40}, {}}, {{Q(3) / 7, Q(4) / 7}, {}}}, {}};
   for (std::size_t k = 0; k < 7; ++k) {
     std::vector<double> peaks(7, 0.0);
@@ -286,7 +295,8 @@ BOOST_AUTO_TEST_CASE(more_cells_than_can_be_looked_at) { // 2^40 of them
   BOOST_CHECK(checked(legs, axes(40), 30).verdict == Verdict::refuted);
 }
 
-// Nine axes along which the legs turn so far that they may be at right angles, or may not have a length.
+// Nine axes along which the legs turn so far that they may be at right angles, or may not have a
+// length.
 BOOST_AUTO_TEST_CASE(large_turns_over_many_axes) {
   const std::size_t n = 9;
   Legs legs{{{{100, 0}, {}}, {{100, 0}, {}}}, {}};
@@ -320,7 +330,8 @@ BOOST_AUTO_TEST_CASE(large_turns_over_many_axes) {
   BOOST_CHECK(checked(small, axes(1, 1), 5, {0, 1e-3, GC::Work_limit()}).verdict == Verdict::proved);
 }
 
-// Regions of one place, within an axis and beyond its ends, and legs that are zero at the only corners.
+// Regions of one place, within an axis and beyond its ends, and legs that are zero at the only
+// corners.
 BOOST_AUTO_TEST_CASE(regions_of_one_place) {
   for (const double place : {-3., 3., 0.5}) {
     const Legs legs{{{{1, 0}, {{0, 0}}}, {{1, 0}, {{0, 1}}}}, {GC::Variation_region({{place, place, place}})}};
@@ -332,7 +343,8 @@ BOOST_AUTO_TEST_CASE(regions_of_one_place) {
   BOOST_CHECK(none.verdict == Verdict::undecided && none.vanishes);
 }
 
-// A constant kink whose tangent, 1/3, no double has: its bounds at the only place differ, and the search ends.
+// A constant kink whose tangent, 1/3, no double has: its bounds at the only place differ, and the
+// search ends.
 BOOST_AUTO_TEST_CASE(one_place_without_a_tolerance) {
   const Legs legs = linear({3, 0}, {0, 0}, {3, 1}, {0, 0});
   const GC::Enclosure exact = angle({Q(3), Q(9)});

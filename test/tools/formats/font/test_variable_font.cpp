@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Variable fonts that are written byte by byte: what is read is what was written, exactly; and what is malformed is refused.
+// Variable fonts that are written byte by byte: what is read is what was written, exactly; and what
+// is malformed is refused.
 
 #define BOOST_TEST_MODULE variable_font
 #include "support/test.h"
@@ -84,7 +85,8 @@ BOOST_AUTO_TEST_CASE(axes_and_their_user_values) {
     BOOST_CHECK(weight.range().lowest == -1 && weight.range().highest == 1 && width.range().lowest == -1 &&
                 width.range().highest == 0);
     BOOST_CHECK(weight.user_value(-1) == 100 && weight.user_value(0) == 400 && weight.user_value(1) == 900);
-    BOOST_CHECK(weight.user_value(Q(1) / 4) == 650 && weight.user_value(Q(1) / 8) == 525); // by 'avar'
+    // by 'avar'
+    BOOST_CHECK(weight.user_value(Q(1) / 4) == 650 && weight.user_value(Q(1) / 8) == 525);
     BOOST_CHECK(weight.user_value(Q(5) / 8) == 775 && weight.user_value(Q(-1) / 3) == 300);
     BOOST_CHECK(width.user_value(Q(-1) / 2) == 75);
   }
@@ -102,7 +104,8 @@ BOOST_AUTO_TEST_CASE(outlines) {
   packed.bytes = std::string("\0\1", 2) + std::string(8, '\0') + std::string("\0\5\0\0", 4) + "\x01";
   packed.bytes.back() = 1 + 8;
   packed.bytes += '\2';
-  packed.bytes += std::string("\x36\x06\x30", 3); // short and positive; short and negative, off; both the same, off
+  // short and positive; short and negative, off; both the same, off
+  packed.bytes += std::string("\x36\x06\x30", 3);
   const std::vector<int> words{100, -50, 7, 200, 1000, -7};
   std::string x, y;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -135,7 +138,8 @@ BOOST_AUTO_TEST_CASE(outlines) {
 }
 
 BOOST_AUTO_TEST_CASE(untouched_points_move_by_exact_fractions) {
-  // points 0 and 2 are touched: 1 lies between them in x, at 5 as point 2 in y; 3 between them in x and below both in y
+  // points 0 and 2 are touched: 1 lies between them in x, at 5 as point 2 in y; 3 between them in x
+  // and below both in y
   const Tuple tuple{{one}, {7, 0}, {-2, 30}, {{0, 2}}};
   GC::Variable_outline glyph = open(one_axis({tuple}).font()).glyph(0);
   BOOST_REQUIRE_EQUAL(glyph.shifts.size(), 1u);
@@ -144,7 +148,8 @@ BOOST_AUTO_TEST_CASE(untouched_points_move_by_exact_fractions) {
   BOOST_CHECK(is(glyph.shifts[0][3], Q(7) - Q(28) / 10, -2));
   BOOST_CHECK(is(glyph.point(1, {Q(1) / 3}), Q(3) + Q(49) / 30, 15));
   BOOST_CHECK(is(glyph.point(1, {-1}), 3, 5));
-  // one touched point moves all; another contour does not move, and neither do the points behind the outline
+  // one touched point moves all; another contour does not move, and neither do the points behind
+  // the outline
   Font_writer w = one_axis({{{one}, {7, 9}, {-2, 9}, {{1, 6}}}});
   w.glyphs[0].contours.push_back({{100, 0}, {200, 0}});
   glyph = open(w.font()).glyph(0);
@@ -162,7 +167,8 @@ BOOST_AUTO_TEST_CASE(regions) {
   BOOST_CHECK(is(first.shifts[0][3], 300, 7));
   BOOST_CHECK(is(first.point(3, {Q(1) / 2, -1}), 154, Q(3) / 2));
   BOOST_REQUIRE_EQUAL(second.regions.size(), 2u);
-  BOOST_CHECK(is(second.shifts[0][0], 5, 1) && is(second.shifts[0][2], 5, 1)); // the points 0 and 3, of two contours
+  // the points 0 and 3, of two contours
+  BOOST_CHECK(is(second.shifts[0][0], 5, 1) && is(second.shifts[0][2], 5, 1));
   BOOST_CHECK(is(second.shifts[0][3], -5, 2) && is(second.shifts[0][4], -5, 2));
   const GC::Variation_region &shared = second.regions[0], &middle = second.regions[1];
   BOOST_CHECK(shared.scalar({Q(1), Q(-1) / 4}) == Q(1) / 4 && shared.scalar({Q(0), Q(0)}) == 0);
@@ -196,7 +202,8 @@ BOOST_AUTO_TEST_CASE(many_points) { // numbers of two bytes, and runs
 }
 
 BOOST_AUTO_TEST_CASE(joins_of_a_font) {
-  // 0 on, 1 control, 2 on with a kink between the masters, 3 control, 4 on; 5 and 6 coincide with 4 and 0
+  // 0 on, 1 control, 2 on with a kink between the masters, 3 control, 4 on; 5 and 6 coincide with 4
+  // and 0
   Font_writer w;
   w.axes = {{"wght", 100, 100, 900}};
   Font_writer::Glyph glyph{{{{0, -50}, {0, 0, false}, {100, 0}, {200, 0, false}, {200, -50}, {200, -50, false}}}};
@@ -311,7 +318,8 @@ BOOST_AUTO_TEST_CASE(operators_of_cubic_outlines) {
 }
 
 BOOST_AUTO_TEST_CASE(cubic_outlines_vary) {
-  // the first point by (20, -6) in the first region and (0, 5) in the second; the second point by what is added to that
+  // the first point by (20, -6) in the first region and (0, 5) in the second; the second point by
+  // what is added to that
   Font_writer w = cubic_font({{10, 0, 20, 0, -6, 5, 2, blend, move, 30, 4, 8, 1, blend, 40, line},
                               {0, set, 1, 0, 0, 1, blend, hmove, 0, set}});
   w.charstrings[0] += std::string("\xff\0\1\x80\0", 5) + Font_writer::charstring({hline}); // 1.5
@@ -377,7 +385,8 @@ BOOST_AUTO_TEST_CASE(parts_of_composite_glyphs) {
     BOOST_CHECK_EQUAL(part.glyph, 0);
     const GC::Variable_join join{{{3, 5}, {{8, 6}}}, {{7, -2}, {{1, 0}}}}, moved = GC::join_of_part(part, join);
     if (GC::is_stretched(part)) ++stretched;
-    const Q half = GC::is_stretched(part) ? Q(1) / 2 : Q(1); // (x, y) becomes (-y, x / 2) or (-y, x)
+    // (x, y) becomes (-y, x / 2) or (-y, x)
+    const Q half = GC::is_stretched(part) ? Q(1) / 2 : Q(1);
     BOOST_CHECK(is(moved.incoming.constant, -5, 3 * half) && is(moved.incoming.shifts[0], -6, 8 * half));
     BOOST_CHECK(is(moved.outgoing.constant, 2, 7 * half) && is(moved.outgoing.shifts[0], 0, half));
   }
@@ -444,7 +453,8 @@ BOOST_AUTO_TEST_CASE(damaged_fonts) {
   const std::string whole = rich_font().font();
   BOOST_CHECK_EQUAL(outline_error(whole), "no error");
   std::size_t refused = 0;
-  for (std::size_t size = 0; size < whole.size(); ++size) // a string of its own, so that reading behind it shows
+  // a string of its own, so that reading behind it shows
+  for (std::size_t size = 0; size < whole.size(); ++size)
     refused += outline_error(std::string(whole.data(), size)) != "no error";
   BOOST_CHECK_EQUAL(refused, whole.size()); // the last table is read to its last byte
   for (int i = 0; i < 3000; ++i) {

@@ -226,7 +226,8 @@ BOOST_AUTO_TEST_CASE(arcs_with_unusual_radii_and_rotations) {
   BOOST_CHECK_EQUAL(read("M0 0A1 1 0 0 1 0 0L1 1"), "3L 0,0 1,1; |");
   // by an odd multiple of 90 degrees the radii change places, by an even one nothing changes
   const GC::Curve_jet<Exact_2> upright = *arc("M0 0A2 1 0 0 1 2 1").start_jet(3);
-  BOOST_CHECK(arc("M0 0A2 1 0 0 1 2 1").start_jet(2) == jet(Point(0, 0), 2, 0, 0, 1)); // around (0, 1)
+  // around (0, 1)
+  BOOST_CHECK(arc("M0 0A2 1 0 0 1 2 1").start_jet(2) == jet(Point(0, 0), 2, 0, 0, 1));
   for (const char* turned : {"1 2 90", "1 2 -90", "1 2 450", "2 1 180", "2 1 -360", "2 1 3.6e2"})
     BOOST_CHECK(arc("M0 0A" + std::string(turned) + " 0 1 2 1").start_jet(3) == upright);
   // of a circle any rotation is known, of an ellipse multiples of 45 degrees are
@@ -364,12 +365,14 @@ BOOST_AUTO_TEST_CASE(joins_of_arcs) {
   BOOST_CHECK_EQUAL(orders("M0 0A5 5 0 0 1 1 0A10 10 0 0 0 3 0"), "1");
   BOOST_CHECK_EQUAL(orders("M0 0A5 5 0 0 1 1 0L2 0"), "0");
   BOOST_CHECK_EQUAL(orders("M-1 0L0 0A5 5 0 0 1 1 0"), "0");
-  BOOST_CHECK_EQUAL(orders("M0 0A5 5 0 0 1 1 0A4 4 0 0 0 2 0"), "0"); // roots of 99 and 63: two extensions
+  // roots of 99 and 63: two extensions
+  BOOST_CHECK_EQUAL(orders("M0 0A5 5 0 0 1 1 0A4 4 0 0 0 2 0"), "0");
   const std::vector<Subpath> s = GC::read_svg_path<Exact_2>("M0 0A5 5 0 0 1 1 0A5 5 0 0 0 2 0");
   const auto join = GC::continuity(s[0].segments[0], s[0].segments[1]);
   BOOST_CHECK(join->regular && *join->tangent_equal && *join->curvature_equal && !*join->curvature_vector_equal);
   const std::vector<Subpath> t = GC::read_svg_path<Exact_2>("M0 0A5 5 0 0 1 1 0A5 5 0 0 0 2 1");
-  BOOST_CHECK(*GC::continuity(t[0].segments[0], t[0].segments[1])->curvature_equal); // with two different roots
+  // with two different roots
+  BOOST_CHECK(*GC::continuity(t[0].segments[0], t[0].segments[1])->curvature_equal);
 }
 
 // One ellipse cut at rational points: the arcs continue each other to any order.
@@ -781,7 +784,8 @@ BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused) {
 // An arc of any size is that of size 1, scaled: by powers of two exactly.
 BOOST_AUTO_TEST_CASE(arcs_of_all_sizes) {
   typedef GC::Elliptical_arc<Double_2> Arc;
-  const auto quarter = [](double r) { return Arc({0, r}, {-r, 0}, {r, r, 0, false, true}); }; // around the origin
+  // around the origin
+  const auto quarter = [](double r) { return Arc({0, r}, {-r, 0}, {r, r, 0, false, true}); };
   const auto half = [](double r) { return Arc({3 * r, r}, {-3 * r, -r}, {2 * r, r}); };
   BOOST_CHECK(*quarter(2).start_jet(2) == (GC::Curve_jet<Double_2>({0, 2}, {{-2, 0}, {0, -2}})));
   for (const double size : {0x1p-900, 0x1p-600, 0x1p600, 0x1p900})

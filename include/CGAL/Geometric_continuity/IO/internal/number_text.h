@@ -46,8 +46,8 @@ struct Short_decimal {
 
   bool exists() const { return exponent != none; }
 
-  // Returns whether there are at most 18 places, as there are of nearly all numbers; then the value is made at once.
-  // equivalent [<= -> <, 2]: the general road makes the same number
+  // Returns whether there are at most 18 places, as there are of nearly all numbers; then the value
+  // is made at once. equivalent [<= -> <, 2]: the general road makes the same number
   bool is_short_fraction() const { return -max_digits <= exponent && exponent <= 0; }
   template <class FT> FT short_fraction() const {
     return Rational_parts<FT>::make_short(digits, CGAL::ipower(std::int64_t(10), -exponent));

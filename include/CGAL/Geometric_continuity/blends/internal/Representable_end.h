@@ -82,8 +82,9 @@ template <class Float> struct Inward_lengths {
   Float first, second;
 };
 
-// One end of a blend with control points that are numbers of type Float. With the end points A = b_0, b_1, b_2 of a curve
-// of degree m, read inward from the join, the difference p = +-(b_0 - b_1) and q = (b_0 - b_1) - r (b_1 - b_2), r the ratio of the lengths,
+// One end of a blend with control points that are numbers of type Float. With the end points A =
+// b_0, b_1, b_2 of a curve of degree m, read inward from the join, the difference p = +-(b_0 - b_1)
+// and q = (b_0 - b_1) - r (b_1 - b_2), r the ratio of the lengths,
 //
 //   B = A + c p,   C = 2B - A + c^2 f q + e p,   f = 5(m-1)/(4m),
 //

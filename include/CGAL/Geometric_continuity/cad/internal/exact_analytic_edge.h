@@ -57,8 +57,9 @@ struct Exponential_curve {
 // The derivatives of a placed surface along a curve in its parameter plane.
 struct Exponential_jet {
   Exponential_vector point, u, v, uu, uv, vv;
-  // equivalent [1 -> 2, 1]: any number that is not zero
-  Exponential_sum rho = Model_number(1); // of an elementary surface, whose normal vanishes where it does
+  // equivalent [1 -> 2, 1]: any number that is not zero of an elementary surface, whose normal
+  // vanishes where it does
+  Exponential_sum rho = Model_number(1);
 
   bool take(const Edge_side& side) {
     if (!take(*side.surface, *side.curve)) return false;

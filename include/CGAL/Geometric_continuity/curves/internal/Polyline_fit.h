@@ -25,8 +25,9 @@
 // A polyline by few Bezier curves, in floating-point numbers: all coordinates are multiples of one
 // unit, which is 1 here. See curves/fit.h.
 //
-// At a joint there are three vectors of integers: its point A, a short difference D along the tangent and the second difference Q that a
-// curve with this difference has. With integers b, f the control points
+// At a joint there are three vectors of integers: its point A, a short difference D along the
+// tangent and the second difference Q that a curve with this difference has. With integers b, f the
+// control points
 //
 //   A,   A + b D,   A + f D + b^2 Q     (the third one for G2 only)
 //
@@ -213,7 +214,8 @@ private:
     return piece;
   }
 
-  // One step of least squares: the multiples of the differences, with the curvature of those before.
+  // One step of least squares: the multiples of the differences, with the curvature of those
+  // before.
   void solve(const Joint& start, const Joint& end, const std::array<Vector, most_samples + 1>& x,
              const std::array<double, most_samples + 1>& u, int samples, const std::array<double, unknowns>& natural,
              std::array<double, unknowns>& handles) const {
@@ -289,7 +291,8 @@ private:
     double worst = 0, size = 0;
     for (const Vector& x : piece.points)
       for (const double c : Vector(x - piece.points[0])) size = (std::max)(size, std::abs(c));
-    const double tolerance = tolerance_ * (1 - 0x1p-20) - size * 0x1p-46; // so that intervals prove it
+    // so that intervals prove it
+    const double tolerance = tolerance_ * (1 - 0x1p-20) - size * 0x1p-46;
     // unreachable: the tolerance has 1024 units or more, and rounding is less than that
     return tolerance > 0 && piece.template is_near<double>(p_.begin() + first, tolerance * tolerance, worst);
   }

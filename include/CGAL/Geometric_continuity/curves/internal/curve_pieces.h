@@ -95,10 +95,11 @@ halves(std::vector<Coordinate_vector<FT, N>> rows) {
   return {std::move(left), std::move(rows)};
 }
 
-// 0 for exact numbers. For floating-point numbers a length that is larger than any error that up to 32 halvings make in a
-// control point: each halving of a polygon of m sides takes the middle of two numbers at most m times in a row, and each
-// middle is rounded once, by at most 2^-53 |x| (in doubles) where |x| is the largest coordinate. That is 32 m 2^-53 |x| in
-// each coordinate, and in up to 16 dimensions at most 4 times as much, m 2^-46 |x|. The result, (m + 1) 2^-44 |x|, leaves
+// 0 for exact numbers. For floating-point numbers a length that is larger than any error that up to
+// 32 halvings make in a control point: each halving of a polygon of m sides takes the middle of two
+// numbers at most m times in a row, and each middle is rounded once, by at most 2^-53 |x| (in
+// doubles) where |x| is the largest coordinate. That is 32 m 2^-53 |x| in each coordinate, and in
+// up to 16 dimensions at most 4 times as much, m 2^-46 |x|. The result, (m + 1) 2^-44 |x|, leaves
 // three quarters for the roundings in what is computed from the control points.
 template <class FT, int N> FT rounding_allowance(const std::vector<Coordinate_vector<FT, N>>& rows) {
   if constexpr (std::is_floating_point_v<FT>) {

@@ -230,8 +230,8 @@ private:
     constexpr Rounding_bound along() const { return x; }
     constexpr Rounding_bound across(int) const { return x; }
   };
-  // unreachable: computed by the compiler
-  static constexpr double with_margin(const Rounding_bound& x) { return x.error * (1 + 0x1p-20); } // see below
+  // unreachable: computed by the compiler see below
+  static constexpr double with_margin(const Rounding_bound& x) { return x.error * (1 + 0x1p-20); }
 };
 
 // Rounded numbers can refute the conditions at an end of the edge, where they need only few control

@@ -33,7 +33,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Tells whether the lower orders are told apart when an edge has not the highest one that is asked for.
+// Tells whether the lower orders are told apart when an edge has not the highest one that is asked
+// for.
 enum class Lower_orders { as_one, told_apart };
 
 // The ladder for two patches along whole edges that are the same curve in one direction.
@@ -205,7 +206,8 @@ CGAL_GC_FORCEINLINE std::optional<bool> decide_on_layers(const Edge_points<T, N>
   if (a.along != b.along) return std::nullopt;
   const std::optional<Edge_direction> direction = common_direction(a, b);
   if (!direction) {
-    if (N == 4 && is_collapsed(a) && is_collapsed(b)) return std::nullopt; // perhaps one point with other weights
+    // perhaps one point with other weights
+    if (N == 4 && is_collapsed(a) && is_collapsed(b)) return std::nullopt;
     if (!stages.uses(Stage::comparison)) return std::nullopt;
     stages.decided(Stage::comparison, false);
     return false;

@@ -38,7 +38,8 @@ template <class FT> class Second_derivative_products {
 public:
   explicit Second_derivative_products(int m) : m_(m) {
     if (Work_meter* const work =
-            scope_of<FT>()) // the numbers have about 2 n digits in base 2, and each is used nine times
+            // the numbers have about 2 n digits in base 2, and each is used nine times
+        scope_of<FT>())
       // equivalent [+ -> -, 1]: an estimate of work
       work->charge_fractions(12. * m * m, static_cast<std::size_t>(1 + m / 32));
     FT diagonal(1);

@@ -18,9 +18,10 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The integer factors of the geometric forms in the differences a_k of a polygon of degree m and b_k of one of degree n, to
-// which the derivatives are proportional: x^(k) = m!/(m-k)! a_k / h^k. After the linear substitutions that make the first
-// derivatives a_1 and b_1, x'' = (m-1)/m a_2 and x''' = (m-1)(m-2)/m^2 a_3; a common denominator gives the factors
+// The integer factors of the geometric forms in the differences a_k of a polygon of degree m and
+// b_k of one of degree n, to which the derivatives are proportional: x^(k) = m!/(m-k)! a_k / h^k.
+// After the linear substitutions that make the first derivatives a_1 and b_1, x'' = (m-1)/m a_2 and
+// x''' = (m-1)(m-2)/m^2 a_3; a common denominator gives the factors
 //   a2 : b2 = (m-1)/m : (n-1)/n                        of the second derivatives,
 //   a3 : b3 = (m-1)(m-2)/m^2 : (n-1)(n-2)/n^2          of the third derivatives, for the torsion (m-2)/m : (n-2)/n,
 //   mix                                                of 3 beta_2 x'' in G3, in units of a3 and of the form for G2.
@@ -82,7 +83,7 @@ template <int k> CGAL_GC_FORCEINLINE bool weights_fit(const Parametric_degree_fa
   return largest <= std::int64_t(1) << 40;
 }
 
-// What integers of fixed length leave room for: factors below these.
+// Integers of fixed length allow factors below these.
 template <Join_question question> constexpr Degree_factors<std::int64_t> factor_limits() {
   constexpr std::int64_t second = std::int64_t(1) << 19,
                          third = std::int64_t(1) << (question == Join_question::torsion ? 19 : 28),
@@ -97,12 +98,13 @@ template <Join_question question> CGAL_GC_FORCEINLINE bool factors_fit(const Deg
          ((w.a2 | w.b2) < limits.a2 && (w.a3 | w.b3) < limits.a3 && w.mix < limits.mix);
 }
 
-// The end of a rational Bezier curve of degree m from its end point b_0 inwards, in the differences D_i = b_i - b_0. Divided by
-// (1-t)^m, numerator and denominator are polynomials of s = t/(1-t),
+// The end of a rational Bezier curve of degree m from its end point b_0 inwards, in the differences
+// D_i = b_i - b_0. Divided by (1-t)^m, numerator and denominator are polynomials of s = t/(1-t),
 //
 //   x - b_0 = sum_i e_i s^i / sum_i d_i s^i,  e_i = C(m, i) w_i/w_0 D_i,  d_i = C(m, i) w_i/w_0,
 //
-// and in the parameter r with s = r + d_1/2 r^2 + ..., whose third coefficient removes a multiple of e_1, this is
+// and in the parameter r with s = r + d_1/2 r^2 + ..., whose third coefficient removes a multiple
+// of e_1, this is
 //
 //   x - b_0 = e_1 r + (e_2 - d_1/2 e_1) r^2 + e_3 r^3 + ...
 //
@@ -111,11 +113,12 @@ template <Join_question question> CGAL_GC_FORCEINLINE bool factors_fit(const Deg
 //   x' = D_1,       x'' = alpha D_2 - D_1,   x''' = gamma D_3,
 //   alpha = (m-1)/m w_0 w_2 / w_1^2,   gamma = (m-1)(m-2)/m^2 w_0^2 w_3 / w_1^3.
 //
-// So geometric continuity, curvature and torsion are decided by the equations of polynomials, with these differences and with factors
-// into which the weights enter. In x'' the multiple of D_1 counts in G3 only. Weights w_i c^i in place of w_i change nothing.
+// So geometric continuity, curvature and torsion are decided by the equations of polynomials, with
+// these differences and with factors into which the weights enter. In x'' the multiple of D_1
+// counts in G3 only. Weights w_i c^i in place of w_i change nothing.
 //
-// From a common denominator, with beta and delta on the right (degree n, weights v_i) and all factors of one power of a product of
-// w_1 and v_1,
+// From a common denominator, with beta and delta on the right (degree n, weights v_i) and all
+// factors of one power of a product of w_1 and v_1,
 //   a2 : b2 : first = alpha : beta : 1     of the second derivatives,
 //   a3 : b3         = gamma : delta        of the third ones; for the torsion gamma/alpha : delta/beta,
 //   mix             = 3 alpha              in G3, in units of a3 and of the form for G2.

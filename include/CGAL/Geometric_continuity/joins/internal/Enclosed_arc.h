@@ -18,8 +18,9 @@
 #include <utility>
 
 /// \file Enclosed_arc.h
-/// The directions of arcs of rotated ellipses, which are not rational: they are enclosed by exact numbers, as narrow as
-/// is asked for. Two arcs of one ellipse, or of one that is larger, are compared exactly.
+/// The directions of arcs of rotated ellipses, which are not rational: they are enclosed by exact
+/// numbers, as narrow as is asked for. Two arcs of one ellipse, or of one that is larger, are
+/// compared exactly.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -108,8 +109,8 @@ template <class Traits> class Enclosed_arc {
 public:
   explicit Enclosed_arc(const Elliptical_arc<Traits>& arc) : arc_(arc) {}
 
-  // The tangent at an end, with bounds that differ by about 2^-bits times the numbers of the arc; nothing where that is
-  // too little.
+  // The tangent at an end, with bounds that differ by about 2^-bits times the numbers of the arc;
+  // nothing where that is too little.
   std::optional<std::array<Range, 2>> tangent(Curve_end which, int bits) const {
     std::array<Range, 2> k{Range(arc_.k_[0]), Range(arc_.k_[1])};
     Range d(arc_.radicand_);
@@ -132,10 +133,11 @@ public:
     return tangent;
   }
 
-  // The jets at the end of this arc and at the start of another one in coordinates in which they are rational, if both
-  // are halves of ellipses, or are parts of equal angle on different sides of their chords, and the chords are
-  // parallel: then the derivatives of one are multiples of those of the other one. Here x - c, the way from the centre,
-  // and its quarter turn are the unit vectors.
+  // The jets at the end of this arc and at the start of another one in coordinates in which they
+  // are rational, if both are halves of ellipses, or are parts of equal angle on different sides of
+  // their chords, and the chords are parallel: then the derivatives of one are multiples of those
+  // of the other one. Here x - c, the way from the centre, and its quarter turn are the unit
+  // vectors.
   std::optional<std::pair<Jet, Jet>> common_jets(const Enclosed_arc& next, int order) const {
     if (arc_.is_known() || next.arc_.is_known() || ellipse().degrees != next.ellipse().degrees) return std::nullopt;
     const Coordinates<Traits> h = arc_.half_chord(), g = next.arc_.half_chord();

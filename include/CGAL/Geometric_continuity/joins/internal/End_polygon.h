@@ -21,15 +21,15 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// Four control points of an end from the join inwards, x_0 to x_3; beyond the degree, and beyond the order k that is asked for,
-// the last one is repeated or they are unspecified.
+// Four control points of an end from the join inwards, x_0 to x_3; beyond the degree, and beyond
+// the order k that is asked for, the last one is repeated or they are unspecified.
 template <class T, int N> using End_polygon = std::array<std::array<T, N>, 4>;
 
 // Numbers that become doubles without rounding.
 template <class FT> constexpr bool is_double = std::is_floating_point_v<FT> && sizeof(FT) <= sizeof(double);
 
-// The end of a curve with double coordinates, or its start, as given. `Points` is something with degree(), domain() and
-// coordinate(j, i).
+// The end of a curve with double coordinates, or its start, as given. `Points` is something with
+// degree(), domain() and coordinate(j, i).
 template <int k, int N, class Points> CGAL_GC_FORCEINLINE End_polygon<double, N> points_of(const Points& end) {
   const int m = end.degree();
   const auto point = [&](int j) -> std::array<double, N> {
@@ -61,8 +61,8 @@ CGAL_GC_FORCEINLINE First_differences<T, N> first_differences(const std::array<s
     return {internal::minus(x[1], x[0]), internal::minus(x[2], x[1]), internal::minus(x[3], x[2])};
 }
 
-// The differences a_k (left) or b_k (right) from the first differences: from the join inwards, those of odd order point backwards on the
-// left.
+// The differences a_k (left) or b_k (right) from the first differences: from the join inwards,
+// those of odd order point backwards on the left.
 template <int k, bool left, class T, std::size_t N>
 CGAL_GC_FORCEINLINE Differences<T, N> differences_of(const std::array<std::array<T, N>, 3>& differences, int degree) {
   const std::array<T, N> zero = zero_vector<T, N>();
@@ -160,7 +160,8 @@ CGAL_GC_FORCEINLINE Difference_bounds bounds_of_differences(const std::array<std
   return {first, 2 * second, 4 * third};
 }
 
-// The differences b_i - b_0 from the end point inwards, in the direction of the curve, for k = 1, 2, 3.
+// The differences b_i - b_0 from the end point inwards, in the direction of the curve, for k = 1,
+// 2, 3.
 template <int k, bool left, class T, std::size_t N>
 CGAL_GC_FORCEINLINE Differences<T, N> chords_from_end(const std::array<std::array<T, N>, 4>& x) {
   Differences<T, N> d{};
@@ -230,9 +231,10 @@ CGAL_GC_FORCEINLINE Grid_differences<N> grid_differences_of(const std::array<std
 
 #if defined(__GNUC__)
 
-// The largest power of two of which all coordinates of two ends are multiples, if these have at most 52 bits and no difference is longer
-// than 53: then each first difference and each difference, of at most `largest`, is a multiple of the unit, hence a double, and was computed
-// without rounding.
+// The largest power of two of which all coordinates of two ends are multiples, if these have at
+// most 52 bits and no difference is longer than 53: then each first difference and each difference,
+// of at most `largest`, is a multiple of the unit, hence a double, and was computed without
+// rounding.
 template <int k, std::size_t N>
 CGAL_GC_FORCEINLINE bool find_common_unit(const std::array<std::array<double, N>, 4>& p,
                                           const std::array<std::array<double, N>, 4>& q, double largest, int& unit) {

@@ -28,10 +28,11 @@
 #include <vector>
 
 /// \file Grid_join.h
-/// Decimals become integers when they are multiplied by a power of ten. No order of continuity changes when all points are multiplied
-/// by one factor and all parameters by another one. So the stages decide the joins of curves that are given by decimals on ends of
-/// integers. Of a span of a B-spline curve whose knots and control points are integers, the Bézier
-/// points are found first, as long as the numbers stay short.
+/// Decimals become integers when they are multiplied by a power of ten. No order of continuity
+/// changes when all points are multiplied by one factor and all parameters by another one. So the
+/// stages decide the joins of curves that are given by decimals on ends of integers. Of a span of a
+/// B-spline curve whose knots and control points are integers, the Bézier points are found first,
+/// as long as the numbers stay short.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -46,7 +47,8 @@ template <int N> struct Short_point {
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// ((whole - part) x + part y) / whole, for 0 <= part <= whole and 0 < whole < 2^60. Returns false where numbers get longer than 60 bits.
+// ((whole - part) x + part y) / whole, for 0 <= part <= whole and 0 < whole < 2^60. Returns false
+// where numbers get longer than 60 bits.
 template <int N>
 bool combine(const Short_point<N>& x, const Short_point<N>& y, std::int64_t part, std::int64_t whole,
              Short_point<N>& result) {
@@ -79,8 +81,9 @@ bool combine(const Short_point<N>& x, const Short_point<N>& y, std::int64_t part
   return true;
 }
 
-// The Bezier point with the blossom f(a, ..., a, b, ..., b), where a is taken `as` times, of the span [a, b] of a B-spline curve of
-// degree p with the control points c_0, ..., c_p and knots t_0, ..., t_2p+1: a = t_p and b = t_p+1.
+// The Bezier point with the blossom f(a, ..., a, b, ..., b), where a is taken `as` times, of the
+// span [a, b] of a B-spline curve of degree p with the control points c_0, ..., c_p and knots t_0,
+// ..., t_2p+1: a = t_p and b = t_p+1.
 template <int N>
 bool short_bezier_point(const std::vector<std::int64_t>& t, std::vector<Short_point<N>> c, int as,
                         Short_point<N>& result) {
@@ -106,7 +109,8 @@ bool short_bezier_point(const std::vector<std::int64_t>&, std::vector<Short_poin
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// Returns whether the control points next to an end of a part that has one span are Bezier points; see Bspline_ends.
+// Returns whether the control points next to an end of a part that has one span are Bezier points;
+// see Bspline_ends.
 template <class Part> bool has_bezier_points(const Part& part, bool at_end) {
   const int p = part.degree, few = (std::min)(p, 3), before = at_end ? few : p, after = at_end ? p : few;
   for (int i = 1; i < before; ++i)
@@ -125,8 +129,9 @@ inline Interval_nt<false> enclosed_product(std::int64_t x, const Interval_nt<fal
 }
 inline Interval_nt<false> enclosed_product(const Interval_nt<false>& x, const Interval_nt<false>& y) { return x * y; }
 
-// Encloses the jet of order 3 at an end with respect to a parameter of the domain [0, 1], from the points in these units: differences of
-// integers are exact. \pre rounding upwards, as in the scope of Protect_FPU_rounding
+// Encloses the jet of order 3 at an end with respect to a parameter of the domain [0, 1], from the
+// points in these units: differences of integers are exact. \pre rounding upwards, as in the scope
+// of Protect_FPU_rounding
 template <bool left, class T, std::size_t N>
 Coordinate_jet<Interval_nt<false>, static_cast<int>(N)> enclosed_jet(const std::array<std::array<T, N>, 4>& points,
                                                                      int degree, const Interval_nt<false>& unit) {
@@ -181,8 +186,8 @@ public:
   }
 };
 
-// A join on grids: the points and parameters of the curves are these times powers of ten. It answers questions as
-// decide_all_questions() asks them.
+// A join on grids: the points and parameters of the curves are these times powers of ten. It
+// answers questions as decide_all_questions() asks them.
 template <int N> class Grid_join {
   Integer_end<N> left_, right_;
   bool is_short_ = false; // as the first differences of double numbers are
@@ -214,8 +219,8 @@ public:
            set_integers(x.degree, y.degree, integers, ends);
   }
 
-  // Brings the join of two Bezier curves with rational coordinates over domains with integers as ends on grids. Returns false if the
-  // numbers are too long.
+  // Brings the join of two Bezier curves with rational coordinates over domains with integers as
+  // ends on grids. Returns false if the numbers are too long.
   template <class Traits, int Degree>
   bool set_rationals(const Bezier_polygon<Traits, Degree>& x, const Bezier_polygon<Traits, Degree>& y) {
     typedef Rational_parts<typename Traits::FT> Parts;
@@ -235,8 +240,8 @@ public:
     return set_fractions(x.degree(), y.degree(), numerators, denominators, ends);
   }
 
-  // Everything that Join_continuity says, or only the orders, for orders up to 3. Returns false when some of it needs multi-precision
-  // numbers; then `join` is unspecified.
+  // Everything that Join_continuity says, or only the orders, for orders up to 3. Returns false
+  // when some of it needs multi-precision numbers; then `join` is unspecified.
   template <class FT> bool decide(int max_order, Join_continuity<FT>& join, Join_asked asked) const {
     if (!decide_all_questions(*this, max_order, join, asked)) return false;
     if (join.g_order >= 1 && asked != Join_asked::orders) {
@@ -260,8 +265,8 @@ public:
     return curvatures_differ<N>(left_, right_) ? Join_answer::no : Join_answer::unknown;
   }
 
-  // Enclosures of the jets of order 3 on both sides, with respect to parameters of the domain [0, 1]. \pre rounding upwards, as in
-  // the scope of Protect_FPU_rounding
+  // Enclosures of the jets of order 3 on both sides, with respect to parameters of the domain [0,
+  // 1]. \pre rounding upwards, as in the scope of Protect_FPU_rounding
   typedef Coordinate_jet<Interval_nt<false>, N> Jet;
   std::pair<Jet, Jet> enclosed_jets() const {
     typedef Interval_nt<false> Interval;

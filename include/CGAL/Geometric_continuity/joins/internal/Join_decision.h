@@ -24,8 +24,9 @@ namespace Geometric_continuity {
 
 namespace internal {
 
-// The span of vectors that come one at a time, by elimination without fractions (Bareiss): all numbers are minors of the
-// vectors, those of floating-point type up to powers of two. O(n k) operations for each of k vectors of dimension n.
+// The span of vectors that come one at a time, by elimination without fractions (Bareiss): all
+// numbers are minors of the vectors, those of floating-point type up to powers of two. O(n k)
+// operations for each of k vectors of dimension n.
 template <class FT, int N> class Vector_span {
   typedef Coordinate_vector<FT, N> Vector;
   std::vector<Vector> rows_;
@@ -67,12 +68,13 @@ private:
   }
 };
 
-// The decision on two jets X (left) and Y (right) in one field, for every order and dimension, without divisions but exact
-// ones. The same decision for orders up to 3 in the plane and in space, on the differences of control points, is
-// Join_equations; test_decide_join compares the two.
+// The decision on two jets X (left) and Y (right) in one field, for every order and dimension,
+// without divisions but exact ones. The same decision for orders up to 3 in the plane and in space,
+// on the differences of control points, is Join_equations; test_decide_join compares the two.
 //
-// Jets of floating-point numbers are scaled first, by powers of two, so that the first derivatives have a length of about 1
-// and the others are not longer: nothing overflows, and the answers do not depend on the units.
+// Jets of floating-point numbers are scaled first, by powers of two, so that the first derivatives
+// have a length of about 1 and the others are not longer: nothing overflows, and the answers do not
+// depend on the units.
 template <class FT, int N> class Join_decision {
   typedef Coordinate_jet<FT, N> Jet;
   typedef Coordinate_vector<FT, N> Vector;
@@ -129,7 +131,7 @@ private:
         work_meter().charge_fractions(number, words, other_words);
     }
   }
-  // Of long numbers only; others are taken for fractions.
+  // Recognises long numbers only; others are taken for fractions.
   static bool is_whole(const FT& x, std::size_t words) {
     constexpr std::size_t few = 8;
     if constexpr (Common_denominator<FT>::clears)
@@ -229,8 +231,8 @@ private:
     return determinant<FT>(3, [&](int row, int column) -> const FT& { return jet[row + 1][column]; });
   }
 
-  // The coordinates times 2^s and the parameters divided by 2^l and 2^r, with s + l and s + r such that the first derivatives
-  // are about 1, and the least s such that no other one is larger.
+  // The coordinates times 2^s and the parameters divided by 2^l and 2^r, with s + l and s + r such
+  // that the first derivatives are about 1, and the least s such that no other one is larger.
   void scale_jets() {
     const char* const place = "continuity: derivatives";
     const int first_x = exponent_of(X[1], place), first_y = exponent_of(Y[1], place);
@@ -239,7 +241,8 @@ private:
     const auto include = [&](const Jet& jet, int first) {
       for (int j = 2; j <= jet.order(); ++j) {
         if (is_zero(jet[j])) continue;
-        const int excess = exponent_of(jet[j], place) - j * first; // divided by j - 1 and rounded up
+        // divided by j - 1 and rounded up
+        const int excess = exponent_of(jet[j], place) - j * first;
         const int least = excess > 0 ? (excess + j - 2) / (j - 1) : -(-excess / (j - 1));
         s = straight ? least : (std::max)(s, least);
         straight = false;

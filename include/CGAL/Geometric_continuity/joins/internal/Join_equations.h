@@ -30,7 +30,7 @@ template <class T> struct Join_ratio {
   }
 };
 
-// What is known of exact numbers.
+// Tells if an exact number is zero.
 template <class T> struct Exact_zero {
   static constexpr bool exact = true, pivot_is_first = true;
   template <class X> bool operator()(Join_question, const X& x) const {
@@ -47,11 +47,11 @@ struct Modular_zero {
   template <class X> bool operator()(Join_question, const X& x) const { return is_zero(x); }
 };
 
-// The equations of the join of two polygons with nonzero first differences. `Zero` says whether the value of a form may be
-// zero: with exact numbers whether it is; otherwise only `false` is a proof.
+// The equations of the join of two polygons with nonzero first differences. `Zero` says whether the
+// value of a form may be zero: with exact numbers whether it is; otherwise only `false` is a proof.
 //
-// The pivot is a coordinate that does not vanish in a1. With `Zero::pivot_is_first` it is the first one, and of the three
-// coordinates of x times a1 = 0 only the two with x_0 need be tested.
+// The pivot is a coordinate that does not vanish in a1. With `Zero::pivot_is_first` it is the first
+// one, and of the three coordinates of x times a1 = 0 only the two with x_0 need be tested.
 template <class T, int N, class Weights, class Zero> class Join_equations {
   typedef std::array<T, N> Vector;
   const Vector &a1, &a2, &a3, &b1, &b2, &b3;
@@ -94,8 +94,9 @@ public:
       return is_parallel(Join_question::g2, difference_vector(x, b2, y, a2));
   }
 
-  // The condition for G3 besides G2: q^3 a1_0 b3 - p^3 a1_0 a3 - 3 p V_0 a2 is a multiple of a1, where 0 is the pivot; here
-  // beta_2 is V_0 / (q^2 a1_0). The second derivatives of rational curves have -b1 and +a1 added, so V has -(q^2 p + p^2 q).
+  // The condition for G3 besides G2: q^3 a1_0 b3 - p^3 a1_0 a3 - 3 p V_0 a2 is a multiple of a1,
+  // where 0 is the pivot; here beta_2 is V_0 / (q^2 a1_0). The second derivatives of rational
+  // curves have -b1 and +a1 added, so V has -(q^2 p + p^2 q).
   constexpr CGAL_GC_FORCEINLINE bool g3(const Ratio& r) const {
     typedef typename Ratio::Square Square;
     typedef Product<Scaled<typename Ratio::Cube, decltype(w.b3)>, T> Fourth;
@@ -108,8 +109,8 @@ public:
     return is_parallel(Join_question::g3, internal::minus(difference_vector(x, b3, y, a3), multiplied(z, a2)));
   }
 
-  // The condition for F3 besides G2: q^3 b3 - p^3 a3 lies in the span of a1 and a2, which has the normal n = a1 x a2; when
-  // this is zero, in that of a1.
+  // The condition for F3 besides G2: q^3 b3 - p^3 a3 lies in the span of a1 and a2, which has the
+  // normal n = a1 x a2; when this is zero, in that of a1.
   constexpr CGAL_GC_FORCEINLINE bool f3(const Ratio& r) const {
     typedef Scaled<typename Ratio::Cube, decltype(w.b3)> Cube;
     const Cube x = scaled(r.cube(r.q), w.b3), y = scaled(r.cube(r.p), w.a3);
@@ -119,7 +120,8 @@ public:
     return zero(Join_question::f3, difference_form(x, dot_form(n, b3), y, dot_form(n, a3)));
   }
 
-  // Not for parallel tangents only: K = (g a2 - (a1.a2) a1) / g^2 with g = a1.a1, and the same of b on the right.
+  // Not for parallel tangents only: K = (g a2 - (a1.a2) a1) / g^2 with g = a1.a1, and the same of b
+  // on the right.
   constexpr CGAL_GC_FORCEINLINE bool curvature_vectors_equal() const {
     typedef Product<T, T> Second;
     typedef Product<Second, Second> Fourth;
@@ -131,7 +133,8 @@ public:
                                             difference_vector(h, b2, dot_form(b1, b2), b1)));
   }
 
-  // (n.a3) / n.n is the torsion, with n = a1 x a2. \pre neither normal is zero; a proof of `false` holds without
+  // (n.a3) / n.n is the torsion, with n = a1 x a2. \pre neither normal is zero; a proof of `false`
+  // holds without
   constexpr CGAL_GC_FORCEINLINE bool torsions_equal() const {
     const std::array<Product<T, T>, 3> n = cross_form(a1, a2), o = cross_form(b1, b2);
     return zero(Join_question::torsion, difference_form(scaled(dot_form(n, a3), w.a3), dot_form(o, o),

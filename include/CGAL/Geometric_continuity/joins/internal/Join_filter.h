@@ -22,13 +22,15 @@ constexpr int join_questions = 10;
 
 // For each form, its error when all differences and all integer factors have the bound 1.
 //
-// Let the differences a_k, b_k and the factors have bounds A_k, B_k, w instead. Each form is a sum of products of these
-// numbers, and so is the bound of its error: the very same products of A_k, B_k, w with nonnegative factors, because the
-// error of each of the three operations is at most a multiple of the bounds of its result. The sum is therefore
-// at most the error for bounds 1 times the largest of these products.
+// Let the differences a_k, b_k and the factors have bounds A_k, B_k, w instead. Each form is a sum
+// of products of these numbers, and so is the bound of its error: the very same products of A_k,
+// B_k, w with nonnegative factors, because the error of each of the three operations is at most a
+// multiple of the bounds of its result. The sum is therefore at most the error for bounds 1 times
+// the largest of these products.
 //
-// The differences are computed from the first differences l of the polygon, each of which is rounded once: |l| <= L gives |a1| <= L,
-// |a2| <= 2 L, |a3| <= 4 L. So first differences of at most 1, 1/2 and 1/4 give differences with bound 1.
+// The differences are computed from the first differences l of the polygon, each of which is
+// rounded once: |l| <= L gives |a1| <= L, |a2| <= 2 L, |a3| <= 4 L. So first differences of at most
+// 1, 1/2 and 1/4 give differences with bound 1.
 struct Join_rounding {
   std::array<double, join_questions> error{};
 
@@ -93,15 +95,16 @@ struct Difference_bounds {
   double d1, d2, d3;
 };
 
-// Says of the value of a form in floating-point arithmetic whether the exact value may be zero. \pre `in_range()`
-// `Rounding` gives the errors of the differences.
+// Says of the value of a form in floating-point arithmetic whether the exact value may be zero.
+// \pre `in_range()` `Rounding` gives the errors of the differences.
 template <class Weights, class Rounding = Rounding_of_differences> struct Join_filter {
   const Difference_bounds &A, &B;
   const Weights& w;
 
-  // All bounds lie within 2^-100 and 2^100, the factors within 1 (or 0) and 2^40. No product of at most seven differences
-  // and the factors overflows. A product x y that underflows brings an error of at most 2^-1074, less than 2^-300 times the
-  // error 2^-52 X Y that is allowed for, since X Y >= 2^-700.
+  // All bounds lie within 2^-100 and 2^100, the factors within 1 (or 0) and 2^40. No product of at
+  // most seven differences and the factors overflows. A product x y that underflows brings an error
+  // of at most 2^-1074, less than 2^-300 times the error 2^-52 X Y that is allowed for, since X
+  // Y >= 2^-700.
   CGAL_GC_FORCEINLINE bool in_range() const {
     return 0x1p-100 <= A.d1 && 0x1p-100 <= B.d1 && A.d3 <= 0x1p100 && B.d3 <= 0x1p100;
   }
@@ -112,7 +115,8 @@ template <class Weights, class Rounding = Rounding_of_differences> struct Join_f
     return !(std::abs(x) > rounding.error[static_cast<int>(form)] * largest_product(form));
   }
 
-  // The exact value of a form that may be zero is smaller than 2 to this power: at most twice its error.
+  // The exact value of a form that may be zero is smaller than 2 to this power: at most twice its
+  // error.
   CGAL_GC_FORCEINLINE int exponent_of_bound(Join_question form) const {
     constexpr Join_rounding rounding = Rounding::value();
     return binary_exponent(rounding.error[static_cast<int>(form)] * largest_product(form)) + 2;

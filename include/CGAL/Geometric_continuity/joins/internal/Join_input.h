@@ -18,19 +18,24 @@
 #include <utility>
 
 /// \file Join_input.h
-/// What the stages of Join_ladder.h ask of two ends, for each kind of ends. A stage says what it needs:
+/// What the stages of Join_ladder.h ask of two ends, for each kind of ends. A stage says what it
+/// needs:
 ///
-/// - signs: `first_left()` and `first_right()`, the first differences with the signs of the exact ones, and the `pivot()`;
+/// - signs: `first_left()` and `first_right()`, the first differences with the signs of the exact
+///   ones, and the `pivot()`;
 /// - factors: `find_factors()`, or else `first_derivatives_differ()`;
-/// - the filter: `left()`, `right()`, `left_bounds()`, `right_bounds()` and `rounded_factors()`, with the errors of `Rounding`;
-/// - residues: `find_unit()`, `integer_factors()`, `left_in()`, `right_in()` and `units_of_factors()`, in as many limbs as the first of `Limbs` that suffices;
+/// - the filter: `left()`, `right()`, `left_bounds()`, `right_bounds()` and `rounded_factors()`,
+///   with the errors of `Rounding`;
+/// - residues: `find_unit()`, `integer_factors()`, `left_in()`, `right_in()` and
+///   `units_of_factors()`, in as many limbs as the first of `Limbs` that suffices;
 /// - the grid: `left_grid()` and `right_grid()`.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The lengths of two domains as whole numbers of at most 1024, if the ends of the domains are multiples of 2^-20 up to 2^20.
+// The lengths of two domains as whole numbers of at most 1024, if the ends of the domains are
+// multiples of 2^-20 up to 2^20.
 struct Short_lengths {
   std::int64_t left = 1, right = 1;
   bool valid = true;
@@ -51,8 +56,9 @@ struct Short_lengths {
   }
 };
 
-// Returns whether m l a1 and n h b1, to which the first derivatives are proportional, differ by more than their rounding errors, for
-// domains of any lengths h and l. Each number is rounded four times.
+// Returns whether m l a1 and n h b1, to which the first derivatives are proportional, differ by
+// more than their rounding errors, for domains of any lengths h and l. Each number is rounded four
+// times.
 template <std::size_t N>
 bool first_derivatives_differ(const std::array<double, N>& a1, int m, const std::pair<double, double>& left,
                               const std::array<double, N>& b1, int n, const std::pair<double, double>& right) {
@@ -68,7 +74,8 @@ bool first_derivatives_differ(const std::array<double, N>& a1, int m, const std:
 // The degrees up to which factors are exact.
 CGAL_GC_FORCEINLINE bool degrees_fit(int m, int n) { return (std::max)(m, n) <= 1000; }
 
-// An end with double coordinates, read once: as many points as a question needs, and the domain if it is asked for.
+// An end with double coordinates, read once: as many points as a question needs, and the domain if
+// it is asked for.
 template <int N> class Double_end {
   int degree_;
   std::pair<double, double> domain_;
@@ -92,10 +99,12 @@ public:
   const std::pair<double, double>& domain() const { return domain_; }
   double coordinate(int j, int i) const { return points_[j][i]; }
   const End_polygon<double, N>& points() const { return points_; }
-  const First_differences<double, N>& first_differences() const { return first_differences_; } // inwards
+  // inwards
+  const First_differences<double, N>& first_differences() const { return first_differences_; }
 };
 
-// What two ends without weights have in common: first differences as doubles that are rounded once, and the factors of the degrees.
+// What two ends without weights have in common: first differences as doubles that are rounded once,
+// and the factors of the degrees.
 template <Join_question question_, int N> class Rounded_polygons {
   static constexpr int k = highest_difference(question_);
 
@@ -177,7 +186,8 @@ public:
   }
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-  // That suffice as a rule: a form of degree d in numbers of n bits that has passed the filter has about (d - 1) n bits.
+  // These numbers of limbs suffice as a rule: a form of degree d in numbers of n bits that has
+  // passed the filter has about (d - 1) n bits.
   typedef std::integer_sequence<int, form_degree(question_) <= 2 ? 2 : form_degree(question_) <= 4 ? 3 : 4> Limbs;
   // A number of one limb of which products are residues.
   template <int limbs> using Integer = Fixed_integer<1, limbs>;
@@ -202,7 +212,8 @@ public:
 #endif
 };
 
-// An end with integers as coordinates, all below 2^60 in absolute value: its first differences are below 2^61, and become doubles by one rounding.
+// An end with integers as coordinates, all below 2^60 in absolute value: its first differences are
+// below 2^61, and become doubles by one rounding.
 template <int N> class Integer_end {
   End_polygon<std::int64_t, N> points_;                  // the last one repeated
   First_differences<std::int64_t, N> first_differences_; // inwards
@@ -232,7 +243,8 @@ public:
   }
 };
 
-// Two such ends, which must outlive the object. Differences have one limb; the second one is room for the factors, where first differences are long.
+// Two such ends, which must outlive the object. Differences have one limb; the second one is room
+// for the factors, where first differences are long.
 template <Join_question question_, int N, int limbs_of_differences>
 class Integer_join : public Rounded_polygons<question_, N> {
   typedef Rounded_polygons<question_, N> Base;
@@ -289,8 +301,9 @@ public:
 #endif
 };
 
-// The weights of an end, w_j c^j times a factor, so that the first two are in [1, 2): powers of two do this without rounding, and the
-// curve is the same in another parameter. Not valid unless all lie within 2^-20 and 2^20.
+// The weights of an end, w_j c^j times a factor, so that the first two are in [1, 2): powers of two
+// do this without rounding, and the curve is the same in another parameter. Not valid unless all
+// lie within 2^-20 and 2^20.
 template <int k> class End_weights {
   std::array<double, 4> w_; // k + 1 of them
   bool valid_;
@@ -312,7 +325,8 @@ public:
   CGAL_GC_FORCEINLINE bool valid() const { return valid_; }
   CGAL_GC_FORCEINLINE const std::array<double, 4>& operator()() const { return w_; }
 
-  // The largest power of two of which all weights are multiples is 2 to this power. \pre they are valid
+  // The largest power of two of which all weights are multiples is 2 to this power. \pre they are
+  // valid
   CGAL_GC_FORCEINLINE int exponent_of_unit() const {
     int unit = 20;
     for (int j = 0; j <= k; ++j) {
@@ -332,8 +346,8 @@ public:
   }
 };
 
-// For differences that are rounded once and factors that come from weights by at most nine operations: each factor is at most its value
-// 1 with an error of 16 units.
+// For differences that are rounded once and factors that come from weights by at most nine
+// operations: each factor is at most its value 1 with an error of 16 units.
 struct Rounding_of_weighted_ends {
   // unreachable: computed by the compiler
   static constexpr Join_rounding value() {
@@ -342,7 +356,8 @@ struct Rounding_of_weighted_ends {
   }
 };
 
-// Ends with double coordinates and positive weights, for a question into which the weights enter. They must outlive the object.
+// Ends with double coordinates and positive weights, for a question into which the weights enter.
+// They must outlive the object.
 template <Join_question question_, int N, class Left, class Right> class Weighted_join {
   static constexpr int k = highest_difference(question_);
 
@@ -406,7 +421,8 @@ public:
   CGAL_GC_FORCEINLINE Units units_of_factors(const Factors& w) const {
     return {w.left.exponent_of_unit(), w.right.exponent_of_unit()};
   }
-  // Those that have one limb, as the factors of ends without weights. Here all products are exact as doubles.
+  // Those that have one limb, as the factors of ends without weights. Here all products are exact
+  // as doubles.
   template <int limbs> static constexpr bool has_short_factors = question == Join_question::g2&& limbs == 3;
   CGAL_GC_FORCEINLINE bool short_factors(const Rounded_factors& factors, const Units& units,
                                          Degree_factors<std::int64_t>& w) const {
@@ -431,11 +447,12 @@ public:
 #endif
 };
 
-// Returns whether the first derivatives of two ends with double coordinates and positive weights differ by more than their rounding
-// errors.
+// Returns whether the first derivatives of two ends with double coordinates and positive weights
+// differ by more than their rounding errors.
 template <int N, class Left, class Right> bool weighted_derivatives_differ(const Left& left, const Right& right) {
   const auto ratio = [](const auto& end) -> double {
-    const double first = end.weight(0), second = end.weight((std::min)(1, end.degree())); // of shorter types, too
+    // of shorter types, too
+    const double first = end.weight(0), second = end.weight((std::min)(1, end.degree()));
     return second / first;
   };
   const auto first_derivative = [](const First_differences<double, N>& d, double factor) {

@@ -17,8 +17,10 @@
 #include <utility>
 
 /// \file Join_ladder.h
-/// The stages by which a question about a join is decided on two ends (Join_input.h), from the cheapest to the one that is left: signs, a
-/// rounded form that exceeds its error, residues of a form that is smaller than the modulus. Each answers, or `unknown`. What all of them leave open is decided in numbers of any length (decide_in_ring.h).
+/// The stages by which a question about a join is decided on two ends (Join_input.h), from the
+/// cheapest to the one that is left: signs, a rounded form that exceeds its error, residues of a
+/// form that is smaller than the modulus. Each answers, or `unknown`. What all of them leave open
+/// is decided in numbers of any length (decide_in_ring.h).
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -31,8 +33,9 @@ template <class T, std::size_t N> CGAL_GC_FORCEINLINE bool is_on_axis(const std:
   return true;
 }
 
-// By the signs of the first differences: the largest coordinate of the left one is the pivot. Where the tangents run along the same axis,
-// as most at the smooth joins of drawings do, nothing is left to ask for G1.
+// By the signs of the first differences: the largest coordinate of the left one is the pivot. Where
+// the tangents run along the same axis, as most at the smooth joins of drawings do, nothing is left
+// to ask for G1.
 template <Join_question question, class T, std::size_t N>
 CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<T, N>& a1, const std::array<T, N>& b1, int pivot) {
   const T x = coordinate_at(a1, pivot), y = coordinate_at(b1, pivot);
@@ -47,13 +50,16 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<T, N>& a1, cons
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// On ends whose rounded forms have passed the filter: a whole number that is divisible by 2^s and smaller than 2^s is 0.
+// On ends whose rounded forms have passed the filter: a whole number that is divisible by 2^s and
+// smaller than 2^s is 0.
 //
-// Let all differences be multiples of a unit 2^g, and the factors of a form be whole numbers w times a power of two. In units they are
-// whole numbers, the differences of points with 53 bits: |a1| <= 2^54, |a2| <= 2^55, |a3| <= 2^56. Factors are below their limits. What is
-// shorter than the residues stays within its limbs: test_integer_lengths.cpp computes the bounds by the same equations. The bound that the
-// filter proves for a form of degree d is divided by 2^(g d) and by the power of the factors. Forms of degree at most 2, and for polynomials the one
-// for G2 with the limbs of a form of degree 6, are shorter than the residues anyway.
+// Let all differences be multiples of a unit 2^g, and the factors of a form be whole numbers w
+// times a power of two. In units they are whole numbers, the differences of points with 53
+// bits: |a1| <= 2^54, |a2| <= 2^55, |a3| <= 2^56. Factors are below their limits. What is shorter
+// than the residues stays within its limbs: test_integer_lengths.cpp computes the bounds by the
+// same equations. The bound that the filter proves for a form of degree d is divided by 2^(g d) and
+// by the power of the factors. Forms of degree at most 2, and for polynomials the one for G2 with
+// the limbs of a form of degree 6, are shorter than the residues anyway.
 template <class Input, class Filter> class Residue_width {
   const Filter& filter_;
   int unit_;
@@ -101,11 +107,13 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_residues_with(const Factors& w, const 
   if constexpr (question == Join_question::torsion)
     if (!equations.both_have_curvature()) return decided(Join_answer::undefined);
   if constexpr (question == Join_question::f3)
-    if (!equations.left_has_curvature()) return Join_answer::unknown; // another form counts, without a bound
+    // another form counts, without a bound
+    if (!equations.left_has_curvature()) return Join_answer::unknown;
   return decided(all_hold<question>(equations) ? Join_answer::yes : Join_answer::no);
 }
-// By residues of the least length that suffices. Long ones need much room, and are compiled apart. That is called by value, since what it
-// could read by reference would not stay in registers anywhere.
+// By residues of the least length that suffices. Long ones need much room, and are compiled apart.
+// That is called by value, since what it could read by reference would not stay in registers
+// anywhere.
 template <class Input, class Width, class Stages, int... limbs>
 BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Width width, int pivot,
                                                    Stages& stages, std::integer_sequence<int, limbs...>);
@@ -183,8 +191,8 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_stages(const Input& join, Stages& stag
   return Join_answer::unknown;
 }
 
-// What the ladder decides of two ends with double coordinates: they are read by the constructor, with positive weights if they are asked
-// for them.
+// Decides two ends with double coordinates by the ladder. The constructor reads them, with positive
+// weights if these are asked for.
 template <Join_question question, int N, bool weighted, class Left, class Right> class Join_reader {
   Double_end<N> left_, right_;
   Short_lengths lengths_;

@@ -5,8 +5,9 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_QUESTION_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_JOIN_QUESTION_H
 
-// The vocabulary of the exact decisions about joins of curves in the plane and in space: what is asked, what is answered, and
-// the stages of which each proves something. From a predicate of join_predicates.h the calls go
+// The vocabulary of the exact decisions about joins of curves in the plane and in space: what is
+// asked, what is answered, and the stages of which each proves something. From a predicate of
+// join_predicates.h the calls go
 //
 //   is_g2_join          join_predicates.h
 //   decide_join         decide_join.h      control points or jets?
@@ -19,19 +20,20 @@
 //       decide_by_residues                 a form below a proven bound, modulo a power of two above it
 //     decide_in_ring    decide_in_ring.h   doubles by remainders, or the numbers of an exact kernel
 //
-// and continuity() of join_continuity.h asks the ladder several questions (decide_all_questions.h). Ends without control
-// points and dimensions above 3 are decided by Join_decision. All stages evaluate one text, Join_equations. It is a template
-// with three axes:
+// and continuity() of join_continuity.h asks the ladder several questions (decide_all_questions.h).
+// Ends without control points and dimensions above 3 are decided by Join_decision. All stages
+// evaluate one text, Join_equations. It is a template with three axes:
 //
-// - `Zero` says what is known of a number whose form has been computed. Exact_zero: it is 0 or not. Join_filter: if the
-//   rounded value exceeds the bound of its error the exact one is not 0; otherwise nothing. Modular_zero: the number is smaller
-//   than the modulus, so it is 0 if and only if its residue is. Join_rounding: nothing is known, the bound of the error is
-//   recorded.
-// - `Weights` are the factors of the differences by which degrees and domains enter. Parametric_degree_factors (both, for C^k) or
-//   Degree_factors (degrees, for all others), in the integers or doubles in which the stage computes. Weighted_degree_factors has the
-//   weights of rational curves besides the degrees.
-// - `Stages` says which stages are taken, and is told what each of them decides. All_stages takes all of them and records
-//   nothing; tests switch stages off and count.
+// - `Zero` says what is known of a number whose form has been computed. Exact_zero: it is 0 or not.
+//   Join_filter: if the rounded value exceeds the bound of its error the exact one is not 0;
+//   otherwise nothing. Modular_zero: the number is smaller than the modulus, so it is 0 if and only
+//   if its residue is. Join_rounding: nothing is known, the bound of the error is recorded.
+// - `Weights` are the factors of the differences by which degrees and domains enter.
+//   Parametric_degree_factors (both, for C^k) or Degree_factors (degrees, for all others), in the
+//   integers or doubles in which the stage computes. Weighted_degree_factors has the weights of
+//   rational curves besides the degrees.
+// - `Stages` says which stages are taken, and is told what each of them decides. All_stages takes
+//   all of them and records nothing; tests switch stages off and count.
 
 #include <CGAL/Geometric_continuity/numbers/internal/Stage.h>
 
@@ -41,7 +43,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// What can be decided about a join.
+// The questions that can be decided about a join.
 enum class Join_question { c0, c1, c2, c3, g1, g2, g3, f3, curvature_vector, torsion };
 
 constexpr bool is_parametric(Join_question question) { return question <= Join_question::c3; }

@@ -16,16 +16,19 @@
 #include <type_traits>
 
 /// \file Spline_knot.h
-/// The join of two spans of one B-spline curve, at a knot u of multiplicity m. Their polynomials have p + 1 - m control points in
-/// common, at each of which their blossoms have the argument u m times; therefore they agree up to the derivatives of order p - m,
-/// whatever the numbers are. What is left to decide is whether the tangent vanishes, and whether the next derivative jumps: at most
-/// knots intervals suffice for that, however long the numbers are. De Boor, "A Practical Guide to Splines".
+/// The join of two spans of one B-spline curve, at a knot u of multiplicity m. Their polynomials
+/// have p + 1 - m control points in common, at each of which their blossoms have the argument u m
+/// times; therefore they agree up to the derivatives of order p - m, whatever the numbers are. What
+/// is left to decide is whether the tangent vanishes, and whether the next derivative jumps: at
+/// most knots intervals suffice for that, however long the numbers are. De Boor, "A Practical Guide
+/// to Splines".
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The span [t_p, t_p+1] of a B-spline curve of degree p, enclosed. \pre rounding upwards, as in the scope of Protect_FPU_rounding
+// The span [t_p, t_p+1] of a B-spline curve of degree p, enclosed. \pre rounding upwards, as in the
+// scope of Protect_FPU_rounding
 template <int N> class Enclosed_span {
   typedef Interval_nt<false> Interval;
   typedef Coordinate_vector<Interval, N> Vector;
@@ -50,7 +53,8 @@ public:
       for (int i = 0; i < N; ++i) c_[j][i] = enclosure(part.coordinates[j * N + i]);
   }
 
-  // The derivative of order r at an end of the span: r differences, and then the steps of de Boor's algorithm.
+  // The derivative of order r at an end of the span: r differences, and then the steps of de Boor's
+  // algorithm.
   Vector derivative(int r, bool at_end) const {
     std::array<Vector, most_points> d = c_;
     const Interval& u = t_[p_ + at_end];
@@ -64,7 +68,8 @@ public:
   }
 };
 
-// The multiplicity of the knot between two neighbouring spans of one curve, up to the degree; 0 for any other two of one dimension.
+// The multiplicity of the knot between two neighbouring spans of one curve, up to the degree; 0 for
+// any other two of one dimension.
 template <class Part> int multiplicity_between(const Part& left, const Part& right) {
   const int p = left.degree;
   if (right.degree != p) return 0;
@@ -79,8 +84,9 @@ template <class Part> int multiplicity_between(const Part& left, const Part& rig
              : 0;
 }
 
-// The orders of the join of two neighbouring spans of one curve in the plane or in space, up to order 3. Returns false for any other
-// two, and where intervals do not suffice; then `join` is unspecified.
+// The orders of the join of two neighbouring spans of one curve in the plane or in space, up to
+// order 3. Returns false for any other two, and where intervals do not suffice; then `join` is
+// unspecified.
 template <int N, class Part, class Join>
 bool decide_at_spline_knot(const Part& left, const Part& right, int max_order, Join& join) {
   typedef Interval_nt<false> Interval;

@@ -16,13 +16,15 @@
 #include <type_traits>
 
 /// \file decide_all_questions.h
-/// What continuity() says, from the answers to single questions by the ladder about two ends that are read once.
+/// What continuity() says, from the answers to single questions by the ladder about two ends that
+/// are read once.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// |a1 x a2|^2 times the square of the weight, and g = |a1|^2, from two first differences of an end, or from its first two differences.
+// |a1 x a2|^2 times the square of the weight, and g = |a1|^2, from two first differences of an end,
+// or from its first two differences.
 template <class T, std::size_t N>
 T square_of_area(const std::array<std::array<T, N>, 3>& differences, const T& weight, T& g) {
   T area(0);
@@ -37,7 +39,8 @@ T square_of_area(const std::array<std::array<T, N>, 3>& differences, const T& we
   return T(area * T(weight * weight));
 }
 
-// The two sides of |a1 x a2|^2 |b1|^6 = |b1 x b2|^2 |a1|^6 (for equal degrees): the curvatures have one magnitude.
+// The two sides of |a1 x a2|^2 |b1|^6 = |b1 x b2|^2 |a1|^6 (for equal degrees): the curvatures have
+// one magnitude.
 template <class T, std::size_t N>
 std::array<T, 2> curvature_forms(const std::array<std::array<T, N>, 3>& left,
                                  const std::array<std::array<T, N>, 3>& right, const T& left_weight,
@@ -47,8 +50,8 @@ std::array<T, 2> curvature_forms(const std::array<std::array<T, N>, 3>& left,
   return {T(a * T(h * T(h * h))), T(b * T(g * T(g * g)))};
 }
 
-// Returns whether the curvatures have different magnitudes, modulo 2^64 for first differences on the left in units of 2^units to those on the right. Only
-// `true` is a proof, as below.
+// Returns whether the curvatures have different magnitudes, modulo 2^64 for first differences on
+// the left in units of 2^units to those on the right. Only `true` is a proof, as below.
 template <int N>
 bool curvatures_differ(const First_differences<std::int64_t, N>& left, const First_differences<std::int64_t, N>& right,
                        const Degree_factors<std::int64_t>& w, int units) {
@@ -68,7 +71,8 @@ template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_
   const Degree_factors<std::int64_t> w =
       Degree_factors<std::int64_t>::geometric<Join_question::g2>(left.degree(), right.degree());
   const Grid_differences<N> x = grid_differences_of<2>(left.points()), y = grid_differences_of<2>(right.points());
-  const int units = x.exponent + x.zeros - y.exponent - y.zeros; // the left first differences are in units of 2^units
+  // the left first differences are in units of 2^units
+  const int units = x.exponent + x.zeros - y.exponent - y.zeros;
   if (x.valid && y.valid && -14 <= units && units <= 14 &&
       curvatures_differ<N>(without_zeros<2>(x.differences, x.zeros), without_zeros<2>(y.differences, y.zeros), w,
                            units))
@@ -99,7 +103,8 @@ template <int N> BOOST_NOINLINE bool curvatures_are_equal(const Double_end<N>& l
   return true;
 }
 
-// Returns whether a1 x a2 is not zero, from two first differences in space that have been rounded once. Only `true` is a proof.
+// Returns whether a1 x a2 is not zero, from two first differences in space that have been rounded
+// once. Only `true` is a proof.
 inline bool is_curved(const First_differences<double, 3>& differences) {
   const double size = largest(differences[0]) * largest(differences[1]);
   return 0x1p-900 <= size && size <= 0x1p900 && largest(cross_form(differences[0], differences[1])) > 0x1p-49 * size;
@@ -107,17 +112,20 @@ inline bool is_curved(const First_differences<double, 3>& differences) {
 // unreachable: asked for in space only
 inline bool is_curved(const First_differences<double, 2>&) { return false; }
 
-// What is asked of a join: everything, the orders, or everything where the orders, of which the greatest is 2 or 3, are known.
+// What is asked of a join: everything, the orders, or everything where the orders, of which the
+// greatest is 2 or 3, are known.
 enum class Join_asked { all, orders, flags };
 
-// Everything that Join_continuity says but the shape parameters, for a join in the plane or in space and orders up to 3; if only the
-// orders are wanted, the flags are left as they are where they are not decided by the way. `Questions` answers questions about the two
-// ends. Returns false when some of it needs multi-precision numbers; then `join` is unspecified.
+// Everything that Join_continuity says but the shape parameters, for a join in the plane or in
+// space and orders up to 3; if only the orders are wanted, the flags are left as they are where
+// they are not decided by the way. `Questions` answers questions about the two ends. Returns false
+// when some of it needs multi-precision numbers; then `join` is unspecified.
 template <class Questions, class Result>
 bool decide_all_questions(const Questions& questions, int max_order, Result& join, Join_asked asked) {
   constexpr int N = Questions::dimension;
   bool unknown = false;
-  const auto holds = [&](auto question) { // nothing is asked any more once one answer has been unknown
+  // nothing is asked any more once one answer has been unknown
+  const auto holds = [&](auto question) {
     if (unknown) return false;
     const Join_answer answer = questions.template decide<decltype(question)::value>();
     unknown = answer == Join_answer::unknown;
@@ -127,7 +135,8 @@ bool decide_all_questions(const Questions& questions, int max_order, Result& joi
   join.regular = questions.regular();
   const bool meet = questions.ends_meet(), is_known = asked == Join_asked::flags && meet,
              only_orders = asked == Join_asked::orders;
-  if (meet && !is_known) { // C^k is asked first, since it costs least, and curves that are regular and C^k are G^k
+  // C^k is asked first, since it costs least, and curves that are regular and C^k are G^k
+  if (meet && !is_known) {
     join.c_order = join.g_order = join.f_order = 0;
     if (max_order >= 1 && holds(Question<Join_question::c1>())) {
       join.c_order = 1;
@@ -148,7 +157,8 @@ bool decide_all_questions(const Questions& questions, int max_order, Result& joi
                                                                             : 0;
     join.tangent_equal = contact >= 1;
   }
-  // The third derivatives with respect to arc length agree, so torsions do where there is curvature.
+  // The third derivatives with respect to arc length agree, so torsions do where there is
+  // curvature.
   const bool torsions_agree = N == 3 && contact == 3 && questions.is_curved();
   if (join.regular && !only_orders) {
     join.curvature_vector_equal = contact >= 2 || (contact == 0 && holds(Question<Join_question::curvature_vector>()));
@@ -236,7 +246,8 @@ template <class FT, int N> Join_parameters<FT> parameters_of(const Integer_end<N
   return Join_parameters<FT>(along(left), along(right));
 }
 
-// Everything that Join_continuity says, for two ends with double coordinates and orders up to 3; see decide_all_questions().
+// Everything that Join_continuity says, for two ends with double coordinates and orders up to 3;
+// see decide_all_questions().
 template <int N, class Result>
 void decide_all_on_doubles(const Double_ends<N>& ends, int max_order, Result& join, Join_asked asked) {
   decide_all_questions(ends, max_order, join, asked);

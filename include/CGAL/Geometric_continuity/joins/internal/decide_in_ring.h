@@ -26,9 +26,10 @@
 #include <utility>
 
 /// \file decide_in_ring.h
-/// The last stage of the ladder: the equations of a join in a ring, for numbers of any length, which are multiplied by their common
-/// denominator, so that no fraction is cancelled. The ring is that of the numerators of an exact field; for floating-point numbers those of
-/// the remainders by as many moduli as prove that a form is zero (Remainder.h).
+/// The last stage of the ladder: the equations of a join in a ring, for numbers of any length,
+/// which are multiplied by their common denominator, so that no fraction is cancelled. The ring is
+/// that of the numerators of an exact field; for floating-point numbers those of the remainders by
+/// as many moduli as prove that a form is zero (Remainder.h).
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -40,7 +41,8 @@ typedef Remainder_scale Join_scale_of_doubles;
 typedef Field_scale<Exact_field_of<double>::type> Join_scale_of_doubles;
 #endif
 
-// The differences of the orders up to k of one coordinate of an end, because numbers of an exact field are long to compile.
+// The differences of the orders up to k of one coordinate of an end, because numbers of an exact
+// field are long to compile.
 template <bool weighted, class T>
 BOOST_NOINLINE std::array<T, 3> differences_along(const std::array<T, 4>& x, int k, bool left, int degree) {
   std::array<T, 3> d{T(x[1] - x[0]), T(0), T(0)};
@@ -59,10 +61,11 @@ BOOST_NOINLINE std::array<T, 3> differences_along(const std::array<T, 4>& x, int
   return d;
 }
 
-// A form of this degree is less than 2 to this power, if the coordinates, the degrees of the curves, and the weights on either side or the
-// ends of the domains have so many bits. The differences of the orders 1 to 3 are less than 2, 4 and 8 times the coordinates, and a form is
-// the sum of so few of their products that 24 bits more than these suffice. The factors are products of at most four degrees, and 3, of
-// weights, and of lengths of the domains.
+// A form of this degree is less than 2 to this power, if the coordinates, the degrees of the
+// curves, and the weights on either side or the ends of the domains have so many bits. The
+// differences of the orders 1 to 3 are less than 2, 4 and 8 times the coordinates, and a form is
+// the sum of so few of their products that 24 bits more than these suffice. The factors are
+// products of at most four degrees, and 3, of weights, and of lengths of the domains.
 template <Join_question question, bool weighted>
 constexpr int bits_of_form(int form_degree, int coordinates, int degrees, int first_numbers, int second_numbers) {
   int factors = 4 * degrees + 2;
@@ -75,8 +78,9 @@ constexpr int bits_of_form(int form_degree, int coordinates, int degrees, int fi
   return form_degree * coordinates + factors + 24;
 }
 
-// The numbers of two ends that a question needs: points, weights, or for the orders C the ends of the domains. One class for all
-// questions, because most programs come here seldom, and all of them compile it.
+// The numbers of two ends that a question needs: points, weights, or for the orders C the ends of
+// the domains. One class for all questions, because most programs come here seldom, and all of them
+// compile it.
 template <int N, bool weighted, class Scale> class Ring_join {
 public:
   typedef typename Scale::Ring Ring;
@@ -111,7 +115,8 @@ private:
       }
   }
 
-  // The first coordinate in which the end points of an end and the next ones differ; N if there is none.
+  // The first coordinate in which the end points of an end and the next ones differ; N if there is
+  // none.
   static int first_difference(const End& x) {
     int i = 0;
     while (i < N && x.points[0][i] == x.points[1][i]) ++i;
@@ -160,11 +165,13 @@ public:
     for (Scale& scale : scales_) scale.take_modulus(i);
   }
 
-  // The first coordinate of the first one on the left is not zero unless the question is parametric. \pre no tangent vanishes
+  // The first coordinate of the first one on the left is not zero unless the question is
+  // parametric. \pre no tangent vanishes
   Differences<Ring, N> left() const { return differences(left_, true); }
   Differences<Ring, N> right() const { return differences(right_, false); }
 
-  // Of ends with weights, in one type for all questions. \pre the question is the one of the object
+  // Returns the factors of ends with weights, in one type for all questions. \pre the question is
+  // the one of the object
   template <Join_question question> auto factors() const {
     if constexpr (is_parametric(question))
       return Parametric_degree_factors<Ring>::of(left_.degree, right_.degree, length(left_), length(right_));
@@ -188,8 +195,9 @@ public:
   template <int k> BOOST_NOINLINE bool derivatives_equal() const { return Base::template derivatives_equal<k>(); }
 };
 
-// What the equations say in the ring of an exact field, or modulo one number: `no` is a proof. Curved is what has been proved to have
-// curvature, for the torsion and, modulo a number, for F3, where `unknown` stands for `no` if the left end is straight.
+// Evaluates the equations in the ring of an exact field, or modulo one number, where `no` is a
+// proof. `curved` means that the join has been proved to have curvature, for the torsion and,
+// modulo a number, for F3, where `unknown` stands for `no` if the left end is straight.
 template <Join_question question, int N, bool exact, class Join>
 Join_answer answer_in(const Join& join, std::array<bool, 2>& curved) {
   typedef typename Join::Ring Ring;
@@ -210,8 +218,8 @@ Join_answer answer_in(const Join& join, std::array<bool, 2>& curved) {
   return all_hold<question>(equations) ? Join_answer::yes : Join_answer::no;
 }
 
-// The answer by numbers of any length. The ends need positive weights if they are asked for them. \pre decide_by_signs() has not answered,
-// if the numbers are of floating-point type
+// The answer by numbers of any length. The ends need positive weights if they are asked for them.
+// \pre decide_by_signs() has not answered, if the numbers are of floating-point type
 template <Join_question question, int N, bool weighted, class Scale, class Left, class Right, class Stages>
 BOOST_NOINLINE Join_answer decide_in_ring(const Left& left, const Right& right, Stages& stages) {
   Ring_join<N, weighted, Scale> join(question, left, right);
@@ -239,7 +247,8 @@ BOOST_NOINLINE Join_answer decide_in_ring(const Left& left, const Right& right, 
   return decided(Stage::multiprecision, straight_fails && !curved[0] ? Join_answer::no : Join_answer::yes);
 }
 
-// The answer on two ends with double coordinates: by all stages, of which the last one reads the ends again. \pre as above
+// The answer on two ends with double coordinates: by all stages, of which the last one reads the
+// ends again. \pre as above
 template <class Input, class Left, class Right, class Stages>
 CGAL_GC_FORCEINLINE Join_answer decide_on_doubles(const Input& join, const Left& left, const Right& right,
                                                   Stages& stages) {

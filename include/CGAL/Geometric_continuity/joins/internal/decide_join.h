@@ -58,7 +58,8 @@ Join_answer decide_on_jets(const Coordinate_jet<Field, N>& x, const Coordinate_j
   }
 }
 
-// Where the question has an answer by definition: in the plane the order F ends with 2, and there is no torsion.
+// Where the question has an answer by definition: in the plane the order F ends with 2, and there
+// is no torsion.
 template <Join_question question, int N>
 constexpr bool planar_by_definition = N == 2 && (question == Join_question::f3 || question == Join_question::torsion);
 
@@ -67,7 +68,8 @@ template <class End> using Join_field = typename Exact_field_of<Predicate_FT<typ
 template <class End, bool doubles = is_double<typename End::Traits::FT>> struct Join_scale {
   typedef Field_scale<Join_field<End>> type;
 };
-template <class End> struct Join_scale<End, true> { typedef Join_scale_of_doubles type; }; // names no exact field
+// names no exact field
+template <class End> struct Join_scale<End, true> { typedef Join_scale_of_doubles type; };
 
 // By numbers of any length. \pre the ends meet, if the question asks for contact
 template <Join_question question, bool weighted = false, class Left, class Right, class Stages>
@@ -92,7 +94,8 @@ template <class End>
 using By_value_or_ref =
     std::conditional_t<std::is_trivially_copyable_v<End> && sizeof(End) <= 2 * sizeof(void*), End, const End&>;
 
-// By all stages, which need much room: ends that do not meet are not to wait for it. \pre the ends meet, if the question asks for contact
+// By all stages, which need much room: ends that do not meet are not to wait for it. \pre the ends
+// meet, if the question asks for contact
 template <Join_question question, bool weighted, class Left, class Right, class Stages>
 BOOST_NOINLINE Join_answer decide_ends(By_value_or_ref<Left> left, By_value_or_ref<Right> right, Stages& stages) {
   typedef typename Left::Traits Traits;
@@ -104,7 +107,8 @@ BOOST_NOINLINE Join_answer decide_ends(By_value_or_ref<Left> left, By_value_or_r
     return decide_exactly<question, weighted>(left, right, stages);
 }
 
-// The orders C of ends with weights, as far as their first derivatives tell. The weights are not looked at any further.
+// The orders C of ends with weights, as far as their first derivatives tell. The weights are not
+// looked at any further.
 template <Join_question question, class Left, class Right, class Stages>
 Join_answer decide_weighted_derivatives(const Left& left, const Right& right, Stages& stages) {
   typedef typename Left::Traits Traits;
@@ -117,7 +121,8 @@ Join_answer decide_weighted_derivatives(const Left& left, const Right& right, St
   return Join_answer::unknown;
 }
 
-// The decision on two ends that are given by control points, or `unknown` where a question about ends with weights is left to the jets.
+// The decision on two ends that are given by control points, or `unknown` where a question about
+// ends with weights is left to the jets.
 template <Join_question question, bool weighted, class Left, class Right, class Stages>
 CGAL_GC_FORCEINLINE Join_answer decide_polygons(const Left& left, const Right& right, Stages& stages) {
   constexpr int N = dimension_v<typename Left::Traits>;
@@ -144,8 +149,8 @@ constexpr bool weights_matter(Join_question question) {
   return question != Join_question::c0 && question != Join_question::g1;
 }
 
-// Returns whether x_j/y_j = a c^j for j = 0 ... k with powers of two a and c, which change no mantissa. \pre x and y are the bits of positive normal
-// numbers
+// Returns whether x_j/y_j = a c^j for j = 0 ... k with powers of two a and c, which change no
+// mantissa. \pre x and y are the bits of positive normal numbers
 template <int k>
 CGAL_GC_FORCEINLINE bool ratios_are_powers(const std::array<std::int64_t, 4>& x, const std::array<std::int64_t, 4>& y) {
   constexpr std::int64_t mantissa = (std::int64_t(1) << 52) - 1;
@@ -155,9 +160,10 @@ CGAL_GC_FORCEINLINE bool ratios_are_powers(const std::array<std::int64_t, 4>& x,
   return powers;
 }
 
-// Returns whether two ends with positive weights may be decided as polynomial ones. Weights a c^j w_j are those of the same shape as w_j. Where both
-// ends have the same, as the arcs of a circle have, these are common factors in all questions about shapes but G3. And where all weights of
-// an end are the same, it is polynomial in another parameter.
+// Returns whether two ends with positive weights may be decided as polynomial ones. Weights a c^j
+// w_j are those of the same shape as w_j. Where both ends have the same, as the arcs of a circle
+// have, these are common factors in all questions about shapes but G3. And where all weights of an
+// end are the same, it is polynomial in another parameter.
 template <Join_question question, class Left, class Right>
 CGAL_GC_FORCEINLINE bool weights_cancel(const Left& left, const Right& right) {
   if constexpr (!weights_matter(question))
@@ -186,8 +192,8 @@ CGAL_GC_FORCEINLINE bool weights_cancel(const Left& left, const Right& right) {
     return false;
 }
 
-// The decision on the control points of two curves, with weights where these matter, or `unknown` where one has none or the question is left
-// to the jets.
+// The decision on the control points of two curves, with weights where these matter, or `unknown`
+// where one has none or the question is left to the jets.
 template <Join_question question, class Left, class Right, class Stages>
 CGAL_GC_FORCEINLINE Join_answer decide_on_control_points(const Left& left, const Right& right, Stages& stages) {
   bool polynomial = has_polygon(left, Curve_end::end) && has_polygon(right, Curve_end::start);
@@ -200,7 +206,8 @@ CGAL_GC_FORCEINLINE Join_answer decide_on_control_points(const Left& left, const
   return polynomial ? decide_polygons<question, false>(left_end(left), right_end(right), stages) : Join_answer::unknown;
 }
 
-// The decision on two curves: on control points where both curves have them, otherwise on jets in an exact field.
+// The decision on two curves: on control points where both curves have them, otherwise on jets in
+// an exact field.
 template <Join_question question, class Left, class Right, class Stages>
 CGAL_GC_FORCEINLINE Join_answer decide_join(const Left& left, const Right& right, Stages& stages) {
   static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,

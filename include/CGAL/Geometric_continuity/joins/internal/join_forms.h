@@ -12,11 +12,13 @@
 #include <array>
 #include <type_traits>
 
-// The polynomials that decide a join, for every number type: field numbers, integers modulo 2^64, integers of fixed length,
-// floating-point numbers, and the bounds of their errors. The differences of the polygons at the join are
+// The polynomials that decide a join, for every number type: field numbers, integers modulo 2^64,
+// integers of fixed length, floating-point numbers, and the bounds of their errors. The differences
+// of the polygons at the join are
 //   a1 = p0 - p1,  a2 = p0 - 2 p1 + p2,  a3 = p0 - 3 p1 + 3 p2 - p3  of the left polygon ... p3 p2 p1 p0 of degree m,
 //   b1 = q1 - q0,  b2 = q2 - 2 q1 + q0,  b3 = q3 - 3 q2 + 3 q1 - q0  of the right polygon q0 q1 q2 q3 ... of degree n.
-// Where the tangents are parallel, (q, p) is a pair of numbers with p/q = b1/a1 and q not 0, e.g. (a1_0, b1_0).
+// Where the tangents are parallel, (q, p) is a pair of numbers with p/q = b1/a1 and q not 0, e.g.
+// (a1_0, b1_0).
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -54,8 +56,9 @@ template <int m, int n, int most> struct Scaled_type<Fixed_integer<m, most>, Fix
 #endif
 template <class T, class W> using Scaled = typename Scaled_type<T, W>::type;
 
-// Three differences in N coordinates. Vectors of two and three coordinates are written out: a loop that the compiler leaves
-// as it is, or turns into other loads than stores, costs more than the arithmetic.
+// Three differences in N coordinates. Vectors of two and three coordinates are written out: a loop
+// that the compiler leaves as it is, or turns into other loads than stores, costs more than the
+// arithmetic.
 template <class T, int N> using Differences = std::array<std::array<T, N>, 3>;
 
 // s x - t y

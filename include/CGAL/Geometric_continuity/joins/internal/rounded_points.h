@@ -18,8 +18,9 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// The first points of the cubic on the domain of a curve that has its derivatives at an end, for curves of which no control points are
-// known: b_1 = b_0 + (h/3) y', b_2 = 2 b_1 - b_0 + (h^2/6) y''.
+// The first points of the cubic on the domain of a curve that has its derivatives at an end, for
+// curves of which no control points are known: b_1 = b_0 + (h/3) y', b_2 = 2 b_1 - b_0 + (h^2/6)
+// y''.
 template <class Traits, Curve_end which> class Cubic_end {
   typedef typename Traits::FT FT;
   Coordinate_jet<FT, dimension_v<Traits>> points_;

@@ -14,7 +14,8 @@
 #include <vector>
 
 /// \file Triangle_halfedges.h
-/// The halfedges of triangles that are given by the numbers of their points, and a check that they are an oriented manifold.
+/// The halfedges of triangles that are given by the numbers of their points, and a check that they
+/// are an oriented manifold.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -76,12 +77,14 @@ private:
     }
   }
 
-  // The triangles at a point must be one fan: turning from one of them, first backwards, leads to all of them.
+  // The triangles at a point must be one fan: turning from one of them, first backwards, leads to
+  // all of them.
   void check_points(std::size_t number_of_points) const {
     std::vector<std::size_t> degree(number_of_points), some(number_of_points, none);
     for (std::size_t h = 0; h < size(); ++h) {
       ++degree[source(h)];
-      if (some[source(h)] == none || on_boundary(h)) some[source(h)] = h; // a boundary halfedge begins the fan
+      // a boundary halfedge begins the fan
+      if (some[source(h)] == none || on_boundary(h)) some[source(h)] = h;
     }
     for (std::size_t p = 0; p < number_of_points; ++p) {
       std::size_t seen = 0, h = some[p];

@@ -9,15 +9,16 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// A bound of the absolute value of a number and one of the error of its floating-point approximation. The operations are
-// those of floating-point arithmetic with relative error u = 2^-52 each, in every rounding mode, with or without fused
-// multiplication and addition, provided that nothing overflows or underflows.
+// A bound of the absolute value of a number and one of the error of its floating-point
+// approximation. The operations are those of floating-point arithmetic with relative error u =
+// 2^-52 each, in every rounding mode, with or without fused multiplication and addition, provided
+// that nothing overflows or underflows.
 struct Rounding_bound {
   double value = 0, error = 0;
 
   constexpr Rounding_bound() = default;
-  // unreachable: computed by the compiler
-  constexpr explicit Rounding_bound(int) : value(1) {} // a factor that is a whole number, in units of itself
+  // unreachable: computed by the compiler a factor that is a whole number, in units of itself
+  constexpr explicit Rounding_bound(int) : value(1) {}
   constexpr Rounding_bound(double v, double e) : value(v), error(e) {}
 
   // unreachable: computed by the compiler

@@ -163,7 +163,8 @@ class Grid_alignment {
     // where the chord through both circles lies between the centres, it is a diameter of a disc
     // about all common points
     const double dx = right.x - left.x, dy = right.y - left.y, d2 = dx * dx + dy * dy,
-                 at = d2 + left.radius * left.radius - right.radius * right.radius; // 2 d2 times the part of the way
+                 // 2 d2 times the part of the way
+        at = d2 + left.radius * left.radius - right.radius * right.radius;
     // unreachable: the disc of the longer vector is not the larger one, but for rounding
     if (0 < at && at < 2 * d2) {
       const double part = at / (2 * d2), squared = left.radius * left.radius,

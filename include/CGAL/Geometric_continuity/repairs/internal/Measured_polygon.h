@@ -56,7 +56,8 @@ public:
       Coordinate_vector<FT, N> side = curve.coordinates(number);
       if constexpr (Is_rational<Curve>::value)
         weights[j] = CGAL::to_double(FT(curve.weight(number) / curve.weight(end == Curve_end::start ? 0 : m)));
-      if (weights[j] != 0) side -= curve.coordinates(end == Curve_end::start ? 0 : m); // else it is a direction
+      // else it is a direction
+      if (weights[j] != 0) side -= curve.coordinates(end == Curve_end::start ? 0 : m);
       Vector row(side.dimension());
       for (int i = 0; i < side.dimension(); ++i) {
         row[i] = CGAL::to_double(side[i]);

@@ -25,8 +25,8 @@
 #include <vector>
 
 /// \file Side_corner.h
-/// What a side curve and the derivative across it determine at a corner of a blend surface, and the functions along an edge that have
-/// given values and slopes at both ends of it.
+/// What a side curve and the derivative across it determine at a corner of a blend surface, and the
+/// functions along an edge that have given values and slopes at both ends of it.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -38,7 +38,8 @@ template <class FT> struct Edge_end_value {
   std::optional<FT> slope;
 };
 
-// The polynomial of the least degree with these values; where a positive one is asked for (of positive values) and it is not, a spline.
+// The polynomial of the least degree with these values; where a positive one is asked for (of
+// positive values) and it is not, a spline.
 template <class FT>
 Edge_function<FT> interpolating_function(const Edge_end_value<FT>& start, const Edge_end_value<FT>& end,
                                          bool positive) {
@@ -55,7 +56,8 @@ Edge_function<FT> interpolating_function(const Edge_end_value<FT>& start, const 
     const Edge_function<FT> f{start.value, FT(start.value + m0 / FT(3)), FT(end.value - m1 / FT(3)), end.value};
     if (!positive || f.is_positive()) return f;
   }
-  // cubic, with coefficients that are positive near the ends where the first and the last span are short
+  // cubic, with coefficients that are positive near the ends where the first and the last span are
+  // short
   FT h = FT(1) / FT(4);
   while (!(zero < FT(start.value + h * m0 / FT(3)) && zero < FT(end.value - h * m1 / FT(3)))) {
     h = FT(h / FT(2));
@@ -84,8 +86,8 @@ template <class FT> struct Number_and_slope {
   }
 };
 
-// The corner of a blend at the end of an edge. The vectors C', T and for homogeneous points C are those with respect to which all that is
-// free has coordinates. `order` is that of the blend.
+// The corner of a blend at the end of an edge. The vectors C', T and for homogeneous points C are
+// those with respect to which all that is free has coordinates. `order` is that of the blend.
 template <bool is_rational, class FT, int N, int order> class Side_corner {
   typedef Coordinate_vector<FT, N> Vector;
   typedef Number_and_slope<FT> Number;
@@ -110,7 +112,8 @@ public:
     if constexpr (order == 3) x_ = derivatives(end.third_cross, 1);
   }
 
-  // Of C', T, C in the derivative of the order n across the edge; 0 where it is higher than that of the blend, or not rational.
+  // Of C', T, C in the derivative of the order n across the edge; 0 where it is higher than that of
+  // the blend, or not rational.
   Number free(int n, std::size_t i) const { return i < k ? free_[n - 1][i] : Number{FT(0), FT(0)}; }
 
   const Vector& point() const { return c_[0]; }
@@ -181,9 +184,10 @@ private:
     const Vector* row; // followed by its derivative along the edge
   };
 
-  // What the derivative of the order n across the edge is besides C', T and C. With c = lambda_1, and alpha_2 + 2 c alpha and
-  // delta + 2 c beta for the coordinates p, q of the second one, it is alpha^2 C'' + 2 alpha beta T' + beta^2 W, and of the third one
-  // alpha^3 C''' + 3 alpha^2 beta T'' + 3 alpha beta^2 W' + beta^3 X and
+  // What the derivative of the order n across the edge is besides C', T and C. With c = lambda_1,
+  // and alpha_2 + 2 c alpha and delta + 2 c beta for the coordinates p, q of the second one, it is
+  // alpha^2 C'' + 2 alpha beta T' + beta^2 W, and of the third one alpha^3 C''' + 3 alpha^2 beta
+  // T'' + 3 alpha beta^2 W' + beta^3 X and
   // 3 (alpha (p - c alpha) C'' + (alpha q + beta p - 2 c alpha beta) T' + beta (q - c beta) W).
   std::vector<Term> terms(int n) const {
     if (n == 1) return {};
