@@ -22,7 +22,8 @@ headers=$(grep -rL "SPDX-License-Identifier: LGPL-3.0-or-later" "$source/include
 [ -z "$headers" ] || fails "another license: $headers"
 [ "$(wc -l <"$info/description.txt")" -eq 1 ] || fails "description.txt has one line"
 
-# The tree of a branch of CGAL, CGAL_ROOT/PACKAGE/{doc,examples,figures,include}, and what CGAL sets for each package.
+# The tree of a branch of CGAL, CGAL_ROOT/PACKAGE/{doc,examples,figures,include}, and what CGAL sets
+# for each package.
 mkdir -p "$work/cgal/$name" "$work/tags" "$work/doc_output"
 for part in doc examples figures include; do ln -s "$source/$part" "$work/cgal/$name/$part"; done
 cat >"$work/configure.cmake" <<'CMAKE'

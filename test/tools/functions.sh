@@ -65,7 +65,8 @@ lacks() {
 
 # refused TEXT ARGUMENTS...: the exit code is 2, and the error contains the text
 refused() { run 2 "${@:2}" && says err "$1"; }
-# needs_cad VARIABLE: the rest of the test is skipped where this one names no program, without OpenCASCADE
+# needs_cad VARIABLE: the rest of the test is skipped where this one names no program, without
+# OpenCASCADE
 needs_cad() {
   [ -z "${!1-}" ] || return 0
   echo "skipped: built without OpenCASCADE"

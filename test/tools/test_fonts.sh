@@ -336,7 +336,8 @@ for bearing in "" 7; do
   says out '"point":[90,30],"grade":"kink"' '"point":[141,50],"grade":"kink"' '"point":[70.5,25],"grade":"kink"'
 done
 
-# of one whose place is scaled as well, and of one with a point that is put on another one, also in a component
+# of one whose place is scaled as well, and of one with a point that is put on another one, also in
+# a component
 cat >attached.txt <<'END'
 glyph .notdef
 glyph rough 65

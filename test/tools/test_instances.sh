@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# verify --all-instances: the largest kinks of variable fonts between the masters, what is undecided and what is not covered.
+# verify --all-instances: the largest kinks of variable fonts between the masters, what is undecided
+# and what is not covered.
 schemas=$(cd "$(dirname "$0")" && pwd)/schemas fonts=$(cd "$(dirname "$0")" && pwd)/data # as hexadecimal digits
 . "$(dirname "$0")/functions.sh"
 
@@ -11,9 +12,10 @@ valid() {
 }
 bytes() { printf '%b' "$(tr -d '\n' | sed 's/../\\x&/g')"; }
 
-# An axis wght from 100 to 900 whose upper half is stretched by 'avar'. Glyph 1 has the points (0, -50), (0, 0) off the curve,
-# (100, 0), (200, 0) off, (200, -50); at 900 the second moves by (0, -20) and the fourth by (200, 60): the handles at the third
-# are parallel at both ends, and in between their cross product is 4000 t (1 - t). Glyph 2 is composed of others.
+# An axis wght from 100 to 900 whose upper half is stretched by 'avar'. Glyph 1 has the points
+# (0, -50), (0, 0) off the curve, (100, 0), (200, 0) off, (200, -50); at 900 the second moves by
+# (0, -20) and the fourth by (200, 60): the handles at the third are parallel at both ends, and in
+# between their cross product is 4000 t (1 - t). Glyph 2 is composed of others.
 bytes <"$fonts/kink_ttf.hex" >kink.ttf
 # What is in a baseline is known, and a larger kink is new: the fourth point moves by (200, 70).
 LC_ALL=C sed 's/\xec\x80\x00\x3c\x84/\xec\x80\x00\x46\x84/' kink.ttf >larger.ttf && holds [ "$(cmp -l kink.ttf larger.ttf | wc -l)" -eq 1 ]
@@ -24,8 +26,8 @@ cp larger.ttf known.ttf && kinks 1 --baseline base.sarif --json && says out '{"r
 cp kink.ttf known.ttf && kinks 0 --baseline base.sarif
 # The same outline, which moves in a region of four axes.
 bytes <"$fonts/four_ttf.hex" >four.ttf
-# Glyph 1 as in kink.ttf; glyph 2 is that one half as wide, glyph 3 half as wide and high; in glyph 4 the handle before (100, 0) has
-# no length at 100. The same font packed as WOFF and WOFF2.
+# Glyph 1 as in kink.ttf; glyph 2 is that one half as wide, glyph 3 half as wide and high; in glyph
+# 4 the handle before (100, 0) has no length at 100. The same font packed as WOFF and WOFF2.
 bytes <"$fonts/parts_ttf.hex" >parts.ttf
 bytes <"$fonts/parts_woff.hex" >parts.woff
 bytes <"$fonts/parts_woff2.hex" >parts.woff2

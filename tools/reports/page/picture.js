@@ -141,7 +141,8 @@ function drawComb(context, view, curve, colour, unit, longest) {
   context.globalAlpha = 1;
 }
 
-// The sides of the control polygon at the ends, or all of them for higher degrees; the control points between as squares.
+// The sides of the control polygon at the ends, or all of them for higher degrees; the control
+// points between as squares.
 function drawHandles(context, view, curve) {
   const n = degreeOf(curve);
   if (n < 2) return;
