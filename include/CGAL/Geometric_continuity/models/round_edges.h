@@ -58,8 +58,8 @@ template <class Surface_a, class Surface_b> struct Rounded_edge {
 
 namespace internal {
 
-// Checks that an edge has normals: where it has, the surface and its mirror image S(u, -v), with the
-// rows C, -T, W, continue each other.
+// Checks that an edge has normals: where it has, the surface and its mirror image S(u, -v), with
+// the rows C, -T, W, continue each other.
 template <class Surface> void check_normals(const Surface& surface, Patch_edge edge, const std::string& place) {
   const auto rows = spline_edge_rows(surface, edge);
   auto mirrored = rows;
@@ -94,9 +94,9 @@ Edge_direction direction_of_sharp_edge(const Surface_a& a, Patch_edge edge_a, co
 /// a blend leads from the one new edge to the other. With an exact kernel all three surfaces
 /// together are exactly \f$ G^2 \f$ along the whole new edges.
 ///
-/// With every kernel it is decided exactly whether the surfaces have the edge in common, and are not
-/// \f$ G^2 \f$ there. An edge with \f$ G^1 \f$ is rounded as well. The blend may be folded where it
-/// has not enough room; `Rounded_edge::fold` is nothing where that is disproved.
+/// With every kernel it is decided exactly whether the surfaces have the edge in common, and are
+/// not \f$ G^2 \f$ there. An edge with \f$ G^1 \f$ is rounded as well. The blend may be folded
+/// where it has not enough room; `Rounded_edge::fold` is nothing where that is disproved.
 /// \param set_back_a the width of the strip of the first surface, in its parameter
 /// \param set_back_b the width of the strip of the second surface, in its parameter; for widths of
 ///   a given length see `set_back_parameter()`

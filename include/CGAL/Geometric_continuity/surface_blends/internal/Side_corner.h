@@ -112,8 +112,8 @@ public:
     if constexpr (order == 3) x_ = derivatives(end.third_cross, 1);
   }
 
-  // Returns the free factor of C', T or C in the derivative of the order n across the edge; 0 where the
-  // order is higher than that of the blend, or where the blend is not rational.
+  // Returns the free factor of C', T or C in the derivative of the order n across the edge; 0 where
+  // the order is higher than that of the blend, or where the blend is not rational.
   Number free(int n, std::size_t i) const { return i < k ? free_[n - 1][i] : Number{FT(0), FT(0)}; }
 
   const Vector& point() const { return c_[0]; }
