@@ -10,9 +10,9 @@
 
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/G2_text_reader.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
@@ -128,9 +128,7 @@ private:
     curve = reader.next();
     return curve ? curve->dimension() : 0;
   }
-  template <class Span> static int read(Reader& reader, Span& span) {
-    return reader.next(span) ? span.dimension() : 0;
-  }
+  template <class Span> static int read(Reader& reader, Span& span) { return reader.next(span) ? span.dimension() : 0; }
 };
 
 // Reads all curves of several files.

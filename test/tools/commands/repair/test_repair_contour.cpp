@@ -9,7 +9,6 @@
 
 #include "commands/repair/repair_contour.h"
 
-
 typedef GC::Grid_vector Vector;
 typedef std::vector<Vector> Points;
 
