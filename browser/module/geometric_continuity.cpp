@@ -9,6 +9,7 @@
 #include "call.h"
 #include "commands/blends/named_strategies.h"
 
+#include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
 
 #include <algorithm>

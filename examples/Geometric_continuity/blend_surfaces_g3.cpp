@@ -8,7 +8,9 @@
 // curvature.
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
+#include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
 #include <CGAL/Simple_cartesian.h>
 #include <Geometric_continuity_figures/svg_surfaces.h>
 

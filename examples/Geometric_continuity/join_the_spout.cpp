@@ -10,6 +10,9 @@
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
+#include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
+#include <CGAL/Geometric_continuity/surfaces/cut_back.h>
+#include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
 #include <CGAL/Simple_cartesian.h>
 #include <Geometric_continuity_figures/svg_surfaces.h>
 

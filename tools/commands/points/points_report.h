@@ -5,8 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_POINTS_POINTS_REPORT_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_POINTS_POINTS_REPORT_H
 
+#include "commands/chains/decided_join.h"
 #include "commands/command_line.h"
-#include "commands/points/joins_of_pieces.h"
 #include "commands/points/read_points.h"
 #include "files/output.h"
 
