@@ -6,7 +6,15 @@
 // points and rows.
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity.h>
+#include <CGAL/Geometric_continuity/algebra/Basis_matrix.h>
+#include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
+#include <CGAL/Geometric_continuity/curves/bezier_properties.h>
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/edges/swept_continuity.h>
+#include <CGAL/Geometric_continuity/extensions/alternatives.h>
+#include <CGAL/Geometric_continuity/local/curvatures.h>
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
+#include <CGAL/Geometric_continuity/surfaces/elementary_surfaces.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>

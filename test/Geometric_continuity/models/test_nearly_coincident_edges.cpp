@@ -7,7 +7,6 @@
 #include "support/nets.h"
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
 // Patches and B-spline surfaces, on doubles and on exact numbers.

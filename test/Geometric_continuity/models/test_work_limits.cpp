@@ -12,7 +12,6 @@
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 
 BOOST_AUTO_TEST_SUITE(work_limits)
 

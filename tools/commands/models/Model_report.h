@@ -14,7 +14,6 @@
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,6 @@
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
 
 #include <cstddef>
 #include <optional>

@@ -14,8 +14,8 @@
 
 #include <CGAL/Geometric_continuity/IO/internal/utf8.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/joins/Join_deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
-#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <charconv>
 #include <cmath>
@@ -24,13 +24,9 @@
 #include <ostream>
 #include <string>
 #include <string_view>
-#include <type_traits>
 
 namespace CGAL {
 namespace Geometric_continuity {
-
-struct Join_deviation;
-struct Order_within;
 
 namespace internal {
 
@@ -83,9 +79,7 @@ template <class FT> std::string json_members(const Join_continuity<FT>& join, in
   return json;
 }
 
-// The members of a deviation and of verdicts on it. They are templates so that who writes other
-// JSON does not include what decides joins.
-template <class Deviation> std::string json_of_deviation(const Deviation& d) {
+inline std::string json_members(const Join_deviation& d) {
   std::optional<Enclosure> degrees, percent;
   if (d.tangent_angle) degrees = in_degrees(*d.tangent_angle);
   if (d.curvature_jump) percent = in_percent(*d.curvature_jump);
@@ -94,10 +88,10 @@ template <class Deviation> std::string json_of_deviation(const Deviation& d) {
          ",\"angle_degrees\":" + json_text(degrees) + ",\"curvature_percent\":" + json_text(percent);
 }
 
-template <class Within> std::string json_of_verdicts(const Within& within) {
+inline std::string json_members(const Order_within& within) {
   std::string json = "\"within\":[";
   for (int order = 0; order <= 3; ++order) json += (order == 0 ? "\"" : ",\"") + to_string(within(order)) + '"';
-  return json + "]," + json_of_deviation(within.deviation);
+  return json + "]," + json_members(within.deviation);
 }
 
 } // namespace internal
@@ -137,21 +131,16 @@ void write_json_members(std::ostream& os, const Join_continuity<FT>& join, int l
 /// \ingroup PkgGeometricContinuityIO
 /// Writes the members of the JSON object of `write_json(os, within)`, without braces.
 /// \throws Error `not_finite` for an enclosure with a bound that is not a number
-/// \tparam Within `Order_within`
-template <class Within>
-std::enable_if_t<std::is_same_v<Within, Order_within>> write_json_members(std::ostream& os, const Within& within) {
-  internal::write_text(os, internal::json_of_verdicts(within));
+inline void write_json_members(std::ostream& os, const Order_within& within) {
+  internal::write_text(os, internal::json_members(within));
 }
 
 /// \ingroup PkgGeometricContinuityIO
 /// Writes the enclosures of a deviation as the members of a JSON object, without braces: those of
 /// `write_json(os, within)` behind the verdicts.
 /// \throws Error `not_finite` for an enclosure with a bound that is not a number
-/// \tparam Deviation `Join_deviation`
-template <class Deviation>
-std::enable_if_t<std::is_same_v<Deviation, Join_deviation>> write_json_members(std::ostream& os,
-                                                                               const Deviation& deviation) {
-  internal::write_text(os, internal::json_of_deviation(deviation));
+inline void write_json_members(std::ostream& os, const Join_deviation& deviation) {
+  internal::write_text(os, internal::json_members(deviation));
 }
 
 /// \ingroup PkgGeometricContinuityIO
@@ -171,10 +160,8 @@ template <class FT> void write_json(std::ostream& os, const Join_continuity<FT>&
 /// "angle_degrees":[…,…],"curvature_percent":[…,…]}`, where `tangent_angle` is in radians and
 /// `curvature_jump` a ratio.
 /// \throws Error `not_finite` for an enclosure with a bound that is not a number
-/// \tparam Within `Order_within`
-template <class Within>
-std::enable_if_t<std::is_same_v<Within, Order_within>> write_json(std::ostream& os, const Within& within) {
-  internal::write_text(os, '{' + internal::json_of_verdicts(within) + '}');
+inline void write_json(std::ostream& os, const Order_within& within) {
+  internal::write_text(os, '{' + internal::json_members(within) + '}');
 }
 
 } // namespace Geometric_continuity

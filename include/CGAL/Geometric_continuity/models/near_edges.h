@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_NEAR_EDGES_H
 
 #define CGAL_DEPRECATED_HEADER "<CGAL/Geometric_continuity/models/near_edges.h>"
-#define CGAL_REPLACEMENT_HEADER "<CGAL/Geometric_continuity/models/nearly_coincident_edges.h>"
+#define CGAL_REPLACEMENT_HEADER "<CGAL/Geometric_continuity/models/model_continuity.h>"
 #include <CGAL/Installation/internal/deprecation_warning.h>
 
-#include <CGAL/Geometric_continuity/models/nearly_coincident_edges.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_MODELS_NEAR_EDGES_H
