@@ -11,9 +11,9 @@
 #include <filesystem>
 #include <fstream>
 #include <ios>
-#include <system_error>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
