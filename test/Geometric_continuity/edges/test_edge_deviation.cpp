@@ -21,8 +21,7 @@ using GC::Verdict;
 
 typedef GC::Bernstein_polynomial<Exact> Polynomial;
 typedef GC::Edge_rows<Exact> Rows;
-constexpr GC::Patch_edge u0 = GC::Patch_edge::u0, u1 = GC::Patch_edge::u1, v0 = GC::Patch_edge::v0,
-                         v1 = GC::Patch_edge::v1;
+constexpr GC::Patch_edge v0 = GC::Patch_edge::v0;
 
 const Polynomial zero{Exact(0)}, one{Exact(1)}, t{Exact(0), Exact(1)};
 Polynomial constant(const Exact& x) { return Polynomial{x}; }
