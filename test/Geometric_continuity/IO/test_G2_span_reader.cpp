@@ -352,7 +352,8 @@ BOOST_AUTO_TEST_CASE(spans_off_the_grid) {
   CHECK_ERROR(continuity_orders(right, spatial), dimension_mismatch);
 }
 
-// Short decimals are decided on integers, without the work on jets: legs beyond those of doubles, and domains of any lengths.
+// Short decimals are decided on integers, without the work on jets: legs beyond those of doubles, and
+// domains of any lengths.
 BOOST_AUTO_TEST_CASE(decided_on_integers) {
   const std::string head = "100 1 0 0 2 0\n4 4\n";
   const auto order = [&](const std::string& ends, const std::string& unit, bool is_smooth) {

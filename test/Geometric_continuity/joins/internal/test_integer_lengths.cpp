@@ -132,7 +132,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_fit_is_noticed) {
   static_assert(!all_fit<Join_question::curvature_vector>({53, std::int64_t(1) << 20}));
 }
 
-// Ends of integers have short legs where these are no longer than those of points with 53 bits, on either side.
+// Ends of integers have short legs where these are no longer than those of points with 53 bits.
 BOOST_AUTO_TEST_CASE(short_legs) {
   const std::int64_t longest = std::int64_t(1) << 54;
   static_assert(2 * bound_of_bits(53) == 0x1p54);

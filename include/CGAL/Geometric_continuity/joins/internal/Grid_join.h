@@ -29,9 +29,9 @@
 
 /// \file Grid_join.h
 /// Decimals become integers when they are multiplied by a power of ten. No order of continuity changes when all points are multiplied
-/// by one factor and all parameters by another one. So the stages decide the joins of curves that are given by decimals on ends of
-/// integers. Of a span of a B-spline curve whose knots and control points are integers, the Bézier
-/// points are found first, as long as the numbers stay short.
+/// by one factor and all parameters by another one. So the stages decide the joins of curves that are
+/// given by decimals on ends of integers. Of a span of a B-spline curve whose knots and control points are
+/// integers, the Bézier points are found first, as long as the numbers stay short.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -125,8 +125,9 @@ inline Interval_nt<false> enclosed_product(std::int64_t x, const Interval_nt<fal
 }
 inline Interval_nt<false> enclosed_product(const Interval_nt<false>& x, const Interval_nt<false>& y) { return x * y; }
 
-// Encloses the jet of order 3 at an end with respect to a parameter of the domain [0, 1], from the points in these units: differences of
-// integers are exact. \pre rounding upwards, as in the scope of Protect_FPU_rounding
+// Encloses the jet of order 3 at an end with respect to a parameter of the domain [0, 1], from the
+// points in these units: differences of integers are exact. \pre rounding upwards, as in the scope of
+// Protect_FPU_rounding
 template <bool left, class T, std::size_t N>
 Coordinate_jet<Interval_nt<false>, static_cast<int>(N)> enclosed_jet(const std::array<std::array<T, N>, 4>& points,
                                                                      int degree, const Interval_nt<false>& unit) {

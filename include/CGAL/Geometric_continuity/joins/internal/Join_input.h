@@ -202,7 +202,8 @@ public:
 #endif
 };
 
-// An end with integers as coordinates, all below 2^60 in absolute value: its legs are below 2^61, and become doubles by one rounding.
+// An end with integers as coordinates, all below 2^60 in absolute value: its legs are below 2^61, and
+// become doubles by one rounding.
 template <int N> class Integer_end {
   End_polygon<std::int64_t, N> points_; // the last one repeated
   Legs<std::int64_t, N> legs_;          // inwards
@@ -232,7 +233,8 @@ public:
   }
 };
 
-// Two such ends, which must outlive the object. Differences have one limb; the second one is room for the factors, where legs are long.
+// Two such ends, which must outlive the object. Differences have one limb; where legs are long, the
+// second one is room for the factors.
 template <Join_question question_, int N, int limbs_of_differences>
 class Integer_join : public Rounded_polygons<question_, N> {
   typedef Rounded_polygons<question_, N> Base;
