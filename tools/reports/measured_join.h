@@ -26,7 +26,8 @@ Report_grade report_grade(const std::optional<GC::Visual_class>& grade);
 // The verdict in words; `retracted`: a handle lies on the node, so that the curvature is not known.
 const char* report_words(Report_grade grade, bool retracted);
 
-// Returns the grade, the verdict and all measures of the join of two curves in the plane. Throws GC::Error `work_limit`.
+// Returns the grade, the verdict and all measures of the join of two curves in the plane. Throws
+// GC::Error `work_limit`.
 Report_item measured_join(const Plane_curve& left, const Plane_curve& right, const Report_demand& demand);
 
 // The curve as it is drawn.

@@ -22,8 +22,9 @@ struct FT_FaceRec_;
 class Cff_outlines;
 class True_type_glyphs;
 
-// A font of a file, opened by FreeType: TrueType, OpenType with TrueType or CFF outlines, Type 1, WOFF. Of a variable font it
-// is the default instance. The points are exactly those of the font: outlines, which FreeType rounds and moves, are read here.
+// A font of a file, opened by FreeType: TrueType, OpenType with TrueType or CFF outlines, Type 1,
+// WOFF. Of a variable font it is the default instance. The points are exactly those of the font:
+// outlines, which FreeType rounds and moves, are read here.
 class Font_face {
   struct Close {
     void operator()(FT_FaceRec_* face) const;
@@ -58,23 +59,27 @@ public:
   // The name of a glyph; "glyph00012" for number 12 if the font has no names.
   std::string glyph_name(int glyph) const;
 
-  // Calls take(character, glyph) for the characters of the font from the first to the last one, in order.
+  // Calls take(character, glyph) for the characters of the font from the first to the last one, in
+  // order.
   template <class Take> void for_characters(char32_t first, char32_t last, Take take) const {
     char32_t character = first;
     for (int glyph = glyph_from(character); glyph != 0 && character <= last; glyph = glyph_from(++character))
       take(character, glyph);
   }
 
-  // Reads the outline of a glyph. Throws Font_error, also when the glyph has no outline but a picture, or coordinates that no
-  // font needs. Components that have changed, glyphs without components in halves of a unit, are taken as they are now.
+  // Reads the outline of a glyph. Throws Font_error, also when the glyph has no outline but a
+  // picture, or coordinates that no font needs. Components that have changed, glyphs without
+  // components in halves of a unit, are taken as they are now.
   typedef std::map<int, Glyph_outline> Changed_glyphs;
   void read(int glyph, Glyph_outline& outline, const Changed_glyphs* changed = nullptr) const;
 
-  // The glyphs without components of which a glyph consists; none if it has no components. Throws Font_error.
+  // The glyphs without components of which a glyph consists; none if it has no components. Throws
+  // Font_error.
   std::set<int> components(int glyph) const;
 
 private:
-  // Moves on to the first character from this one on that the font has, and returns its glyph, or 0.
+  // Moves on to the first character from this one on that the font has, and returns its glyph, or
+  // 0.
   int glyph_from(char32_t& character) const;
 
   void read_type_1(int glyph, Glyph_outline& outline) const;

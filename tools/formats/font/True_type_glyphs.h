@@ -26,8 +26,9 @@
 #include FT_TRUETYPE_TABLES_H
 #include FT_TRUETYPE_TAGS_H
 
-// The glyphs of a TrueType font that FreeType has opened, and unpacked if need be, at the default instance: their points are exactly those of
-// the table 'glyf', also where a component is scaled. Damaged tables are read as FreeType reads them, whose words for errors these are.
+// The glyphs of a TrueType font that FreeType has opened, and unpacked if need be, at the default
+// instance: their points are exactly those of the table 'glyf', also where a component is scaled.
+// Damaged tables are read as FreeType reads them, whose words for errors these are.
 class True_type_glyphs {
   typedef CGAL::Geometric_continuity::True_type_outline Outline;
   typedef CGAL::Geometric_continuity::Glyph_component Component;
@@ -38,7 +39,7 @@ class True_type_glyphs {
   std::string glyphs_, places_; // tables 'glyf' and 'loca'
   std::size_t place_size_ = 2, place_count_ = 0;
 
-  // What a glyph consists of in the end: parts, and their outlines.
+  // The parts of which a glyph consists in the end, and their outlines.
   struct Leaves {
     std::vector<Glyph_part> parts = {};
     std::vector<Outline> outlines = {};
@@ -62,7 +63,8 @@ class True_type_glyphs {
     return place_size_ == 2 ? 2 * x : x;
   }
 
-  // The bytes of a glyph. Those of a place outside of the table are none, but the last place is taken for the end of the table.
+  // Returns the bytes of a glyph; none where its place is outside of the table, but the last place
+  // is taken for the end of the table.
   std::string_view bytes_of(std::size_t glyph) const {
     if (place_count_ <= glyph) return {};
     const std::size_t begin = place(glyph);
@@ -109,7 +111,8 @@ class True_type_glyphs {
     return result;
   }
 
-  // Where a component stands whose own parts begin at `begin`; the glyph of which it is one begins at `first`.
+  // Where a component stands whose own parts begin at `begin`; the glyph of which it is one begins
+  // at `first`.
   static Part_offset offset(const Component& component, const Leaves& leaves, std::size_t first, std::size_t begin) {
     const Part_matrix m = part_matrix(component);
     if (!component.has_offset) {
@@ -142,7 +145,8 @@ class True_type_glyphs {
     throw Font_error(invalid_composite);
   }
 
-  // Draws an outline in halves of a unit. Two control points in succession have their midpoint on the curve.
+  // Draws an outline in halves of a unit. Two control points in succession have their midpoint on
+  // the curve.
   static void draw(const Outline& glyph, Glyph_outline& outline) {
     std::size_t begin = 0;
     for (const int contour_end : glyph.contour_ends) {
@@ -183,17 +187,20 @@ public:
   explicit True_type_glyphs(FT_Face face) : face_(face), glyphs_(table(TTAG_glyf, table_size(TTAG_glyf))) {
     if (const auto* head = static_cast<const TT_Header*>(FT_Get_Sfnt_Table(face, FT_SFNT_HEAD)))
       place_size_ = head->Index_To_Loc_Format == 0 ? 2 : 4;
-    // FreeType reads beyond a table that is said to be shorter than it is, or leaves out the last glyphs.
+    // FreeType reads beyond a table that is said to be shorter than it is, or leaves out the last
+    // glyphs.
     const std::size_t count = (std::max)((std::min)(table_size(TTAG_loca) / place_size_, std::size_t(0x10000)),
                                          static_cast<std::size_t>(face->num_glyphs) + 1);
     places_ = table(TTAG_loca, static_cast<FT_ULong>(count * place_size_));
     if (!places_.empty()) place_count_ = count;
   }
 
-  // The glyphs without components of which a glyph consists; none if it has no components. Throws Font_error.
+  // The glyphs without components of which a glyph consists; none if it has no components. Throws
+  // Font_error.
   std::vector<Glyph_part> parts(int glyph) const { return leaves(outline(glyph).components).parts; }
 
-  // Reads the outline of a glyph. Components that have changed, in halves of a unit, are taken as they are now. Throws Font_error.
+  // Reads the outline of a glyph. Components that have changed, in halves of a unit, are taken as
+  // they are now. Throws Font_error.
   void read(int glyph, Glyph_outline& outline, const std::map<int, Glyph_outline>* changed) const {
     const Outline own = this->outline(glyph);
     if (own.components.empty()) {

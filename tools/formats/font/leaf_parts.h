@@ -34,7 +34,8 @@ struct Part_matrix {
     return m;
   }
 
-  // Throws Font_error where numbers over such a power of two, or factors, are longer than those of outlines.
+  // Throws Font_error where numbers over such a power of two, or factors, are longer than those of
+  // outlines.
   static void check(int shift, bool is_short = true) {
     if (!is_short || shift > Glyph_outline::max_shift - 1)
       throw Font_error("not covered: a component that is scaled too often");
@@ -64,7 +65,7 @@ struct Part_offset {
   std::int64_t x = 0, y = 0;
   int shift = 0;
 
-  // The same over the least power of two. Throws Font_error for what no outline has.
+  // Returns the point over the least power of two. Throws Font_error for what no outline has.
   static Part_offset reduced(Wide_integer x, Wide_integer y, int shift) {
     for (; shift > 0 && ((x | y) & 1) == 0; --shift) {
       x /= 2;
@@ -110,10 +111,11 @@ inline Part_matrix part_matrix(const CGAL::Geometric_continuity::Glyph_component
   return Part_matrix{m[0], m[2], m[1], m[3], 14}.reduced();
 }
 
-// Appends the parts without parts of which these components consist in the end, in their order. `visit(glyph)` returns the components of a
-// glyph, none for a part without parts; `place(component, first, begin)` tells where one stands whose own parts have been appended from
-// `begin` on, and those of the components before it from `first` on. Throws Font_error when there are more than `max_glyph_parts`, as of a
-// glyph that contains itself; `number` of them are known.
+// Appends the parts without parts of which these components consist in the end, in their order.
+// `visit(glyph)` returns the components of a glyph, none for a part without parts;
+// `place(component, first, begin)` tells where one stands whose own parts have been appended from
+// `begin` on, and those of the components before it from `first` on. Throws Font_error when there
+// are more than `max_glyph_parts`, as of a glyph that contains itself; `number` of them are known.
 template <class Visit, class Place>
 void append_leaf_parts(const std::vector<CGAL::Geometric_continuity::Glyph_component>& components,
                        std::vector<Glyph_part>& leaves, std::size_t& number, Visit& visit, Place& place) {

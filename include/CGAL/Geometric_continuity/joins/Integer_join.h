@@ -14,8 +14,8 @@
 #include <optional>
 #include <type_traits>
 
-/// \file Integer_join.h
-/// What a designer sees of a join of two curves whose control points lie on a grid, as those of a font do.
+/// \file Integer_join.h Joins of curves whose control points lie on a grid, as those of a font do,
+///   as a designer sees them.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -51,8 +51,8 @@ public:
     return p.cross == 0 && 0 < p.dot;
   }
 
-  // With the first differences a and b in the direction of the curve the curvature is (1 - 1/degree) a x b / |.|^3; here without that length
-  // and times the degree.
+  // With the first differences a and b in the direction of the curve the curvature is (1 -
+  // 1/degree) a x b / |.|^3; here without that length and times the degree.
   Integer bend() const {
     if (degree_ == 1) return 0;
     const std::array<Integer, 2> a = vector<Integer>(is_end ? 2 : 0, 1), b = vector<Integer>(1, is_end ? 0 : 2);
@@ -62,11 +62,13 @@ public:
 
 } // namespace internal
 
-/// \ingroup PkgGeometricContinuityContinuity
-/// The join of two plane Bézier curves whose control points are integers: it is seen as by `visual_class()`, without long numbers where the
-/// integers are short. The curves meet in the node, the last control point of the left and the first one of the right one.
+/// \ingroup PkgGeometricContinuityContinuity The join of two plane Bézier curves whose control
+/// points are integers: it is seen as by `visual_class()`, without long numbers where the integers
+/// are short. The curves meet in the node, the last control point of the left and the first one of
+/// the right one.
 /// \tparam Point_ a point with integer members `x` and `y`, whose differences have no overflow
-/// \tparam Integer_ a signed integer type that has all cross and dot products of differences, times the product of both degrees
+/// \tparam Integer_ a signed integer type that has all cross and dot products of differences, times
+///   the product of both degrees
 template <class Point_, class Integer_> class Integer_join {
 public:
   typedef Point_ Point;                                ///< a control point
@@ -126,12 +128,14 @@ private:
   };
 
 public:
-  /// Constructs the join of two curves from their control points, which must stay as long as this object.
+  /// Constructs the join of two curves from their control points, which must stay as long as this
+  /// object.
   Integer_join(const Point* left, int left_degree, const Point* right, int right_degree)
       : left_({left, left_degree}), right_({right, right_degree}), incoming_(vector_of(left_)),
         outgoing_(vector_of(right_)) {}
 
-  /// Returns the first difference of the left curve that is not zero, in the direction of the curve; zero if it has no length.
+  /// Returns the first difference of the left curve that is not zero, in the direction of the
+  /// curve; zero if it has no length.
   const Vector& incoming() const { return incoming_; }
   /// Returns that of the right curve.
   const Vector& outgoing() const { return outgoing_; }
@@ -146,7 +150,8 @@ public:
   /// Decides whether the angle is larger than the bound. \pre both have a length
   bool exceeds(const Corner_threshold& bound) const { return internal::exceeds(products(), bound).value_or(false); }
 
-  /// Returns what the join looks like, as the function `visual_class()` does; empty when a curve has no length.
+  /// Returns what the join looks like, as the function `visual_class()` does; empty when a curve
+  /// has no length.
   std::optional<Visual_class> visual_class(const Corner_threshold& bound) const {
     return internal::visual_class_of(Image{*this}, bound);
   }
