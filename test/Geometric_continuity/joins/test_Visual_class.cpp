@@ -28,8 +28,7 @@ GC::Bezier_curve<Traits, Degree> curve(const std::vector<std::vector<double>>& r
   return GC::Bezier_curve<Traits, Degree>(points.begin(), points.end());
 }
 
-// The same by the integers of a grid, where the coordinates are such and the curves meet. Fewer
-// bits have the same answer.
+// Checks that a join on a grid, where the coordinates are integers and the curves meet, has this class.
 struct Grid_point {
   std::int64_t x, y;
 };

@@ -26,6 +26,11 @@ class Font_bytes {
   std::string place_; // e.g. "table 'gvar', glyph 12"
   std::size_t next_ = 0;
 
+  [[noreturn]] void refuse_end() const { refuse("it ends at byte " + std::to_string(bytes_.size()) + ", too early"); }
+  void need(std::size_t size) const {
+    if (left() < size) refuse_end();
+  }
+
 public:
   Font_bytes(std::string_view bytes, std::string place) : bytes_(bytes), place_(std::move(place)) {}
 
@@ -38,7 +43,7 @@ public:
 
   // Goes to a byte, and over some.
   Font_bytes& seek(std::size_t position) {
-    if (bytes_.size() < position) refuse("it ends at byte " + std::to_string(bytes_.size()) + ", too early");
+    if (bytes_.size() < position) refuse_end();
     next_ = position;
     return *this;
   }
@@ -46,7 +51,7 @@ public:
 
   // The next bytes.
   std::string_view take(std::size_t size) {
-    if (left() < size) refuse("it ends at byte " + std::to_string(bytes_.size()) + ", too early");
+    need(size);
     next_ += size;
     return bytes_.substr(next_ - size, size);
   }
@@ -56,8 +61,15 @@ public:
     for (char c : take(size)) x = x << 8 | static_cast<unsigned char>(c);
     return x;
   }
-  int u8() { return static_cast<int>(unsigned_number(1)); }
-  int u16() { return static_cast<int>(unsigned_number(2)); }
+  int u8() {
+    need(1);
+    return static_cast<unsigned char>(bytes_[next_++]);
+  }
+  int u16() {
+    need(2);
+    next_ += 2;
+    return static_cast<unsigned char>(bytes_[next_ - 2]) << 8 | static_cast<unsigned char>(bytes_[next_ - 1]);
+  }
   std::uint32_t u32() { return unsigned_number(4); }
   int i8() { return (u8() ^ 0x80) - 0x80; }
   int i16() { return (u16() ^ 0x8000) - 0x8000; }

@@ -39,7 +39,7 @@ class True_type_glyphs {
   std::string glyphs_, places_; // tables 'glyf' and 'loca'
   std::size_t place_size_ = 2, place_count_ = 0;
 
-  // What a glyph consists of in the end: parts, and their outlines.
+  // The parts of which a glyph consists in the end, and their outlines.
   struct Leaves {
     std::vector<Glyph_part> parts = {};
     std::vector<Outline> outlines = {};
@@ -63,8 +63,8 @@ class True_type_glyphs {
     return place_size_ == 2 ? 2 * x : x;
   }
 
-  // The bytes of a glyph. Those of a place outside of the table are none, but the last place is
-  // taken for the end of the table.
+  // Returns the bytes of a glyph; none where its place is outside of the table, but the last place
+  // is taken for the end of the table.
   std::string_view bytes_of(std::size_t glyph) const {
     if (place_count_ <= glyph) return {};
     const std::size_t begin = place(glyph);

@@ -85,9 +85,11 @@ inline void read_points(Font_bytes& bytes, int contours, True_type_outline& outl
   const std::size_t count = static_cast<std::size_t>(outline.contour_ends.back());
   enum { on_curve = 1, short_x = 2, short_y = 4, repeated = 8, same_x = 16, same_y = 32 };
   std::vector<unsigned char> flags;
+  flags.reserve(count + 255);
   while (flags.size() < count) {
-    const int flag = bytes.u8(), times = (flag & repeated) != 0 ? bytes.u8() + 1 : 1;
-    flags.insert(flags.end(), static_cast<std::size_t>(times), static_cast<unsigned char>(flag));
+    const int flag = bytes.u8();
+    flags.push_back(static_cast<unsigned char>(flag));
+    if ((flag & repeated) != 0) flags.resize(flags.size() + static_cast<std::size_t>(bytes.u8()), flags.back());
   }
   if (flags.size() != count) bytes.refuse("there are more flags than points");
   const auto coordinates = [&](int short_flag, int same_flag, auto set) {

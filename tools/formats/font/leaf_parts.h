@@ -65,7 +65,7 @@ struct Part_offset {
   std::int64_t x = 0, y = 0;
   int shift = 0;
 
-  // Returns the offset over the least power of two. Throws Font_error for what no outline has.
+  // Returns the point over the least power of two. Throws Font_error for what no outline has.
   static Part_offset reduced(Wide_integer x, Wide_integer y, int shift) {
     for (; shift > 0 && ((x | y) & 1) == 0; --shift) {
       x /= 2;
