@@ -58,7 +58,8 @@ private:
     throw Error(Error_code::not_a_manifold, "to_face_graph: " + reason);
   }
 
-  // Finds the opposite halfedges by sorting: the ends of an edge stand beside it, so that comparing needs no other place of the memory.
+  // Finds the opposite halfedges by sorting. The ends of an edge stand beside its number, so that a
+  // comparison reads one place of the memory.
   void match() {
     struct Use {
       std::size_t low, high, halfedge;

@@ -297,7 +297,8 @@ public:
   }
 };
 
-// Bounds the distance of a side of an edge from the edge as a curve in space, on ranges of the parameter.
+// Bounds the distance of a side of an edge from the edge as a curve in space, on ranges of the
+// parameter.
 class Distance_bounds {
   Side_evaluator side_;
   Placed_curve curve_;
