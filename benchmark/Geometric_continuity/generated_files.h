@@ -131,8 +131,8 @@ inline void write_cubics(std::ostream& os, int count) {
   }
 }
 
-// Writes cubics in space with six decimals. Each goes on in the direction of the one before, exactly,
-// and with another curvature.
+// Writes cubics in space with six decimals. Each goes on in the direction of the one before,
+// exactly, and with another curvature.
 inline void write_bent_cubics(std::ostream& os, int count) {
   typedef std::array<std::int64_t, 3> Point; // in millionths
   Block_writer out(os);

@@ -28,8 +28,8 @@ inline std::string broken_joins(std::size_t broken, std::size_t joins) {
 }
 
 // Returns the text that rounded() has for both of two numbers, for most that are written without an
-// exponent; empty for others. A number times an exact power of ten has a relative error below 2^-51,
-// which matters only next to the middle between two integers.
+// exponent; empty for others. A number times an exact power of ten has a relative error below
+// 2^-51, which matters only next to the middle between two integers.
 inline std::string rounded_by_product(double x, double y, int digits) {
   static constexpr double powers[] = {1, 10, 100, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10};
   constexpr int most_digits = 6;

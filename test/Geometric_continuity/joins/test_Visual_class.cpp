@@ -28,7 +28,8 @@ GC::Bezier_curve<Traits, Degree> curve(const std::vector<std::vector<double>>& r
   return GC::Bezier_curve<Traits, Degree>(points.begin(), points.end());
 }
 
-// Checks that a join on a grid, where the coordinates are integers and the curves meet, has this class.
+// Checks that a join on a grid, where the coordinates are integers and the curves meet, has this
+// class.
 struct Grid_point {
   std::int64_t x, y;
 };

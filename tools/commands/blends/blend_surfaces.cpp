@@ -39,8 +39,8 @@ template <class Surface> const Surface& only_surface(const std::string& file, co
   return surfaces[0];
 }
 
-// Reads the surfaces of both files, each of which has one: as rational ones if one of them is
-// rational.
+// Reads the surfaces of both files, each of which has one. They are rational surfaces if one of
+// them is.
 Surface_model<Exact_traits> read_both_surfaces(const Arguments& files) {
   Surface_model<Exact_traits> both;
   for (const std::string& file : files)
@@ -125,7 +125,7 @@ Exact_surface exact_surface(const Double_surface& s) {
   return {net, exact_knots(s.knots_u()), exact_knots(s.knots_v())};
 }
 
-// The strategies of a table without those for F3, which are none for surfaces.
+// Returns the strategies of a table without those for F3, which are none for surfaces.
 template <class Table> auto without_f3(const Table& strategies) {
   const auto chosen = [](const auto& s) {
     typedef typename std::decay_t<decltype(s)>::Strategy Strategy;
@@ -137,7 +137,7 @@ template <class Table> auto without_f3(const Table& strategies) {
   return std::apply([&](const auto&... s) { return std::tuple_cat(chosen(s)...); }, strategies);
 }
 
-// The name of the strategy of --strategy, one of a table.
+// Returns the name of the strategy of --strategy, one of a table.
 template <class Table>
 std::string strategy_name(const Command_line& line, const Table& strategies, const std::string& by_default) {
   const std::string name = line.has("strategy") ? line.choice("strategy", names_of(strategies)) : by_default;
@@ -145,7 +145,7 @@ std::string strategy_name(const Command_line& line, const Table& strategies, con
   return name;
 }
 
-// Blends with control points that are doubles; the given surfaces are written, too, as they now
+// Blends with control points that are doubles. The given surfaces are written, too, as they now
 // are.
 Exit_code blend_representably(const Command_line& line) {
   const std::string name = strategy_name(line, quintic_strategies, "energy3");
@@ -207,9 +207,8 @@ Exit_code blend_by_name(const Command_line& line, const Table& strategies, const
   const auto choose_shape = [&](const auto& a, GC::Patch_edge edge_a, const auto& b, GC::Patch_edge edge_b,
                                 GC::Edge_direction direction) {
     typedef std::decay_t<decltype(a)> Surface;
-    typedef
-        // all strategies of a table choose shapes of one type
-        typename std::tuple_element_t<0, Table>::Strategy First;
+    // All strategies of a table choose shapes of one type.
+    typedef typename std::tuple_element_t<0, Table>::Strategy First;
     GC::Chosen_surface_shape<Surface, Surface, First> shape;
     with_named_strategy(strategies, name, [&](const auto& strategy) {
       shape = automatic_surface_shape(a, edge_a, b, edge_b, strategy, direction);

@@ -26,8 +26,9 @@ struct Joins_of_pieces {
   std::size_t not_c2 = 0, not_g2 = 0; // joins
 };
 
-// Decides the joins of the pieces of curves that are written, .g2, exactly on numbers that a `Number` holds as they stand there. At the
-// starts of the pieces with the numbers `corners`, in increasing order, are corners.
+// Decides the joins of the pieces of curves that are written, .g2, exactly on numbers that a
+// `Number` holds as they stand there. At the starts of the pieces with the numbers `corners`, in
+// increasing order, are corners.
 template <class Number>
 Joins_of_pieces decide_joins(const std::string& text, GC::Closure closure, const std::vector<int>& corners = {});
 

@@ -177,8 +177,8 @@ template <class Bounds>
 Edge_maximum edge_maximum(const Bounds& bounds, const Maximum_enclosure& l, const Enclosure& value) {
   return {value, l.parameter, bounds.point(l.parameter), l.upper_at};
 }
-// Returns the largest distance, whose square is enclosed. Its upper end is infinite where that of
-// the square is not known.
+// Returns the largest distance, whose square is enclosed. Its upper end is infinite where the
+// square is not bounded.
 template <class Bounds> Edge_maximum largest_distance(const Bounds& bounds, const Maximum_enclosure& square) {
   // unreachable: by rounding only, of squares next to the largest number
   const bool bounded = square.undefined.empty() && square.unresolved.empty() && std::isfinite(square.upper);

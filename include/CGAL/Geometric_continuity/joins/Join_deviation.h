@@ -19,21 +19,21 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// How far a join is from being continuous: guaranteed enclosures. With \f$ X \f$ for the curve that ends and \f$ Y \f$ for
-/// the curve that starts there:
+/// How far a join is from being continuous: guaranteed enclosures. With \f$ X \f$ for the curve
+/// that ends and \f$ Y \f$ for the curve that starts there:
 struct Join_deviation {
   Enclosure gap; ///< the distance \f$ |Y - X| \f$ of the ends, in units of the coordinates
   /// The angle between the tangents, in radians, in \f$ [0, \pi] \f$. Empty when a tangent is zero.
   std::optional<Enclosure> tangent_angle;
-  /// The relative jump of the curvature vector, \f$ |K_Y - K_X| / \max(|K_X|, |K_Y|) \f$, in [0, 2]; 0 when both are zero.
-  /// Empty when a tangent is zero.
+  /// The relative jump of the curvature vector, \f$ |K_Y - K_X| / \max(|K_X|, |K_Y|) \f$, in [0,
+  /// 2]; 0 when both are zero. Empty when a tangent is zero.
   std::optional<Enclosure> curvature_jump;
-  /// The jump of the torsion \f$ |\tau_Y - \tau_X| \f$, in units of 1/length. Empty unless in dimension 3 with nonzero
-  /// curvature on both sides.
+  /// The jump of the torsion \f$ |\tau_Y - \tau_X| \f$, in units of 1/length. Empty unless in
+  /// dimension 3 with nonzero curvature on both sides.
   std::optional<Enclosure> torsion_jump;
 
-  /// Writes what there is, angles in degrees and ratios in percent, e.g. `gap 0, tangent angle [0.5, 0.50001] degrees,
-  /// curvature jump 2%`.
+  /// Writes what there is, angles in degrees and ratios in percent, e.g. `gap 0, tangent angle
+  /// [0.5, 0.50001] degrees, curvature jump 2%`.
   friend std::ostream& operator<<(std::ostream& os, const Join_deviation& d) {
     os << "gap " << d.gap;
     if (d.tangent_angle) os << ", tangent angle " << in_degrees(*d.tangent_angle) << " degrees";
@@ -57,8 +57,9 @@ struct Join_tolerance {
 /// The orders 0 to 3 of a join, within a tolerance.
 struct Order_within {
   Join_deviation deviation; ///< on which the verdicts rest
-  /// For each order: the ends meet; in addition the tangents agree; the curvature vectors; the torsions, or in the plane the
-  /// derivatives of the curvature with respect to arc length. Each of them within the tolerance, or exactly.
+  /// For each order: the ends meet; in addition the tangents agree; the curvature vectors; the
+  /// torsions, or in the plane the derivatives of the curvature with respect to arc length. Each of
+  /// them within the tolerance, or exactly.
   std::array<Verdict, 4> verdicts;
 
   /// Returns whether the join has the order, 0 to 3, within the tolerance.
@@ -75,7 +76,8 @@ struct Order_within {
     return order;
   }
 
-  /// Writes the verdicts and the deviation, e.g. `order 0 proved, 1 proved, 2 refuted, 3 refuted; gap 0, ...`.
+  /// Writes the verdicts and the deviation, e.g. `order 0 proved, 1 proved, 2 refuted, 3 refuted;
+  /// gap 0, ...`.
   friend std::ostream& operator<<(std::ostream& os, const Order_within& within) {
     os << "order";
     for (int order = 0; order <= 3; ++order) os << (order == 0 ? " " : ", ") << order << ' ' << within(order);

@@ -19,10 +19,11 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// The join between the end of a span of a curve and the start of another one, whose numbers are as they
-/// are written. It is prepared once for all that is asked. In the plane and in space up to order 3, where
-/// all numbers are short decimals, it is decided on integers, otherwise from the jets of the spans. The
-/// spans must outlive it. One object must not be asked by two threads at the same time.
+/// The join between the end of a span of a curve and the start of another one, whose numbers are as
+/// they are written. It is prepared once for all that is asked. In the plane and in space up to
+/// order 3, where all numbers are short decimals, it is decided on integers, otherwise from the
+/// jets of the spans. The spans must outlive it. One object must not be asked by two threads at the
+/// same time.
 /// \tparam Span `G2_span`
 template <class Span> class Span_join {
   template <int N>
@@ -51,13 +52,13 @@ public:
   /// \throws Error as `continuity()` does
   Result continuity(int max_order = 3) const { return decided(max_order, internal::Join_asked::all); }
 
-  /// Decides the orders, as `continuity()` does, and nothing else: the flags and shape parameters of the
-  /// result are unspecified.
+  /// Decides the orders, as `continuity()` does, and nothing else: the flags and shape parameters
+  /// of the result are unspecified.
   /// \throws Error as `continuity()` does
   Result orders(int max_order = 3) const { return decided(max_order, internal::Join_asked::orders); }
 
-  /// Makes of the result of `orders()` that of `continuity()` for the same `max_order`, without deciding
-  /// again what is known.
+  /// Makes of the result of `orders()` that of `continuity()` for the same `max_order`, without
+  /// deciding again what is known.
   /// \throws Error as `continuity()` does
   void complete(Result& join, int max_order = 3) const {
     if (max_order < 2 || max_order > 3 ||
@@ -65,10 +66,10 @@ public:
       join = continuity(max_order);
   }
 
-  /// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of the left span and at the start
-  /// of the right one, with respect to parameters of the domain [0, 1] each: `Coordinate_jet`s of
-  /// `Interval_nt<false>`, with which `f` can compute. Returns false, without a call, where `continuity()`
-  /// takes the jets of the spans.
+  /// Calls `f(x, y)` with enclosures of the jets of order 3 at the end of the left span and at the
+  /// start of the right one, with respect to parameters of the domain [0, 1] each:
+  /// `Coordinate_jet`s of `Interval_nt<false>`, with which `f` can compute. Returns false, without
+  /// a call, where `continuity()` takes the jets of the spans.
   template <class Function> bool visit_enclosures(Function f) const {
     return visit_ends([&f](const auto& ends) {
       const Protect_FPU_rounding<true> rounding_upwards;

@@ -397,7 +397,8 @@ template <class Field, int N> struct Boundary_edge {
   double low(int i) const { return (std::min)(boxes[0][i].first, boxes[1][i].first); }
   double high(int i) const { return (std::min)(boxes[0][i].second, boxes[1][i].second); }
 
-  // Returns whether the ends are not farther apart than the gap, in one of both directions. Boxes tell nearly all that are.
+  // Returns whether the ends are not farther apart than the gap, in one of both directions. Boxes
+  // tell nearly all that are.
   bool has_ends_near(const Boundary_edge& other, double gap, const Field& squared_gap) const {
     const auto within_gap = [&](int end, int other_end) {
       for (int i = 0; i < 3; ++i)
@@ -410,7 +411,8 @@ template <class Field, int N> struct Boundary_edge {
     return (within_gap(0, 0) && within_gap(1, 1)) || (within_gap(0, 1) && within_gap(1, 0));
   }
 
-  // Returns whether the numbers of the second interval exceed those of the first by more than the gap.
+  // Returns whether the numbers of the second interval exceed those of the first by more than the
+  // gap.
   static bool is_beyond(const std::pair<double, double>& x, const std::pair<double, double>& y, double gap) {
     return gap < next_below(y.first - x.second);
   }
@@ -433,20 +435,23 @@ template <class Field, int N> int longest_side(const std::vector<Boundary_edge<F
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Finds the pairs of boundary edges of a model whose gap is not refuted to be within the tolerance, and their orders within the
-/// tolerance: edges that `model_continuity()` finds to differ, such as those of rounded constructions. By the number of the
-/// first patch. An edge that is near to several others is in several pairs.
+/// Finds the pairs of boundary edges of a model whose gap is not refuted to be within the
+/// tolerance, and their orders within the tolerance: edges that `model_continuity()` finds to
+/// differ, such as those of rounded constructions. By the number of the first patch. An edge that
+/// is near to several others is in several pairs.
 ///
-/// The ends of near edges are near; so candidates are found by sorting, and for each the gap is enclosed. A gap that is not
-/// small compared with the patches makes all pairs of edges candidates. The limit of the work is that for each edge, and for the
-/// search, with its thousandth part more for each edge.
+/// The ends of near edges are near; so candidates are found by sorting, and for each the gap is
+/// enclosed. A gap that is not small compared with the patches makes all pairs of edges candidates.
+/// The limit of the work is that for each edge, and for the search, with its thousandth part more
+/// for each edge.
 /// \tparam PatchRange a forward range of surfaces, as for `model_continuity()`
 /// \param patches of the model
 /// \param model the result of `model_continuity(patches)`
 /// \param tolerance for the gap and for the order 1
-/// \param report is called as `report(n)` with the number of boundary edges compared so far, after each
-/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number, `not_finite` for an infinite
-///   gap, `work_limit`
+/// \param report is called as `report(n)` with the number of boundary edges compared so far, after
+///   each
+/// \throws Error `unreachable_tolerance` for a negative tolerance or one that is not a number,
+///   `not_finite` for an infinite gap, `work_limit`
 template <class PatchRange, class FT, class Report>
 std::vector<Nearly_coincident_edges> nearly_coincident_edges(const PatchRange& patches,
                                                              const Model_continuity<FT>& model,

@@ -213,7 +213,7 @@ private:
   }
 };
 
-// The rows of both edges at the Greville abscissae of the one that has more of them.
+// Returns the rows of both edges at the Greville abscissae of the edge that has more of them.
 template <class Kind, class A, class B>
 std::pair<Edge_samples<Kind::is_rational>, Edge_samples<Kind::is_rational>>
 sampled_ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, Edge_direction direction, int order) {
@@ -249,8 +249,8 @@ inline std::array<Across_edge, 2> across_edges(const Septic_ends<double, 0>&, co
            {s.eta, short_part(p.end.beta2, s.eta), short_part(p.end.beta3, s.eta)}}};
 }
 
-// The derivatives that a strategy chooses for all curves together, which `start` and `end` are the
-// ends of.
+// Returns the derivatives that a strategy chooses for all curves together, whose ends are `start`
+// and `end`.
 template <class Strategy>
 std::array<Across_edge, 2> chosen_across_edges(const Strategy& strategy, const Coordinate_jet<double, 0>& start,
                                                const Coordinate_jet<double, 0>& end) {

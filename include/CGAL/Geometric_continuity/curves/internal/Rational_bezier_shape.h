@@ -21,8 +21,8 @@
 #include <vector>
 
 /// \file Rational_bezier_shape.h
-/// What only rational Bézier curves have: jets by unrolled code, the derivative, and parts with
-/// positive weights.
+/// This is what only rational Bézier curves have: jets by unrolled code, the derivative, and parts
+/// with positive weights.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -39,10 +39,9 @@ template <class Traits, int Degree_> struct Curve_shape<Bezier_curve<Traits, Deg
   typedef Bezier_curve<Homogeneous_traits<Traits>, Degree_> Homogeneous;
   typedef Bezier_curve<Traits> Elevated;
   static constexpr int Degree = Degree_;
-  // M is that of homogeneous points
-  static constexpr int N = dimension_v<Traits>, M = N == 0 ? 0 : N + 1;
+  static constexpr int N = dimension_v<Traits>, M = N == 0 ? 0 : N + 1; // M counts the weight
 
-  // The curve with other points, on the domain of c.
+  // Returns the curve with other points, on the domain of c.
   template <class Result, class Polygon, class Points>
   static Result with_points(const Polygon& c, const Points& points) {
     return Result(points.begin(), points.end(), c.domain().first, c.domain().second);
@@ -50,8 +49,8 @@ template <class Traits, int Degree_> struct Curve_shape<Bezier_curve<Traits, Deg
   template <class Weights> static void check_weights(const Shape&, const Weights& weights) {
     check_denominator<FT>(weights, "Rational_bezier_curve: weights");
   }
-  // Returns as many weights as the shape has control points. \throws Error `wrong_number_of_points`
-  // for another number of them
+  // Returns as many weights as the shape has control points.
+  // \throws Error `wrong_number_of_points` for another number of weights
   template <class Weights, class Iterator> static Weights taken(const Shape& shape, Iterator first, Iterator last) {
     Weights weights;
     std::size_t given = 0;

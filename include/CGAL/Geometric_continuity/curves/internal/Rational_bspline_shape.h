@@ -19,8 +19,8 @@
 #include <vector>
 
 /// \file Rational_bspline_shape.h
-/// What only rational B-spline curves have: jets on spans, knots that are inserted, and their
-/// Bézier pieces.
+/// This is what only rational B-spline curves have: jets on spans, knots that are inserted, and
+/// their Bézier pieces.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -37,10 +37,9 @@ template <class Traits> struct Curve_shape<Bspline_curve<Traits>> {
   typedef Bspline_curve<Homogeneous_traits<Traits>> Homogeneous;
   typedef Bspline_curve<Traits> Elevated;
   static constexpr int Degree = dynamic_degree;
-  // M is that of homogeneous points
-  static constexpr int N = dimension_v<Traits>, M = N == 0 ? 0 : N + 1;
+  static constexpr int N = dimension_v<Traits>, M = N == 0 ? 0 : N + 1; // M counts the weight
 
-  // The curve with other points, over the knots of c.
+  // Returns the curve with other points, over the knots of c.
   template <class Result, class Polygon, class Points>
   static Result with_points(const Polygon& c, const Points& points) {
     return Result(points.begin(), points.end(), c.knots());
@@ -48,8 +47,8 @@ template <class Traits> struct Curve_shape<Bspline_curve<Traits>> {
   template <class Weights> static void check_weights(const Shape& shape, const Weights& weights) {
     check_denominator(shape.knots(), weights, "Rational_bspline_curve: weights");
   }
-  // Returns the points. \throws Error `wrong_number_of_points` unless there are as many of them,
-  // and of the weights, as the knots need
+  // Returns the points.
+  // \throws Error `wrong_number_of_points` unless points and weights are as many as the knots need
   static const std::vector<Point>& checked(const std::vector<Point>& points, const std::vector<FT>& weights,
                                            const Knot_vector<FT>& knots) {
     check_number_of_coefficients(knots, points, "Rational_bspline_curve: control points");

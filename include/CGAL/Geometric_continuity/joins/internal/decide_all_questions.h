@@ -112,7 +112,8 @@ inline bool is_curved(const First_differences<double, 3>& differences) {
 // unreachable: asked for in space only
 inline bool is_curved(const First_differences<double, 2>&) { return false; }
 
-// The extent of a decision: everything, the orders, or what is left when the orders, up to 2 or 3, are known.
+// The extent of a decision: everything, the orders, or what is left when the orders, up to 2 or 3,
+// are known.
 enum class Join_asked { all, orders, flags };
 
 // Everything that Join_continuity says but the shape parameters, for a join in the plane or in

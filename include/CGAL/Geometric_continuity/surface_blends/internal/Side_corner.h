@@ -25,8 +25,8 @@
 #include <vector>
 
 /// \file Side_corner.h
-/// What a side curve and the derivative across it determine at a corner of a blend surface, and the
-/// functions along an edge that have given values and slopes at both ends of it.
+/// A side curve and the derivative across it determine the blend surface at a corner, and functions
+/// along an edge have given values and slopes at both ends of it.
 
 namespace CGAL {
 namespace Geometric_continuity {
