@@ -51,7 +51,7 @@ public:
 };
 
 template <class Traits, class P> Column column(const P& p) { return GC::coordinates<Traits, Q>(p); }
-Column column(const Point& p) { return column<Exact>(p); }
+inline Column column(const Point& p) { return column<Exact>(p); }
 inline Column column(const Vector& v) { return column<Exact>(v); }
 inline Column vec(int x, int y, int z) {
   Column c(3);
