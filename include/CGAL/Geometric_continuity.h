@@ -46,9 +46,9 @@
 
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
-#include <CGAL/Geometric_continuity/joins/Integer_join.h>
 #include <CGAL/Geometric_continuity/joins/Join_deviation.h>
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
+#include <CGAL/Geometric_continuity/joins/Visual_join.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>

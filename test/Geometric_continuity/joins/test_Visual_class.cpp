@@ -9,8 +9,8 @@
 
 #include "support/enclosures.h"
 
-#include <CGAL/Geometric_continuity/joins/Integer_join.h>
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
+#include <CGAL/Geometric_continuity/joins/Visual_join.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Sqrt_extension.h>
 #include <boost/mpl/list.hpp>
@@ -46,7 +46,7 @@ void check_on_grid(const std::vector<std::vector<double>>& left, const std::vect
     }
   if (left.back() != right.front()) return;
   const auto degree = [&points](std::size_t k) { return static_cast<int>(points[k].size()) - 1; };
-  const GC::Integer_join<Grid_point, Integer> join(points[0].data(), degree(0), points[1].data(), degree(1));
+  const GC::Visual_join<Grid_point, Integer> join(points[0].data(), degree(0), points[1].data(), degree(1));
   BOOST_CHECK(join.visual_class(bound) == expected);
   if (!expected) return;
   BOOST_CHECK_EQUAL(join.exceeds(bound), expected == Visual_class::corner);

@@ -7,7 +7,7 @@
 
 #include "formats/font/Glyph_outline.h"
 
-#include <CGAL/Geometric_continuity/joins/Integer_join.h>
+#include <CGAL/Geometric_continuity/joins/Visual_join.h>
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ inline bool is_off(Glyph_grade grade) {
 inline bool is_defect(Glyph_grade grade) { return is_off(grade) && grade != Glyph_grade::rounding; }
 
 __extension__ typedef __int128 Glyph_integer;
-typedef GC::Integer_join<Glyph_point, Glyph_integer> Glyph_integer_join;
+typedef GC::Visual_join<Glyph_point, Glyph_integer> Glyph_integer_join;
 
 // Returns whether doubles of these magnitudes tell which one is larger, if both are right up to
 // 2^-48; empty if they do not.

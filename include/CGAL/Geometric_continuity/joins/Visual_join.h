@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTEGER_JOIN_H
-#define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTEGER_JOIN_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_VISUAL_JOIN_H
+#define CGAL_GEOMETRIC_CONTINUITY_JOINS_VISUAL_JOIN_H
 
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 #include <CGAL/Geometric_continuity/joins/internal/Image_end.h>
@@ -14,7 +14,7 @@
 #include <optional>
 #include <type_traits>
 
-/// \file Integer_join.h
+/// \file Visual_join.h
 /// What a designer sees of a join of two curves whose control points lie on a grid, as those of a
 /// font do.
 
@@ -70,7 +70,7 @@ public:
 /// \tparam Point_ a point with integer members `x` and `y`, whose differences have no overflow
 /// \tparam Integer_ a signed integer type that has all cross and dot products of differences, times
 ///   the product of both degrees
-template <class Point_, class Integer_> class Integer_join {
+template <class Point_, class Integer_> class Visual_join {
 public:
   typedef Point_ Point;                                ///< a control point
   typedef Integer_ Integer;                            ///< a product of differences
@@ -95,7 +95,7 @@ private:
 
   // The ends as internal::visual_class_of() asks for them.
   struct Image {
-    const Integer_join& join;
+    const Visual_join& join;
 
     const Left& left() const { return join.left_; }
     const Right& right() const { return join.right_; }
@@ -131,7 +131,7 @@ private:
 public:
   /// Constructs the join of two curves from their control points, which must stay as long as this
   /// object.
-  Integer_join(const Point* left, int left_degree, const Point* right, int right_degree)
+  Visual_join(const Point* left, int left_degree, const Point* right, int right_degree)
       : left_({left, left_degree}), right_({right, right_degree}), incoming_(vector_of(left_)),
         outgoing_(vector_of(right_)) {}
 
@@ -171,4 +171,4 @@ public:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_INTEGER_JOIN_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_VISUAL_JOIN_H
