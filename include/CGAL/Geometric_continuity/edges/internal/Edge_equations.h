@@ -254,7 +254,8 @@ public:
   // \pre the edges are the same, in one direction
   CGAL_GC_FORCEINLINE Rounded_edge_end(const Edge_layers& s1, const Edge_layers& s2, bool at_end)
       : s1_(s1), s2_(s2), at_end_(at_end), d_(first_difference(difference(s1, 0, 0, 1))),
-        a_(first_difference(leg(s1, 0))), b_(first_difference(leg(s2, 0))), normal_(cross(d_, a_)) {}
+        a_(first_difference(cross_difference(s1, 0))), b_(first_difference(cross_difference(s2, 0))),
+        normal_(cross(d_, a_)) {}
 
   CGAL_GC_FORCEINLINE bool in_range() const { return d_.in_range() && a_.in_range() && b_.in_range(); }
 
@@ -276,7 +277,7 @@ public:
   }
 
   // See second_order_form().
-  CGAL_GC_FORCEINLINE Rounded_form mixed() const { return normal_times(a_.x, leg(s1_, 1)); }
+  CGAL_GC_FORCEINLINE Rounded_form mixed() const { return normal_times(a_.x, cross_difference(s1_, 1)); }
   CGAL_GC_FORCEINLINE Rounded_form along() const {
     return s1_.along > 1 ? normal_times(d_.x, difference(s1_, 0, 1, 2)) : Rounded_form{0, 0};
   }
@@ -297,7 +298,9 @@ private:
     return minus(point(s, j, k), point(s, j, i));
   }
   // from the edge to the first layer
-  CGAL_GC_FORCEINLINE Vector leg(const Edge_layers& s, int i) const { return minus(point(s, 1, i), point(s1_, 0, i)); }
+  CGAL_GC_FORCEINLINE Vector cross_difference(const Edge_layers& s, int i) const {
+    return minus(point(s, 1, i), point(s1_, 0, i));
+  }
   static CGAL_GC_FORCEINLINE Rounded_vector first_difference(const Vector& x) { return {x, largest(x)}; }
   // with the second difference y - x
   CGAL_GC_FORCEINLINE Rounded_form normal_times(const Vector& x, const Vector& y) const {

@@ -146,14 +146,14 @@ private:
   using Vector = std::array<Bounded_polynomial<(std::max)(Layers::most_along - below, 1), coordinate_bits + bits>, N>;
   typedef Vector<0, 0> Edge;
   typedef Vector<1, 1> Difference;
-  typedef Vector<0, 1> Leg;
+  typedef Vector<0, 1> Cross_difference;
   static constexpr int factor_bits = Layers::factor_bits + scale_bits;
 
   const Layers &s1_, &s2_;
   const std::array<std::int64_t, 2> scale_;
   const int n_;
   const Difference d_;
-  const Leg a_;
+  const Cross_difference a_;
   template <class D> using Tangent = Edge_tangent<N, typename Edge::value_type, typename D::value_type>;
   const Tangent<Difference> tangent_;
 
@@ -161,8 +161,8 @@ public:
   // \pre not collapsed
   Edge_on_grid(const Layers& s1, const Layers& s2, const std::array<std::int64_t, 2>& scale = {1, 1})
       : s1_(s1), s2_(s2), scale_(scale), n_(s1.along),
-        d_(vector<Difference>(n_ - 1, [&](int i, int x) { return s1.p[0][i + 1][x] - s1.p[0][i][x]; })), a_(leg(s1)),
-        tangent_(tangent(d_)) {}
+        d_(vector<Difference>(n_ - 1, [&](int i, int x) { return s1.p[0][i + 1][x] - s1.p[0][i][x]; })),
+        a_(cross_difference(s1)), tangent_(tangent(d_)) {}
   Edge_on_grid(const Edge_on_grid&) = delete;
 
   // The order, up to `most`. Empty without a ratio, or if a normal may vanish somewhere.
@@ -180,7 +180,7 @@ public:
   // The order, up to `most`. Empty if a normal may vanish somewhere.
   std::optional<int> order(int most) const {
     const auto n1 = normal();
-    const Leg b = leg(s2_);
+    const Cross_difference b = cross_difference(s2_);
     if (!sum_of_products<N>(n1, b).vanishes()) return 0;
     // The normals are parallel. Where one coordinate of each is never zero they have one sense, or
     // opposite senses.
@@ -203,12 +203,12 @@ public:
 
   // N and n2
   auto normal() const { return tangent_.normal(a_); }
-  auto second_normal() const { return tangent_.normal(leg(s2_)); }
+  auto second_normal() const { return tangent_.normal(cross_difference(s2_)); }
 
 private:
   // By the coordinate x. See second_order_form().
   template <class Normal, class Coordinate_2>
-  bool second_order_holds(const Normal& n1, const Coordinate_2& n2, const Leg& b, int x) const {
+  bool second_order_holds(const Normal& n1, const Coordinate_2& n2, const Cross_difference& b, int x) const {
     const Edge_factors<int> w = edge_factors(s1_, s2_);
     const auto factor = [&](int of_degrees, int side) {
       return Bounded_factor<factor_bits>{of_degrees * scale_[side]};
@@ -269,8 +269,8 @@ private:
     }
     return v;
   }
-  static Leg leg(const Layers& s) {
-    return vector<Leg>(s.along, [&](int i, int x) { return s.p[1][i][x] - s.p[0][i][x]; });
+  static Cross_difference cross_difference(const Layers& s) {
+    return vector<Cross_difference>(s.along, [&](int i, int x) { return s.p[1][i][x] - s.p[0][i][x]; });
   }
   Vector<2, 2> second_difference_along() const {
     return vector<Vector<2, 2>>(
