@@ -7,7 +7,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/surface_blends/round_edge.h>
+#include <CGAL/Geometric_continuity/models/round_edges.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <iostream>
