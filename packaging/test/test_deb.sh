@@ -25,14 +25,16 @@ for file in bin/geometric_continuity bin/check_certificate include/CGAL/Geometri
 done
 holds grep -q '/cmake/Geometric_continuity/Geometric_continuityConfig.cmake$' files
 depends=$(dpkg-deb -f "$deb" Depends)
-for library in libc6 libexpat1 libfreetype6 libgmp10 libmpfr6 libstdc++6 zlib1g python3; do
+for library in libc6 libexpat1 libfreetype6 libgmp10 libmpfr6 libstdc[+][+]6 zlib1g python3; do
   holds [ "$(grep -cE "(^|, )$library(,| |$)" <<<"$depends")" -eq 1 ]
 done
 holds [ "$(grep -c occt <<<"$depends")" -eq 0 ]
 holds [ "$(dpkg-deb -f "$deb" Recommends)" = "libcgal-dev (>= 5.5)" ]
 for cad in geometric-continuity-cad_*.deb; do
   [ -e "$cad" ] || continue
-  holds grep -q "occt.*\|^geometric-continuity (= " <<<"$(dpkg-deb -f "$cad" Depends)"
+  for needed in 'geometric-continuity (= ' 'libocct-data-exchange'; do
+    holds grep -qF "$needed" <<<"$(dpkg-deb -f "$cad" Depends)"
+  done
   holds [ "$(dpkg-deb -c "$cad" | grep -c '/usr/libexec/geometric_continuity/geometric_continuity_cad$')" -eq 1 ]
   holds [ "$(grep -c geometric_continuity_cad files)" -eq 0 ]
 done

@@ -187,3 +187,9 @@ def build_sdist(sdist_directory, config_settings=None):
             entry.size = len(text.encode())
             archive.addfile(entry, io.BytesIO(text.encode()))
     return name + ".tar.gz"
+
+
+if __name__ == "__main__":  # build_wheel.py sdist|wheel FOLDER, which pip and build do by themselves
+    kind, target = sys.argv[1:]
+    os.makedirs(target, exist_ok=True)
+    print(os.path.join(target, {"sdist": build_sdist, "wheel": build_wheel}[kind](target)))
