@@ -1,8 +1,9 @@
 // Copyright (c) 2026 The Geometric_continuity developers
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Writes the package.json of the npm package: that of the module, with the version and the address of the
-// project, which stand in CMakeLists.txt. Usage: node describe.mjs SOURCE_FOLDER >package.json
+// Writes the package.json of the npm package: that of the module, with the version and the address
+// of the project, which stand in CMakeLists.txt.
+// Usage: node describe.mjs SOURCE_FOLDER >package.json
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

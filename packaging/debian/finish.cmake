@@ -1,4 +1,5 @@
-# CPack runs this before it packs: it brings what was installed into the places and forms that Debian asks of its packages.
+# CPack runs this before it packs: it brings what was installed into the places and forms that
+# Debian asks of its packages.
 set(source ${CPACK_GEOMETRIC_CONTINUITY_SOURCE})
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Packs what the build folder has as packages of Debian, and looks at them; lintian finds no error where it is there.
+# Packs what the build folder has as packages of Debian, and looks at them; lintian finds no error
+# where it is there.
 # Usage: test_deb.sh BUILD_FOLDER WORK_FOLDER
 set -u
 build=$1 work=$2 failures=0 checks=0

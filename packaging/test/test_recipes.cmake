@@ -1,5 +1,6 @@
-# Runs the port of vcpkg and the recipe of Conan with stand-ins for both tools, which do what their calls of CMake do:
-# the recipes can be read, name files that exist, and what they install can be found.
+# Runs the port of vcpkg and the recipe of Conan with stand-ins for both tools, which do what their
+# calls of CMake do: the recipes can be read, name files that exist, and what they install can be
+# found.
 cmake_minimum_required(VERSION 3.18)
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)

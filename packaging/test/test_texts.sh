@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What stands in several places is the same, files of other tools can be read, release notes and the npm package are
-# what their scripts make. Usage: test_texts.sh WORK_FOLDER
+# Versions that stand in several places agree, files of other tools can be read, and release notes
+# and the npm package are made by their scripts as they should be. Usage: test_texts.sh WORK_FOLDER
 set -u
 top=$(cd "$(dirname "$0")/../.." && pwd)
 work=$1 failures=0 checks=0

@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Builds the module and the program by CMake, and packs both as a wheel: what `pip install .` calls (PEP 517). It needs nothing but
 the standard library, so that nothing has to be downloaded. `--config-settings build-folder=FOLDER` keeps what was compiled there, or
-takes what is; `--config-settings cmake=OPTION` passes an option to CMake. A source distribution has all files of the repository, and
-packs itself again without git."""
+takes what is; `--config-settings cmake=OPTION` passes an option to CMake. A source distribution has all files
+of the repository, and packs itself again without git."""
 
 import base64
 import hashlib
@@ -43,8 +43,8 @@ def _address():
 
 
 def _description():
-    """Returns the README as it is read outside of the repository: what it links is absolute. Without an address of the repository
-    pictures are part of the text, and links are their names."""
+    """Returns the README as it is read outside of the repository: what it links is absolute. Without
+    an address of the repository pictures are part of the text, and links are their names."""
     address, version = _address(), _version()
 
     def picture(match):
@@ -162,7 +162,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def _sources():
-    """Returns the names of the files of the repository. A source distribution has a list of them."""
+    """Returns the names of the files of the repository, of which a source distribution has a list."""
     if os.path.exists(os.path.join(TOP, SOURCES)):
         return _read(SOURCES).splitlines()
     listed = subprocess.run(["git", "-C", TOP, "ls-files", "-z"], check=True, stdout=subprocess.PIPE).stdout.decode()

@@ -66,7 +66,7 @@ class Wheel(unittest.TestCase):
 
 
 class Description(unittest.TestCase):
-    """What the wheel and the source distribution say about themselves. Neither is built by pip here."""
+    """What the wheel and the source distribution say about themselves; neither is compiled here."""
 
     def setUp(self):
         sys.path.insert(0, os.path.join(TOP, "python", "build_backend"))
@@ -89,7 +89,7 @@ class Description(unittest.TestCase):
                                                          f"Changelog, https://example.org/curves/blob/v{version}/CHANGES.md"])
 
     def test_pictures_and_links(self):
-        """Nothing that the description links is relative, and the pictures that are part of it are those of the repository."""
+        """Nothing that the description links is relative, and its pictures are those of the repository."""
         for address in ("", "https://example.org/curves"):
             text = self.metadata(address).get_payload()
             links = re.findall(r"(!?)\[[^]]*\]\(([^)]*)\)", text)

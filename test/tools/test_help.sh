@@ -67,7 +67,8 @@ holds [ "$(completed geometric_continuity ver)" = verify ]
 holds [ "$(completed geometric_continuity verify --max-k)" = --max-kink ]
 holds [ "$(completed geometric_continuity blend --strategy fair_)" = "fair_g3 fair_f3" ]
 touch only.g2 && holds [ "$(completed geometric_continuity verify onl)" = only.g2 ]
-# Those of zsh and fish are made of the same texts. What zsh's own functions are given stands for what it offers.
+# The completions of zsh and fish are made of the same texts. Functions that print their arguments
+# take the place of zsh's own ones.
 completions=$(dirname "$0")/../../tools/completions
 "$completions" zsh "$program" >_zsh && "$completions" fish "$program" >completion.fish
 for command in blend connect extend interpolate fit verify merge repair plot report tessellate round-edges; do

@@ -1,7 +1,8 @@
 // Copyright (c) 2026 The Geometric_continuity developers
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// The blocks of the package's README are run. A comment that begins with an arrow is the value of its line.
+// The blocks of the package's README are run. A comment that begins with an arrow is the value of
+// its line.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
