@@ -10,8 +10,6 @@ from conan import ConanFile
 from conan.tools.cmake import CMake, CMakeDeps, CMakeToolchain
 from conan.tools.files import copy
 
-TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
-
 
 class GeometricContinuity(ConanFile):
     name = "geometric-continuity"
@@ -22,13 +20,16 @@ class GeometricContinuity(ConanFile):
     package_type = "header-library"
     settings = "os", "compiler", "build_type", "arch"
 
+    def _top(self):
+        return os.path.join(self.recipe_folder, "..", "..")
+
     def set_version(self):
-        with open(os.path.join(TOP, "CMakeLists.txt"), encoding="utf-8") as file:
+        with open(os.path.join(self._top(), "CMakeLists.txt"), encoding="utf-8") as file:
             self.version = re.search(r"project\(Geometric_continuity VERSION ([0-9.]+)", file.read()).group(1)
 
     def export_sources(self):
         for pattern in ("CMakeLists.txt", "LICENSE.*", "include/*", "packaging/geometric-continuity.pc.in"):
-            copy(self, pattern, TOP, self.export_sources_folder)
+            copy(self, pattern, self._top(), self.export_sources_folder)
 
     def requirements(self):
         self.requires("cgal/[>=5.5]", transitive_headers=True, transitive_libs=True)

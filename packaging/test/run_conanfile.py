@@ -11,6 +11,7 @@ module = importlib.util.module_from_spec(specification)
 specification.loader.exec_module(module)
 recipe = module.GeometricContinuity()
 work = sys.argv[2]
+recipe.recipe_folder = os.path.dirname(sys.argv[1])
 recipe.export_sources_folder = recipe.source_folder = os.path.join(work, "source")
 recipe.build_folder, recipe.package_folder = os.path.join(work, "build"), os.path.join(work, "package")
 recipe.options_of_cmake = sys.argv[3:]
