@@ -29,8 +29,8 @@ set(long_tests
     fuzz_certificates fuzz_curves fuzz_drawings fuzz_fonts fuzz_numbers fuzz_paths fuzz_repairs fuzz_surfaces fuzz_variable_fonts)
 set(release_tests
     cases_double cases_epeck cases_epick test_optimised_splines
-    # the package in other projects
-    install
+    # the package in other projects, and what is packed
+    install packaging_deb
     # the program
     program_big program_cad program_cad_losses program_cad_poles program_cad_reader program_cad_report program_cad_verdicts program_certificates program_drawings program_manual
     program_manual_numbers program_memory program_output program_report_in_browser program_words program_work)

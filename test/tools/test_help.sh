@@ -68,6 +68,33 @@ holds [ "$(completed geometric_continuity ver)" = verify ]
 holds [ "$(completed geometric_continuity verify --max-k)" = --max-kink ]
 holds [ "$(completed geometric_continuity blend --strategy fair_)" = "fair_g3 fair_f3" ]
 touch only.g2 && holds [ "$(completed geometric_continuity verify onl)" = only.g2 ]
+# The completions of zsh and fish are made of the same texts. Functions that print their arguments
+# take the place of zsh's own ones.
+completions=$(dirname "$0")/../../tools/completions
+"$completions" zsh "$program" >_zsh && "$completions" fish "$program" >completion.fish
+for command in blend connect extend interpolate fit verify merge repair plot report tessellate round-edges; do
+  says _zsh "  '$command:" && says completion.fish "-f -a $command -d"
+  run 0 $command --help
+  for option in $(grep -oE '^  (-[a-z] \[ )?--[a-z0-9-]+' out | grep -oE '\-\-[a-z0-9-]+'); do
+    holds [ "$(sed -n "/^$command)/,/;;/p" _zsh | grep -c -- "'$option\[")" -eq 1 ]
+    holds [ "$(grep -cE -- "_from $command' -l ${option#--} " completion.fish)" -eq 1 ]
+  done
+done
+if command -v zsh >/dev/null; then
+  completed() { # the number of the word to complete, and words
+    zsh -fc '_arguments() { print -rl -- "$@" }; _describe() { print -rl -- "${(P@)2}" }; here() { . ./_zsh }
+             CURRENT=$1; shift; words=("$@"); here' - "$@" >out
+  }
+  completed 2 geometric_continuity ver && says out "verify:decide the continuity of every join" && lacks out "kink-angle"
+  completed 3 geometric_continuity verify --max-k && says out "--max-kink[" && lacks out "--strategy"
+  completed 4 geometric_continuity blend --strategy fa && says out ":strategy:(c2 " " fair_f3 "
+fi
+if command -v fish >/dev/null; then
+  completed() { fish --no-config -c '. ./completion.fish; complete -C $argv[1]' "$1" | cut -f 1 | sort | paste -sd " "; }
+  holds [ "$(completed "geometric_continuity ver")" = verify ]
+  holds [ "$(completed "geometric_continuity verify --max-k")" = --max-kink ]
+  holds [ "$(completed "geometric_continuity blend --strategy fair_")" = "fair_f3 fair_g3" ]
+fi
 if command -v groff >/dev/null; then
   groff -man -Tascii -ww page.1 2>warnings | sed 's/.\x08//g' >page.txt
   holds [ ! -s warnings ] && says page.txt "SYNOPSIS" "blend A.g2 B.g2"

@@ -18,6 +18,26 @@ run(${CMAKE_COMMAND} -S ${USER} -B ${WORK}/finds ${options} -DCMAKE_PREFIX_PATH=
 run(${CMAKE_COMMAND} --build ${WORK}/finds)
 run(${WORK}/finds/uses_geometric_continuity)
 
+# The licences are there, and pkg-config tells what a compiler needs.
+foreach(licence LGPL GPL)
+  if(NOT EXISTS ${WORK}/prefix/share/doc/geometric-continuity/LICENSE.${licence})
+    message(FATAL_ERROR "LICENSE.${licence} is not installed")
+  endif()
+endforeach()
+find_program(pkg_config pkg-config)
+if(pkg_config)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${WORK}/prefix/share/pkgconfig
+                          ${pkg_config} --cflags --libs geometric-continuity
+                  RESULT_VARIABLE code OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(NOT code EQUAL 0)
+    message(FATAL_ERROR "pkg-config does not find geometric-continuity")
+  endif()
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  file(GLOB user_sources ${USER}/*.cpp)
+  run(${CXX} ${user_sources} ${flags} -o ${WORK}/by_pkg_config)
+  run(${WORK}/by_pkg_config)
+endif()
+
 run(${CMAKE_COMMAND} -S ${USER} -B ${WORK}/contains ${options} -DPACKAGE_SOURCE=${SOURCE} -DCMAKE_BUILD_TYPE=Debug)
 run(${CMAKE_COMMAND} --build ${WORK}/contains)
 run(${WORK}/contains/uses_geometric_continuity)

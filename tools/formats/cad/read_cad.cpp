@@ -41,7 +41,8 @@ std::string reader_program() {
     if (::access(program.c_str(), X_OK) == 0) return program;
   }
   throw std::runtime_error("STEP, IGES and BREP are read by an optional part of this program, which is not there: "
-                           "install libocct-data-exchange-dev and build the program again");
+                           "install the package geometric-continuity-cad, or libocct-data-exchange-dev and build the "
+                           "program again");
 }
 
 // Returns all that the process writes which reads a file. Throws std::runtime_error when it takes

@@ -1,0 +1,29 @@
+"""A stand-in for the calls of CMake by Conan, which calls it with the options that the test gives."""
+
+import subprocess
+
+
+class CMakeDeps:
+    def __init__(self, conanfile):
+        pass
+
+    def generate(self):
+        pass
+
+
+class CMakeToolchain(CMakeDeps):
+    def __init__(self, conanfile):
+        self.cache_variables = conanfile.cache_variables = {}
+
+
+class CMake:
+    def __init__(self, conanfile):
+        self.conanfile = conanfile
+
+    def configure(self):
+        variables = [f"-D{name}={value}" for name, value in self.conanfile.cache_variables.items()]
+        subprocess.run(["cmake", "-S", self.conanfile.source_folder, "-B", self.conanfile.build_folder, *variables,
+                        *self.conanfile.options_of_cmake], check=True)
+
+    def install(self):
+        subprocess.run(["cmake", "--install", self.conanfile.build_folder, "--prefix", self.conanfile.package_folder], check=True)
