@@ -116,8 +116,8 @@ void check_all(const Curve<Traits>& left, const Curve<Traits>& right, int max_or
   const GC::Join_continuity<Q> truth = reference(left, right, max_order);
   GC::Join_continuity<Q> join;
   ++counter.whole;
-  GC::internal::decide_all_on_doubles<dimension<Traits>>(GC::internal::left_end(left), GC::internal::right_end(right),
-                                                         max_order, join);
+  const GC::internal::Double_ends<dimension<Traits>> ends(GC::internal::left_end(left), GC::internal::right_end(right));
+  GC::internal::decide_all_on_doubles(ends, max_order, join, GC::internal::Join_asked::all);
   bool right_answers = same(join, truth);
   if constexpr (std::is_same_v<GC::Predicate_FT<Traits>, Q>)
     right_answers = right_answers && same(GC::continuity(left, right, max_order), truth);
