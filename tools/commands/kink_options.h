@@ -22,7 +22,7 @@ inline GC::Corner_threshold corner_threshold(const Command_line& line) {
   }
 }
 
-// What --off-by gives: by how many units of a font a handle may be off because of rounding.
+// Reads --off-by: by how many units of a font a handle may be off because of rounding.
 inline Handle_rounding rounding_bound(const Command_line& line) {
   const CGAL::Exact_rational units = line.number("off-by", CGAL::Exact_rational(1));
   if (units < CGAL::Exact_rational(0)) throw std::invalid_argument("--off-by: " + line.text("off-by") + " is negative");

@@ -272,8 +272,8 @@ class Contour_mender {
     return proposal;
   }
 
-  // What distinguishes handles that are no mirror images of each other, whichever way the contour
-  // is run through.
+  // Returns numbers that distinguish handles that are no mirror images of each other, whichever way
+  // the contour is run through.
   static std::pair<std::int64_t, std::int64_t> rank(const Vector& v) {
     return {squared_length(v), (std::max)((std::abs)(v.x), (std::abs)(v.y))};
   }

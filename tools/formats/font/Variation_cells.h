@@ -198,7 +198,7 @@ private:
 
   static bool moves(const Vector& v) { return v[0] != FT(0) || v[1] != FT(0); }
 
-  // What moves a side by number i, where 0 is its constant part.
+  // Returns the vector number i that moves a side, where 0 is its constant part.
   const Vector& vector(const Variable_vector& side, std::size_t i) const {
     return i == 0 ? side.constant : side.shifts[moving_[i - 1]];
   }

@@ -413,11 +413,11 @@ std::vector<Common_edge> common_edges(const Rational_bezier_patch<Traits>& a, co
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What lets anybody check the order of two surfaces along a span of an edge by multiplying
-/// polynomials. All points are homogeneous, of polynomial surfaces with the weight 1; `P(u)` is the
-/// edge, `u` in [0, 1], and \f$ P_u, P_v, Q_v, P_{vv}, \dots \f$ are derivatives of the first
-/// surface `P` and of the second one `Q`, where `v` grows into each surface. With the planes
-/// \f$ \pi \f$ and \f$ \rho \f$, \f$ \pi \cdot x = \det(x, P, P_u, P_v) \f$ and
+/// A certificate of the order of two surfaces along a span of an edge, which anybody can check by
+/// multiplying polynomials. All points are homogeneous, of polynomial surfaces with the weight 1;
+/// `P(u)` is the edge, `u` in [0, 1], and \f$ P_u, P_v, Q_v, P_{vv}, \dots \f$ are derivatives of
+/// the first surface `P` and of the second one `Q`, where `v` grows into each surface. With the
+/// planes \f$ \pi \f$ and \f$ \rho \f$, \f$ \pi \cdot x = \det(x, P, P_u, P_v) \f$ and
 /// \f$ \rho \cdot x = \det(x, P, P_u, Q_v) \f$, and coordinates `i` of planes:
 ///
 /// - \f$ G^1 \f$ holds if \f$ \pi \cdot Q_v \equiv 0 \f$, which is the determinant, and

@@ -279,7 +279,7 @@ struct Kink_size {
   /// move at least to make their directions equal, \f$ |a \times b| / \max(|a|, |b|) \f$; from a
   /// right angle on \f$ \min(|a|, |b|) \f$. On a grid, about one unit is rounding.
   Enclosure handle_offset;
-  /// What the eye sees: the angle times the length of the shorter handle, in units of the
+  /// How much the eye sees: the angle times the length of the shorter handle, in units of the
   /// coordinates. Compare it to the size of what is drawn, an em or a drawing.
   Enclosure severity;
 

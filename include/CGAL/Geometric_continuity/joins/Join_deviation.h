@@ -13,7 +13,7 @@
 #include <ostream>
 
 /// \file Join_deviation.h
-/// What is said about how far a join is from being continuous, and what is tolerated.
+/// How far a join is from being continuous, the tolerance for it, and the verdict.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -44,7 +44,7 @@ struct Join_deviation {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What is tolerated at a join: the quantities of `Join_deviation`, in their units.
+/// The tolerance at a join: the quantities of `Join_deviation`, in their units.
 struct Join_tolerance {
   Bound tangent_angle = 0;        ///< in radians
   Bound curvature_jump = 0;       ///< relative

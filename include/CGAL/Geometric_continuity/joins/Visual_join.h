@@ -15,8 +15,7 @@
 #include <type_traits>
 
 /// \file Visual_join.h
-/// What a designer sees of a join of two curves whose control points lie on a grid, as those of a
-/// font do.
+/// The look of a join of two curves whose control points lie on a grid, as those of a font do.
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -24,8 +24,8 @@
 #include <vector>
 
 /// \file join_result.h
-/// What is said about a join: orders of continuity, what is equal, and the shape parameters, which
-/// are computed on request; the certificate by which anybody can check the orders; and how many
+/// The verdict on a join: orders of continuity, what is equal, and the shape parameters, which are
+/// computed on request; the certificate by which anybody can check the orders; and how many
 /// joins of a chain have which order.
 
 namespace CGAL {
@@ -313,9 +313,9 @@ template <class FT> struct Join_continuity {
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
-/// What lets anybody check the orders of a join by adding and multiplying: with the derivatives
-/// \f$ X^{(j)}, Y^{(j)} \f$ of the left and of the right curve at the join, for each order `j` the
-/// equation
+/// A certificate of the orders of a join, which anybody can check by adding and multiplying: with
+/// the derivatives \f$ X^{(j)}, Y^{(j)} \f$ of the left and of the right curve at the join, for
+/// each order `j` the equation
 ///
 /// - C: \f$ Y^{(j)} = X^{(j)} + r \f$;
 /// - G: \f$ Y^{(j)} = \sum_{m=2}^{j} B_{j,m}(\beta_1, \beta_2, \dots) X^{(m)} + \beta_j X' + r \f$

@@ -169,7 +169,8 @@ template <class Ladder> std::optional<int> smooth_order(Ladder& ladder) {
   return found.value_or(0) > 0 ? found : std::nullopt;
 }
 
-// What the stages of fixed length read of edges of points with N coordinates, and their ladder.
+// The layers that the stages of fixed length read of edges of points with N coordinates, and their
+// ladder.
 template <int N> struct Fixed_length_stages {
   typedef Edge_layers Layers;
   typedef Edge_ladder Ladder;

@@ -18,8 +18,7 @@
 #include <utility>
 
 /// \file Join_input.h
-/// What the stages of Join_ladder.h ask of two ends, for each kind of ends. A stage says what it
-/// needs:
+/// Each kind of ends has a class here that tells the stages of Join_ladder.h what they need:
 ///
 /// - signs: `first_left()` and `first_right()`, the first differences with the signs of the exact
 ///   ones, and the `pivot()`;
@@ -103,7 +102,7 @@ public:
   const First_differences<double, N>& first_differences() const { return first_differences_; }
 };
 
-// What two ends without weights have in common: first differences as doubles that are rounded once,
+// Two ends without weights have this in common: first differences as doubles that are rounded once,
 // and the factors of the degrees.
 template <Join_question question_, int N> class Rounded_polygons {
   static constexpr int k = highest_difference(question_);

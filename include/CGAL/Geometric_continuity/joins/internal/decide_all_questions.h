@@ -16,8 +16,8 @@
 #include <type_traits>
 
 /// \file decide_all_questions.h
-/// What continuity() says, from the answers to single questions by the ladder about two ends that
-/// are read once.
+/// The verdict of continuity(), from the answers to single questions by the ladder about two ends
+/// that are read once.
 
 namespace CGAL {
 namespace Geometric_continuity {

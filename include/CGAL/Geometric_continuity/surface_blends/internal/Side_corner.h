@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// What a function is to be where an edge ends: the value, and the slope if it is given.
+// The value that a function is to have where an edge ends, and the slope if it is given.
 template <class FT> struct Edge_end_value {
   FT value;
   std::optional<FT> slope;
@@ -184,7 +184,8 @@ private:
     const Vector* row; // followed by its derivative along the edge
   };
 
-  // What the derivative of the order n across the edge is besides C', T and C. With c = lambda_1,
+  // Returns the derivative of the order n across the edge without its parts along C', T and C. With
+  // c = lambda_1,
   // and alpha_2 + 2 c alpha and delta + 2 c beta for the coordinates p, q of the second one, it is
   // alpha^2 C'' + 2 alpha beta T' + beta^2 W, and of the third one alpha^3 C''' + 3 alpha^2 beta
   // T'' + 3 alpha beta^2 W' + beta^3 X and
