@@ -28,7 +28,8 @@ class GeometricContinuity(ConanFile):
             self.version = re.search(r"project\(Geometric_continuity VERSION ([0-9.]+)", file.read()).group(1)
 
     def export_sources(self):
-        for pattern in ("CMakeLists.txt", "LICENSE.*", "include/*", "packaging/geometric-continuity.pc.in"):
+        for pattern in ("CMakeLists.txt", "LICENSE.*", "include/*", "figures/include/*",
+                        "packaging/geometric-continuity.pc.in"):
             copy(self, pattern, self._top(), self.export_sources_folder)
 
     def requirements(self):
