@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityIO
-/// What a curve is in a picture.
+/// The role of a curve in a picture.
 enum class Svg_role {
   /// a curve that was there before, drawn dark; "given curve" in the legend unless it has a name
   given,

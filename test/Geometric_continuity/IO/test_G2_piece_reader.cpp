@@ -44,8 +44,8 @@ Pieces pieces_of_curves(const std::string& text) {
   return pieces;
 }
 
-// Of all degrees, with knots of all multiplicities, also outside of the domain and at its ends. The
-// numbers are halves of integers, which are the same in floating point.
+// Splines of all degrees, with knots of all multiplicities, also outside of the domain and at its
+// ends. The numbers are halves of integers, which are the same in floating point.
 BOOST_AUTO_TEST_CASE(the_pieces_are_those_of_the_curves) {
   std::mt19937 random = seeded(20261122);
   std::ostringstream text;

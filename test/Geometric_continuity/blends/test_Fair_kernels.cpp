@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(invariance) {
   }
 }
 
-// What every blend must satisfy, however strange its ends are. Points stay within `reach` of the
+// Every blend must satisfy this, however strange its ends are. Points stay within `reach` of the
 // ends.
 template <class Strategy>
 auto sensible(const Numbers& phi, const Numbers& psi, const Strategy& strategy, double reach) {

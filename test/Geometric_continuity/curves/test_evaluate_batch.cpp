@@ -11,7 +11,7 @@
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/curves/evaluate_batch.h>
 
-// The same curve with exact numbers.
+// Returns the same curve with exact numbers.
 template <class Curve> GC::Bezier_curve<Traits<Exact>> exact_curve(const Curve& curve) {
   std::vector<Point<Exact>> p;
   for (const auto& x : curve) p.emplace_back(Exact(x.x()), Exact(x.y()), Exact(x.z()));

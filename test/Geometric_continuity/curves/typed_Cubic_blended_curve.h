@@ -407,8 +407,8 @@ TEST_WITH_RANDOM_INPUT(piecewise_curves) {
   }
 }
 
-// What coincides is no error, and the analysis says what it does to the curve. Zero derivatives and
-// whole coordinates: no rounding decides here.
+// Points that coincide are no error, and the analysis says what it does to the curve. Zero
+// derivatives and whole coordinates: no rounding decides here.
 TEST_IN_EVERY_SPACE(piecewise_degenerate) {
   typedef std::pair<int, int> Orders;
   const GC::Catmull_rom_basis catmull_rom;

@@ -19,7 +19,7 @@ struct Random : Random_integers<std::mt19937_64> {
   }
 };
 
-// The same numbers in lowest terms, short or not.
+// Tries the same numbers in lowest terms, short or not.
 BOOST_AUTO_TEST_CASE(sums) {
   Random random;
   for (int i = 0; i < 20000; ++i) {

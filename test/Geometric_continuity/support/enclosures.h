@@ -8,7 +8,7 @@
 
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
-// What certifies an enclosure, without the functions that made it.
+// This certifies an enclosure, without the functions that made it.
 
 namespace enclosures {
 

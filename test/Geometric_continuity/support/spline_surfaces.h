@@ -99,7 +99,7 @@ inline S part(const S& s, const Q& a, const Q& b) {
   return S(net, Knots(order - 1, u), r.knots_v());
 }
 
-// The same in another kernel; it must be represented exactly.
+// Returns the same surface in another kernel; it must be represented exactly.
 template <class K, class FT = typename K::FT> Surface<K> in(const S& s) {
   const auto number = [](const Q& x) {
     if constexpr (std::is_same_v<FT, Q>)

@@ -76,13 +76,13 @@ inline std::locale continental() {
   BOOST_AUTO_TEST_CASE_TEMPLATE(name, Type, types) { name##_for<Type>(); }                                             \
   template <class Type, class FT> void name##_for()
 
-// What is written for the parts one after the other.
+// Returns the text that is written for the parts one after the other.
 template <class... T> std::string text(const T&... part) {
   std::ostringstream os;
   (os << ... << part);
   return os.str();
 }
-// What f(os) writes.
+// Returns the text that f(os) writes.
 template <class F> std::string written_by(F f) {
   std::ostringstream os;
   f(os);

@@ -16,7 +16,7 @@ typedef GC::G1_ribbon<GC::Traits_3<Exact>> Ribbon;
 using GC::Edge_defect;
 using GC::Sign_pattern;
 
-// What is given: C and both neighbours.
+// The input: C and both neighbours.
 struct Input {
   Curve<Exact> c, c1, c2;
   Ribbon ribbon(const Q& bulge = Q(0)) const { return GC::connect_g1(c, c1, c2, bulge); }

@@ -112,7 +112,7 @@ void check_random_blend(Numbers& random, const Surface& given_a, const Surface& 
   BOOST_CHECK_EQUAL(!r.start_join.is_moved() && !r.end_join.is_moved(), stays);
 }
 
-// Of every degree; coordinates of 21 digits stay, those of 53 digits move.
+// Blends of every degree: coordinates of 21 digits stay, those of 53 digits move.
 BOOST_AUTO_TEST_CASE_TEMPLATE(patches, Traits, Rounded_traits) {
   Numbers random;
   for (int m = 2; m <= 4; ++m)

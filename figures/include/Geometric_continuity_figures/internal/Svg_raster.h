@@ -19,8 +19,8 @@
 #include <vector>
 
 /// \file Svg_raster.h
-/// What of many triangles is nearest to the viewer, on a grid of samples, and the regions of the
-/// picture where a value that varies along it exceeds a level, bounded by contours.
+/// The parts of many triangles that are nearest to the viewer, on a grid of samples, and the
+/// regions of the picture where a value that varies along it exceeds a level, bounded by contours.
 
 namespace CGAL {
 namespace Geometric_continuity {

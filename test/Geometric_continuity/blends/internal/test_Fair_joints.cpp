@@ -10,7 +10,7 @@
 
 BOOST_AUTO_TEST_SUITE(fair_joints)
 
-// Of points on a circle, tangents and curvatures are those of the circle, also at the ends.
+// Points on a circle have its tangents and curvatures, also at the ends.
 BOOST_AUTO_TEST_CASE(circles_through_points) {
   for (const bool closed : {false, true}) {
     std::vector<GC::internal::Fair_joint<2>> joints;

@@ -531,7 +531,7 @@ BOOST_AUTO_TEST_CASE(high_degrees_and_short_domains) {
   }
 }
 
-// What the absolute value of a number cannot exceed.
+// Returns a bound of the absolute value of a number.
 struct Magnitude {
   boost::multiprecision::cpp_int value;
   Magnitude(boost::multiprecision::cpp_int x = 0) : value(std::move(x)) {}

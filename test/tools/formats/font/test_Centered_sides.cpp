@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// What is said of both sides of a join on a box of many axes holds at its points.
+// The bounds for both sides of a join on a box of many axes hold at its points.
 
 #define BOOST_TEST_MODULE centered_legs
 #include "support/test.h"

@@ -112,7 +112,7 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_residues_with(const Factors& w, const 
   return decided(all_hold<question>(equations) ? Join_answer::yes : Join_answer::no);
 }
 // By residues of the least length that suffices. Long ones need much room, and are compiled apart.
-// That is called by value, since what it could read by reference would not stay in registers
+// Those are called by value, since what they could read by reference would not stay in registers
 // anywhere.
 template <class Input, class Width, class Stages, int... limbs>
 BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Width width, int pivot,
