@@ -13,6 +13,7 @@
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -84,15 +85,39 @@ template <class FT> class Blender {
     return r;
   }
 
+  // A strategy as a function of the ends: what is made by one is compiled once for all of them.
+  template <class NT>
+  using Quintic_function = std::function<GC::Quintic_parameters<NT>(const GC::Quintic_ends<NT, 0>&)>;
+  typedef std::function<GC::Septic_parameters<FT>(const GC::Septic_ends<FT, 0>&)> Septic_function;
+  template <class Strategy>
+  using Function =
+      std::conditional_t<GC::is_quintic_strategy_v<Strategy, Traits>, Quintic_function<FT>, Septic_function>;
+
+  template <class Strategy>
+  static constexpr bool chooses_shape_v = std::is_same_v<Strategy, GC::Fair> || std::is_same_v<Strategy, GC::Fair_g3> ||
+                                          std::is_same_v<Strategy, GC::Fair_f3>;
+
   template <class Strategy> Blend_result<FT> blend(const std::string& name, const Strategy& strategy) const {
     if constexpr (std::is_same_v<FT, double> && GC::is_quintic_strategy_v<Strategy, Traits>)
-      if (line_.has("representable")) return representable(name, strategy);
+      if (line_.has("representable")) {
+        if constexpr (chooses_shape_v<Strategy>)
+          return representable(name, strategy, shape_ ? *shape_ : GC::blend(phi_, psi_, strategy).shape);
+        else
+          return representable(name, strategy,
+                               shape_ ? *shape_ : GC::blend(phi_, psi_, Function<Strategy>(strategy)).shape);
+      }
+    if constexpr (chooses_shape_v<Strategy>)
+      if (!shape_) return result(name, GC::blend(phi_, psi_, strategy));
+    return by_function(name, Function<Strategy>(strategy));
+  }
+
+  template <class Function> Blend_result<FT> by_function(const std::string& name, const Function& strategy) const {
     if (shape_) return result(name, GC::blend(phi_, psi_, strategy, *shape_));
     return result(name, GC::blend(phi_, psi_, strategy));
   }
 
-  template <class Strategy> Blend_result<FT> representable(const std::string& name, const Strategy& strategy) const {
-    const GC::Shape_parameters<FT> shape = shape_ ? *shape_ : GC::blend(phi_, psi_, strategy).shape;
+  Blend_result<FT> representable(const std::string& name, const Quintic_function<Exact>& strategy,
+                                 const GC::Shape_parameters<FT>& shape) const {
     const GC::Representable_blend<Traits> gamma = GC::representable_blend(
         polynomial(phi_, "--representable"), polynomial(psi_, "--representable"), strategy, shape);
     const GC::Shape_parameters<FT> chosen(gamma.start_join.beta, gamma.end_join.beta);

@@ -4,17 +4,12 @@
 
 #include "commands/blends/blend_surfaces.h"
 #include "commands/blends/blend_strategies.h"
+#include "commands/models/exact_models.h"
 #include "files/output.h"
-#include "formats/g2_text/surfaces.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/surface_blends/representable_blend_surfaces.h>
-#include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <optional>
@@ -27,8 +22,6 @@
 
 namespace {
 
-typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Exact_traits;
-typedef GC::Bspline_surface<Exact_traits> Exact_surface;
 typedef GC::Bspline_surface<GC::Traits_3<CGAL::Simple_cartesian<double>>> Double_surface;
 
 // Returns the only one of the surfaces of a file.
@@ -41,11 +34,10 @@ template <class Surface> const Surface& only_surface(const std::string& file, co
 
 // Reads the surfaces of both files, each of which has one. They are rational surfaces if one of
 // them is.
-Surface_model<Exact_traits> read_both_surfaces(const Arguments& files) {
-  Surface_model<Exact_traits> both;
+Surface_model<Exact_space> read_both_surfaces(const Arguments& files) {
+  Surface_model<Exact_space> both;
   for (const std::string& file : files)
-    read_surfaces<Exact_traits>({file}).visit(
-        [&](const auto& surfaces) { both.push_back(only_surface(file, surfaces)); });
+    read_exact_model({file}).visit([&](const auto& surfaces) { both.push_back(only_surface(file, surfaces)); });
   return both;
 }
 Double_surface read_double_surface(const std::string& file) {
@@ -72,11 +64,11 @@ template <class Surface>
 bool report_edge(std::ostream& report, int order, const std::string& file, const Surface& given, GC::Patch_edge edge,
                  const Surface& blend, GC::Patch_edge edge_of_blend) {
   report << input_name(file) << ", edge " << edge << ": ";
-  if (order == 3 && is_g3_edge(given, edge, blend, edge_of_blend)) {
+  if (order == 3 && has_g3_edge(given, edge, blend, edge_of_blend)) {
     report << "G3";
     return true;
   }
-  const auto verdict = edge_continuity(given, edge, blend, edge_of_blend);
+  const GC::Spline_edge_continuity<Exact> verdict = decided_edge(given, edge, blend, edge_of_blend);
   report << verdict;
   return order == 2 && verdict.g_order >= 2;
 }

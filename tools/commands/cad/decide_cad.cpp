@@ -100,12 +100,6 @@ Decided_cad_file decided(const std::string& file, Cad_model model, const Cad_dem
 
 } // namespace
 
-Cad_demand demand_within(const std::string& tolerance, const GC::Corner_threshold& kink) {
-  const Tolerances tolerances = parse_tolerances(tolerance, false);
-  if (tolerances.order > 2) throw std::invalid_argument("--within: of CAD models GAP,ANGLEdeg,CURVATURE% are compared");
-  return {std::nullopt, tolerances.order, tolerances.joins, tolerance, GC::in_radians(kink.degrees())};
-}
-
 void decide_cad_files(const Arguments& files, const Cad_demand& demand, const Cad_reading& reading,
                       const std::function<void(const Decided_cad_file&)>& take) {
   Cad_reading with_order = reading;

@@ -5,15 +5,13 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_MODELS_MODEL_REPORT_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_MODELS_MODEL_REPORT_H
 
-#include "commands/models/model_certificate.h"
+#include "commands/models/Model_surfaces.h"
 #include "commands/models/model_findings.h"
 #include "commands/models/model_json.h"
 #include "files/progress.h"
 #include "reports/Fingerprints.h"
 #include "reports/Report.h"
 #include "reports/words.h"
-
-#include <CGAL/Geometric_continuity/models/model_continuity.h>
 
 #include <algorithm>
 #include <array>
@@ -23,7 +21,6 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 // The demands on the edges of a model.
@@ -40,10 +37,10 @@ inline void scale_parameters(Continuity& e, const Exact& factor) {
   }
 }
 
-// The decisions on a model, exact and within the tolerance. Parameters are printed times
-// `parameter_unit`.
-template <class Surface> class Model_report {
-  const std::vector<Surface>& surfaces_;
+// The decisions on a model, exact and within the tolerance. Parameters are printed as those of the
+// files.
+class Model_report {
+  const Model_surfaces& surfaces_;
   const Patch_places& places_;
   const Edge_demand demand_;
   GC::Model_continuity<Exact> model_;
@@ -52,10 +49,11 @@ template <class Surface> class Model_report {
   Report report_;
 
 public:
-  Model_report(const std::vector<Surface>& surfaces, const Patch_places& places, const Report_mode& mode,
-               const Edge_demand& demand, const Exact& parameter_unit)
-      : surfaces_(surfaces), places_(places), demand_(demand), model_(decided(surfaces, wanted_angles(mode, demand))),
+  Model_report(const Model_surfaces& surfaces, const Patch_places& places, const Report_mode& mode,
+               const Edge_demand& demand)
+      : surfaces_(surfaces), places_(places), demand_(demand), model_(surfaces.continuity(wanted_angles(mode, demand))),
         report_(mode, decide_within()) {
+    const Exact& parameter_unit = surfaces.parameter_unit();
     if (parameter_unit == 1) return;
     for (Edge& e : model_.edges) scale_parameters(e.continuity, parameter_unit);
     for (Line& l : model_.knot_lines) {
@@ -83,9 +81,7 @@ public:
     }
     for (const GC::Nearly_coincident_edges& e : near_)
       add("near_edges", e, claim(-1, e.within), is_noted(-1, e.within), std::optional<Within>(e.within));
-    if constexpr (!std::is_floating_point_v<typename Surface::FT>)
-      if (std::ostream* const os = report_.mode().certificate)
-        write_model_certificate(*os, places_.names(), surfaces_, model_);
+    if (std::ostream* const os = report_.mode().certificate) surfaces_.write_certificate(*os, places_.names(), model_);
     return report_.print(std::cout, report_.mode().format == Report_format::text ? text_summary() : json_summary());
   }
 
@@ -95,12 +91,6 @@ private:
     const bool only_counts =
         mode.summary && !mode.has_findings() && mode.certificate == nullptr && !demand.order && !demand.tolerance;
     return only_counts ? GC::Crease_angles::omitted : GC::Crease_angles::enclosed;
-  }
-
-  static GC::Model_continuity<Exact> decided(const std::vector<Surface>& surfaces, GC::Crease_angles angles) {
-    Progress progress("edges and knot lines");
-    return GC::model_continuity<CGAL::Parallel_if_available_tag>(
-        surfaces, [&](std::size_t n) { progress.step(n); }, angles);
   }
 
   // Decides what is asked within the tolerance, and returns what the report is about.
@@ -118,10 +108,11 @@ private:
     }
     for (const Line& l : model_.knot_lines) {
       lines_.emplace_back();
-      if (demand_.tolerance) lines_.back() = GC::order_within(surfaces_[l.patch], l.line, *demand_.tolerance);
+      if (demand_.tolerance) lines_.back() = surfaces_.order_within(l, *demand_.tolerance);
       step();
     }
-    if (demand_.tolerance && demand_.tolerance->gap.upper() > 0) near_ = near(surfaces_, model_, demand_);
+    if (demand_.tolerance && demand_.tolerance->gap.upper() > 0)
+      near_ = surfaces_.nearly_coincident_edges(model_, *demand_.tolerance);
     Report_subject s{"shared edge", std::string("every shared edge") +
                                         (near_.empty() ? "" : " and every pair of near edges") +
                                         (lines_.empty() ? "" : " and every knot line")};
@@ -130,14 +121,6 @@ private:
     s.required = order + (demand_.tolerance ? " within the tolerance" : "");
     s.required_in_json = "\"required\":\"" + order + '"';
     return s;
-  }
-
-  static std::vector<GC::Nearly_coincident_edges>
-  near(const std::vector<Surface>& surfaces, const GC::Model_continuity<Exact>& model, const Edge_demand& demand) {
-    Progress progress("boundary edges");
-    const auto part = [&](std::size_t n) { return double(n) / double(model.summary.boundary); };
-    return GC::nearly_coincident_edges(surfaces, model, *demand.tolerance,
-                                       [&](std::size_t n) { progress.step(n, [&] { return part(n); }); });
   }
 
   // Returns the claim of the requirement, exactly or within the tolerance; where nothing is
@@ -224,27 +207,20 @@ private:
     const std::optional<std::size_t> other = other_patch_of(row);
     f.object = "patch " + std::to_string(places_.number_in_file(patch));
     f.spot = spot_of(row);
-    f.shape = f.spot + net(surfaces_[patch]);
+    f.shape = f.spot + net(patch);
     if (!other) return;
     f.object += " - " + (places_.name(*other) == f.file ? "" : path_in_folder(places_.name(*other)) + ' ') + "patch " +
                 std::to_string(places_.number_in_file(*other));
-    f.shape += net(surfaces_[*other]);
+    f.shape += net(*other);
   }
 
   // The control points of a patch as parts of the largest difference, wherever they are and in
   // whatever unit.
-  static std::string net(const Surface& surface) {
-    std::vector<std::array<double, 3>> points;
+  std::string net(std::size_t patch) const {
+    const std::vector<std::array<double, 3>> points = surfaces_.net(patch);
     double largest = 0;
-    const auto coordinates = [](const auto& p) { return GC::coordinates<typename Surface::Traits>(p); };
-    for (const auto& p : surface) {
-      const auto x = coordinates(p), first = coordinates(*surface.begin());
-      points.emplace_back();
-      for (int c = 0; c < 3; ++c) {
-        points.back()[c] = CGAL::to_double(typename Surface::FT(x[c] - first[c]));
-        largest = (std::max)(largest, std::abs(points.back()[c]));
-      }
-    }
+    for (const std::array<double, 3>& point : points)
+      for (const double x : point) largest = (std::max)(largest, std::abs(x));
     std::string text = ";";
     for (const std::array<double, 3>& point : points)
       for (const double x : point) text += ' ' + rounded(largest == 0 ? 0 : x / largest, 6);

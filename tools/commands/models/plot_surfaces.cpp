@@ -3,21 +3,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/commands.h"
+#include "commands/models/exact_models.h"
 #include "files/output.h"
-#include "formats/g2_text/surfaces.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Simple_cartesian.h>
-#include <Geometric_continuity_figures/svg_surfaces.h>
 
 #include <cmath>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
 
 int plot_surfaces(const Arguments& files, const Surface_picture& picture) {
   GC::Svg_surface_style style;
@@ -31,9 +25,9 @@ int plot_surfaces(const Arguments& files, const Surface_picture& picture) {
     if (!(std::abs(style.azimuth) <= 360) || !(std::abs(style.elevation) <= 90))
       throw std::invalid_argument("--view: at most 360 and 90 degrees");
   }
-  const Surface_model<Traits> model = read_surfaces<Traits>(files);
+  const Surface_model<Exact_space> model = read_exact_model(files);
   write_output(picture.output, [&](std::ostream& os) {
-    model.visit([&](const auto& surfaces) { GC::write_svg_surfaces(os, surfaces, style); });
+    model.visit([&](const auto& surfaces) { draw_surfaces(os, surfaces, style); });
   });
   return requirement_met;
 }

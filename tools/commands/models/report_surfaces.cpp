@@ -3,16 +3,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/chains/join_report.h"
-#include "commands/models/model_json.h"
+#include "commands/models/Model_surfaces.h"
 #include "commands/report_inputs.h"
 #include "commands/work_limit.h"
-#include "files/progress.h"
-#include "formats/g2_text/surfaces.h"
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,15 +34,14 @@ const char* reason(GC::Edge_defect defect) {
 }
 
 // Gathers the edges of a model and the knot lines in it, and draws the surfaces.
-template <class Surface> class Model_page {
-  typedef typename Surface::FT FT;
-  const std::vector<Surface>& surfaces_;
+class Model_page {
+  const Model_surfaces& surfaces_;
   const GC::Model_continuity<Exact>& model_;
   const GC::Enclosure corner_threshold_; // degrees
   Report_page& page_;
 
 public:
-  Model_page(const std::vector<Surface>& surfaces, const GC::Model_continuity<Exact>& model,
+  Model_page(const Model_surfaces& surfaces, const GC::Model_continuity<Exact>& model,
              const GC::Enclosure& corner_threshold, Report_page& page)
       : surfaces_(surfaces), model_(model), corner_threshold_(corner_threshold), page_(page) {}
 
@@ -89,14 +81,14 @@ public:
     }
     for (std::size_t s = 0; s < surfaces_.size(); ++s) add(s);
     std::size_t all = 0;
-    for (const Surface& s : surfaces_) all += spans_u(s) * spans_v(s);
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) all += spans(s);
     const double per_span = std::sqrt(double(most_drawn_cells) / double((std::max)(all, std::size_t(1))));
     const int cells = (std::max)(1, (std::min)(10, static_cast<int>(per_span)));
     result.patches.resize(surfaces_.size(), {0, 0, {}});
     std::size_t drawn = 0, left_out = 0;
     for (std::size_t s : order)
-      if ((drawn += spans_u(surfaces_[s]) * spans_v(surfaces_[s])) <= most_drawn_spans)
-        result.patches[s] = patch(surfaces_[s], cells);
+      if ((drawn += spans(s)) <= most_drawn_spans)
+        result.patches[s] = patch(s, cells);
       else
         ++left_out;
     if (left_out > 0) page_.notes.push_back(std::to_string(left_out) + " surfaces are not drawn.");
@@ -149,69 +141,39 @@ private:
     page_.add(std::move(item));
   }
 
-  static std::size_t spans_u(const Surface& s) { return s.knots_u().spans().size(); }
-  static std::size_t spans_v(const Surface& s) { return s.knots_v().spans().size(); }
-
-  static void append(std::vector<double>& numbers, const Surface& s, const FT& u, const FT& v) {
-    const typename Surface::Point p = s(u, v);
-    for (int i = 0; i < 3; ++i) numbers.push_back(CGAL::to_double(p[i]));
+  std::size_t spans(std::size_t surface) const {
+    const auto [u, v] = surfaces_.spans(surface);
+    return u * v;
   }
 
-  // The number i of n + 1 parameters.
-  static FT parameter(const std::pair<FT, FT>& domain, int i, int n) {
-    if (i == n) return domain.second;
-    return FT(domain.first + (domain.second - domain.first) * FT(i) / FT(n));
-  }
-
-  static Report_model::Patch patch(const Surface& s, int cells) {
+  Report_model::Patch patch(std::size_t surface, int cells) const {
     const auto number = [cells](std::size_t spans) { return (std::min)(cells * static_cast<int>(spans), 256); };
-    Report_model::Patch result{number(spans_u(s)), number(spans_v(s)), {}};
-    for (int j = 0; j <= result.n; ++j)
-      for (int i = 0; i <= result.m; ++i)
-        append(result.points, s, parameter(s.domain_u(), i, result.m), parameter(s.domain_v(), j, result.n));
-    return result;
-  }
-
-  // The line where u, or v, is constant.
-  static std::vector<double> line(const Surface& s, bool constant_u, const FT& parameter_across) {
-    const std::size_t spans = constant_u ? spans_v(s) : spans_u(s);
-    const int n = static_cast<int>((std::min)(spans * 16, std::size_t(400)));
-    std::vector<double> points;
-    for (int i = 0; i <= n; ++i) {
-      const FT t = parameter(constant_u ? s.domain_v() : s.domain_u(), i, n);
-      append(points, s, constant_u ? parameter_across : t, constant_u ? t : parameter_across);
-    }
-    return points;
+    const auto [u, v] = surfaces_.spans(surface);
+    const int m = number(u), n = number(v);
+    return {m, n, surfaces_.grid(surface, m, n)};
   }
 
   Report_model::Edge edge(std::size_t number, const std::string& grade) const {
     if (number >= model_.edges.size()) {
       const Line& l = model_.knot_lines[number - model_.edges.size()];
-      const FT knot = FT(CGAL::to_double(l.line.knot)); // as it is drawn
-      return {grade, {l.patch}, line(surfaces_[l.patch], l.line.constant_u, knot)};
+      return {grade, {l.patch}, surfaces_.knot_line(l)};
     }
     const Edge& e = model_.edges[number];
-    const Surface& s = surfaces_[e.patch_a];
-    const bool along_u = runs_along_u(e.edge_a);
-    const std::pair<FT, FT> across = along_u ? s.domain_v() : s.domain_u();
-    Report_model::Edge result{
-        grade, {e.patch_a}, line(s, !along_u, at_upper_end(e.edge_a) ? across.second : across.first)};
+    Report_model::Edge result{grade, {e.patch_a}, surfaces_.edge(e.patch_a, e.edge_a)};
     if (e.patch_b && *e.patch_b != e.patch_a) result.patches.push_back(*e.patch_b);
     return result;
   }
 };
 
-template <class Surface>
-void show_model(const std::vector<Surface>& surfaces, const std::string& name, const Report_demand& demand,
-                Report_page& page) {
+} // namespace
+
+void report_surfaces(const Arguments& files, const Report_demand& demand, Report_page& page) {
+  const std::string name = files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ...";
+  page.dimension = 3;
+  const Model_surfaces surfaces(files, Model_surfaces::Units::any);
   const GC::Model_continuity<Exact> model =
-      within_work_limit([&] { return name; },
-                        [&] {
-                          Progress progress("edges and knot lines");
-                          return GC::model_continuity<CGAL::Parallel_if_available_tag>(
-                              surfaces, [&](std::size_t n) { progress.step(n); });
-                        });
-  Model_page<Surface> gatherer(surfaces, model, GC::enclosure(demand.corner_threshold.degrees()), page);
+      within_work_limit([&] { return name; }, [&] { return surfaces.continuity(GC::Crease_angles::enclosed); });
+  Model_page gatherer(surfaces, model, GC::enclosure(demand.corner_threshold.degrees()), page);
   gatherer.gather();
   page.finish();
   page.model = gatherer.drawing(page.items());
@@ -219,20 +181,4 @@ void show_model(const std::vector<Surface>& surfaces, const std::string& name, c
   std::ostringstream summary;
   summary << counted(surfaces.size(), "surface") << ": " << model.summary;
   page.summary = summary.str();
-}
-
-} // namespace
-
-void report_surfaces(const Arguments& files, const Report_demand& demand, Report_page& page) {
-  typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Exact_traits;
-  typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Double_traits;
-  const std::string name = files.size() == 1 ? input_name(files[0]) : input_name(files[0]) + ", ...";
-  Surface_texts<Exact_traits> texts = read_surface_texts<Exact_traits>(files);
-  GC::G2_grid grid;
-  std::vector<GC::Bspline_surface<Double_traits>> surfaces;
-  page.dimension = 3;
-  if (texts.on_grid(grid, surfaces)) // in units that do not matter for angles and drawings
-    show_model(surfaces, name, demand, page);
-  else
-    texts.model().visit([&](const auto& exact) { show_model(exact, name, demand, page); });
 }

@@ -3,18 +3,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/command_line.h"
+#include "commands/models/exact_models.h"
 #include "commands/models/model_json.h"
 #include "commands/work_limit.h"
 #include "files/output.h"
-#include "formats/g2_text/surfaces.h"
 #include "reports/words.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/round_edges.h>
-#include <CGAL/Simple_cartesian.h>
-#include <Geometric_continuity_figures/svg_surfaces.h>
 
 #include <cstddef>
 #include <optional>
@@ -55,8 +51,6 @@ Exit code: 0 when all blends are proved to be G2 along both edges and not to be
 folded, 1 when one is not (the files are written nevertheless), 2 on bad input.
 )";
 
-typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Traits;
-
 double angle(const Command_line& line, const char* option, double otherwise) {
   const double degrees = line.number<double>(option, otherwise);
   if (!(0 <= degrees && degrees <= 180))
@@ -72,7 +66,7 @@ std::string numbers(const std::vector<std::size_t>& values) {
 }
 
 // A corner as a list of coordinates.
-std::string point_text(const Traits::Point& p, const char* separator) {
+std::string point_text(const Exact_space::Point& p, const char* separator) {
   std::string text;
   for (int i = 0; i < 3; ++i) {
     std::ostringstream os;
@@ -147,7 +141,8 @@ int round_edges(const Command_line& line, const std::vector<Surface>& surfaces, 
     write_output(line.text("output"), [&](std::ostream& os) {
       for (const Surface& s : all) GC::write_g2(os, s);
     });
-  if (line.has("plot")) write_output(line.text("plot"), [&](std::ostream& os) { GC::write_svg_surfaces(os, all); });
+  if (line.has("plot"))
+    write_output(line.text("plot"), [&](std::ostream& os) { draw_surfaces(os, all, GC::Svg_surface_style()); });
   for (const auto& b : model.blends)
     if (b.fold) return requirement_not_met;
   return model.is_g2() ? requirement_met : requirement_not_met;
@@ -172,7 +167,7 @@ int run_round_edges(const Command_line& line) {
   const GC::Work_scope each(line.work_limit());
   return within_work_limit([&] { return input_name(line.files()[0]); },
                            [&] {
-                             return read_surfaces<Traits>(line.files()).visit([&](const auto& surfaces) {
+                             return read_exact_model(line.files()).visit([&](const auto& surfaces) {
                                return round_edges(line, surfaces, rounding);
                              });
                            });

@@ -295,6 +295,8 @@ template <class PatchRange, class = void> struct Surface_type {
 };
 template <class Surface> struct Surface_type<Surface, std::void_t<typename Surface::Traits>> { typedef Surface type; };
 template <class PatchRange> using Surface_of = typename Surface_type<PatchRange>::type;
+template <class PatchRange>
+using Continuity_of_model = Model_continuity<Edge_field<typename Surface_of<PatchRange>::Traits>>;
 
 } // namespace internal
 
@@ -331,7 +333,8 @@ template <class PatchRange> using Surface_of = typename Surface_type<PatchRange>
 /// \throws Error `dimension_mismatch` unless in dimension 3; `work_limit`, with the patch and the
 ///   edge
 template <class Concurrency_tag = Sequential_tag, class PatchRange, class Report>
-auto model_continuity(const PatchRange& patches, Report report, Crease_angles angles = Crease_angles::enclosed) {
+internal::Continuity_of_model<PatchRange> model_continuity(const PatchRange& patches, Report report,
+                                                           Crease_angles angles = Crease_angles::enclosed) {
   typedef internal::Surface_of<PatchRange> Patch;
   std::vector<const Patch*> pointers;
   if constexpr (std::is_same_v<Patch, PatchRange>)
@@ -344,7 +347,8 @@ auto model_continuity(const PatchRange& patches, Report report, Crease_angles an
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Decides the continuity along all edges of a model, without reports.
 /// \throws Error as the function that reports
-template <class Concurrency_tag = Sequential_tag, class PatchRange> auto model_continuity(const PatchRange& patches) {
+template <class Concurrency_tag = Sequential_tag, class PatchRange>
+internal::Continuity_of_model<PatchRange> model_continuity(const PatchRange& patches) {
   return model_continuity<Concurrency_tag>(patches, [](std::size_t) {});
 }
 

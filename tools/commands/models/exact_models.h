@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_MODELS_EXACT_MODELS_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_MODELS_EXACT_MODELS_H
+
+#include "formats/g2_text/curves.h"
+#include "formats/g2_text/surfaces.h"
+
+#include <CGAL/Geometric_continuity/edges/edge_continuity.h>
+#include <CGAL/Geometric_continuity/models/model_continuity.h>
+#include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
+#include <CGAL/Simple_cartesian.h>
+#include <Geometric_continuity_figures/svg_surfaces.h>
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+// What several commands ask about models over fractions is compiled once.
+
+typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Exact_space;
+typedef GC::Bspline_surface<Exact_space> Exact_surface;
+typedef GC::Rational_bspline_surface<Exact_space> Exact_rational_surface;
+
+Surface_model<Exact_space> read_exact_model(const std::vector<std::string>& files);
+
+void draw_surfaces(std::ostream& os, const std::vector<Exact_surface>& surfaces, const GC::Svg_surface_style& style);
+void draw_surfaces(std::ostream& os, const std::vector<Exact_rational_surface>& surfaces,
+                   const GC::Svg_surface_style& style);
+
+// As GC::edge_continuity() and GC::is_g3_edge().
+GC::Spline_edge_continuity<Exact> decided_edge(const Exact_surface& a, GC::Patch_edge edge_a, const Exact_surface& b,
+                                               GC::Patch_edge edge_b);
+GC::Spline_edge_continuity<Exact> decided_edge(const Exact_rational_surface& a, GC::Patch_edge edge_a,
+                                               const Exact_rational_surface& b, GC::Patch_edge edge_b);
+bool has_g3_edge(const Exact_surface& a, GC::Patch_edge edge_a, const Exact_surface& b, GC::Patch_edge edge_b);
+bool has_g3_edge(const Exact_rational_surface& a, GC::Patch_edge edge_a, const Exact_rational_surface& b,
+                 GC::Patch_edge edge_b);
+
+// These are asked by functions of the package, too.
+extern template GC::Model_continuity<Exact>
+GC::model_continuity<CGAL::Sequential_tag>(const std::vector<Exact_surface>& surfaces);
+extern template GC::Model_continuity<Exact>
+GC::model_continuity<CGAL::Sequential_tag>(const std::vector<Exact_rational_surface>& surfaces);
+extern template std::optional<GC::Parameter_rectangle<Exact>> GC::possible_fold(const Exact_surface& surface);
+extern template std::optional<GC::Parameter_rectangle<Exact>> GC::possible_fold(const Exact_rational_surface& surface);
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_MODELS_EXACT_MODELS_H
