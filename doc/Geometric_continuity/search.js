@@ -76,10 +76,14 @@
     field.placeholder = field.ariaLabel = 'Search the manual';
     field.addEventListener('input', () => load(() => show(field, list)));
     list.hidden = true;
+    field.addEventListener('focus', () => { list.hidden = list.childElementCount === 0; });
     document.addEventListener('keydown', (event) => {
       if (event.key === 'Escape') list.hidden = true;
     });
-    list.addEventListener('click', () => { list.hidden = true; });
+    // A click on an answer closes the list, too: the address may be in the same page.
+    document.addEventListener('click', (event) => {
+      if (event.target !== field) list.hidden = true;
+    });
     document.getElementById('titlearea').prepend(box);
     field.value = new URLSearchParams(location.search).get('search') || '';
     if (field.value !== '') load(() => show(field, list));

@@ -26,7 +26,7 @@ while read -r command; do
   bash -c "$command" >out 2>&1 </dev/null || code=$?
   holds [ "$code" -eq "$expected" ] || { echo "exit code $code: $command"; cat out; }
   case $command in
-    *"# exit code 1: a "*) says out "${command##*: a }" ;;
+    *" verify "*.svg*) says out "$(grep -o 'kink of [0-9.]* degrees, which is found' flat | sed 's/,.*//')" ;;
   esac
   for file in $(grep -oE -- '(-o|--plot) [^ ]+' <<<"$command" | sed 's/.* //'); do holds [ -s "$file" ]; done
   commands=$((commands + 1))
