@@ -24,7 +24,7 @@ set(long_tests
     # another platform
     browser_compiled browser_package
     # the pages of the manual, with links to the page that browser_package makes
-    manual manual_in_cgal
+    manual manual_blocks manual_in_cgal
     # inputs that searches have found
     fuzz_certificates fuzz_curves fuzz_drawings fuzz_fonts fuzz_numbers fuzz_paths fuzz_repairs fuzz_surfaces fuzz_variable_fonts)
 set(release_tests

@@ -16,3 +16,7 @@ s/class Given = internal::Of_points/class Given = unspecified_type/
 s/, class = internal::[A-Za-z_]*<[A-Za-z_, ]*>>/>/
 s/typename internal::\(Chain_curve<InputIterator>\|Curve_of_range<Range>\)::Traits/Traits/g
 s/typename internal::Blended_surfaces<[A-Za-z_, ]*>::Row_traits/unspecified_type/g
+# doxygen gives the comment behind a using-declaration to the next member: functions become ones, types need none
+s|^  using Base::beta; *///< r|  const FT\& beta() const; ///< R|
+s|^  using Base::degree; *///< r|  int degree() const; ///< R|
+s|^\( *using typename [^;=]*;\) *///<.*|\1|

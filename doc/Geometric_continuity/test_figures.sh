@@ -11,6 +11,10 @@ fails() {
 for figure in fig/*; do
   name=$(basename "$figure")
   [ "$(wc -c <"$figure")" -lt 200000 ] || fails "$name has more than 200 kB"
+  # on a dark page, too, dark lines have a light background
+  case $name in
+    *.svg) grep -qE '<rect width="[^"]*" height="[^"]*" fill="#ffffff"/>|style="fill: #ffffff"' "$figure" || fails "$name has no background" ;;
+  esac
   grep -qw "${name%.*}" make_figures.sh figures/*.cpp || fails "$name is drawn by nobody"
 done
 named=$(grep -ho '\\image html [a-z0-9_]*\.[a-z]*' ./*.txt | sed 's/.* //'; grep -o 'fig/[a-z0-9_]*\.[a-z]*' ../../README.md | sed 's,.*/,,')

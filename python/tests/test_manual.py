@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Geometric_continuity developers
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The blocks of the page "From Python" of the manual are run, in their order, and print what the manual says."""
+"""The blocks of the page "From Python" of the manual, and that of the README, are run in their order, and print what is said there."""
 
 import contextlib
 import importlib.util
@@ -12,10 +12,19 @@ import shutil
 import tempfile
 import unittest
 
-PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "doc", "Geometric_continuity", "From_Python.txt")
+TOP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+PAGE = os.path.join(TOP, "doc", "Geometric_continuity", "From_Python.txt")
 
 
 class Manual(unittest.TestCase):
+    def test_readme(self):
+        with open(os.path.join(TOP, "README.md"), encoding="utf-8") as file:
+            ((code, expected),) = re.findall(r"```python\n(.*?)```\n```\n(.*?)```", file.read(), re.DOTALL)
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            exec(compile(code, "README.md", "exec"), {})
+        self.assertEqual(printed.getvalue(), expected)
+
     def test_blocks(self):
         with open(PAGE, encoding="utf-8") as file:
             text = file.read()

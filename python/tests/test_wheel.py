@@ -94,7 +94,7 @@ class Description(unittest.TestCase):
             text = self.metadata(address).get_payload()
             links = re.findall(r"(!?)\[[^]]*\]\(([^)]*)\)", text)
             pictures = [target for mark, target in links if mark]
-            self.assertEqual(len(pictures), 3)
+            self.assertEqual(len(pictures), 2)
             for _, target in links:
                 self.assertRegex(target, "^(https|data):")
             for target in pictures if address else []:
@@ -102,7 +102,7 @@ class Description(unittest.TestCase):
                 self.assertTrue(os.path.exists(os.path.join(TOP, path)), path)
             if not address:
                 kinds = [re.match("data:image/([a-z+]*);base64,(.*)", target).groups() for target in pictures]
-                self.assertEqual([kind for kind, _ in kinds], ["svg+xml", "svg+xml", "png"])
+                self.assertEqual([kind for kind, _ in kinds], ["svg+xml", "svg+xml"])
                 self.assertTrue(base64.b64decode(kinds[0][1]).decode().rstrip().endswith("</svg>"))
 
     @unittest.skipUnless(any(os.path.exists(os.path.join(TOP, name)) for name in (".git", "SOURCES.txt")), "there is no list of files")
