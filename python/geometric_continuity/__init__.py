@@ -15,7 +15,6 @@ weights and a domain, `Spline` knots; those of SciPy are taken, too.
 2
 """
 
-import difflib
 import warnings
 
 from ._native import (Edge_continuity, Enclosure, Join_continuity, Join_deviation, Kink_size, Order_up_to_rounding, Order_within,
@@ -26,6 +25,7 @@ from .curves import (STRATEGIES, Blend, Fair_spline, Fitted_curve, Representable
                      interpolate, interpolate_fair, representable_blend, round_corner)
 from .errors import Error
 from .evaluation import curvature, curvature_vector, evaluate
+from .hints import missing_in_module, missing_member
 from .joins import (align_handle, align_handles, chain_joins, continuity, deviation, edge_continuity, failing_joins, kink_size,
                     order_within, visual_class)
 from .program import file_record, program, verify
@@ -38,21 +38,8 @@ __all__ = [
     "kink_size", "order_within", "pieces", "program", "representable_blend", "round_corner", "uses_gmp", "verify", "visual_class",
 ]
 
-# What other libraries call it, and the call here.
-_GUESSED = {
-    "bezier": "an array of control points is a Bezier curve; with weights or a domain Bezier_curve(points, weights, domain)",
-    "curve": "an array of control points is a Bezier curve; there are Bezier_curve(points, weights, domain) and Spline(degree, points, knots)",
-    "line": "call continuity([(0, 0), (1, 1)], ...): two points are a line",
-    "bspline": "call Spline(degree, points, knots), or give a BSpline of SciPy",
-    "nurbs": "call Spline(degree, points, knots, weights)",
-    "is_smooth": "call continuity(left, right).g_order, or order_within(left, right, gap=..., tangent_angle=...)",
-    "point": "call evaluate(curve, parameters)",
-    "derivative": "call evaluate(curve, parameters, 1)",
-    "tangent": "call evaluate(curve, parameters, 1)",
-    "measure": "call deviation(left, right)",
-    "check": "call continuity(left, right) for curves, and verify(file) for files",
-    "repair": "call program() with 'repair' for files; representable_blend(left, right) and align_handles(left, right) for curves",
-}
+for _class in (Edge_continuity, Enclosure, Join_continuity, Join_deviation, Kink_size, Order_up_to_rounding, Order_within):
+    setattr(_class, "__getattr__", missing_member)
 
 
 def __getattr__(name):
@@ -60,12 +47,4 @@ def __getattr__(name):
     if new is not None:
         warnings.warn(f"{name} is now {new}", DeprecationWarning, stacklevel=2)
         return globals()[new]
-    lower = name.lower()
-    words = lower.split("_")
-    if words[0] == "is" and len(words) > 1 and words[1][:1] in ("c", "g", "f") and words[1][1:].isdigit():
-        hint = f"call continuity(left, right).{words[1][0]}_order >= {words[1][1:]}"
-    else:
-        near = difflib.get_close_matches(lower, [*_GUESSED, *map(str.lower, __all__)], 1, 0.7)
-        exact = [n for n in __all__ if near and n.lower() == near[0]]
-        hint = f"did you mean {exact[0]}?" if exact else _GUESSED[near[0]] if near else "help(geometric_continuity) lists what there is"
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}: {hint}")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}: {missing_in_module(name, __all__)}")

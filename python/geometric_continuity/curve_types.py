@@ -9,30 +9,19 @@ and results such as `Blend`; the B-splines of SciPy, `scipy.interpolate.BSpline`
 
 from __future__ import annotations
 
-import difflib
 from dataclasses import dataclass
 from fractions import Fraction
 from math import comb, factorial
-from typing import Any, Iterable, List, Optional, Tuple
+from typing import Any, List, Optional, Tuple
 
 import numpy
 
 from .errors import Error
+from .hints import missing_member
 
 # What reads the objects of other libraries, by the first name of their module.
 _ADAPTERS = {"svgelements": "drawings.svg_contours(path)", "ezdxf": "drawings.spline_pieces(spline)", "Part": "freecad.edge_pieces(edge)",
              "fontTools": "fonttools.Join_pen(glyph_set)", "ufoLib2": "sources.ufo_kinks(font)", "glyphsLib": "sources.glyphs_kinks(font)"}
-
-
-def check_name(place: str, what: str, name: Any, names: Iterable[str]) -> None:
-    """Refuses a name that is none of the names, and tells these and the nearest one."""
-    names = list(names)
-    if name in names:
-        return
-    likeness = {n: difflib.SequenceMatcher(None, str(name).casefold(), n.casefold()).ratio() for n in names}
-    nearest = max(names, key=lambda n: likeness[n])
-    meant = f"; did you mean '{nearest}'? It" if likeness[nearest] > 0.5 else "; it"
-    raise Error("parameter_outside_domain", place, f"there is no {what} '{name}'{meant} is one of {', '.join(names)}")
 
 
 def _fraction(x) -> Fraction:
@@ -73,12 +62,26 @@ def points_of(points):
     return numpy.stack([z.real, z.imag], axis=-1)
 
 
+class Curve:
+    """What curves have in common: a curve can be called with a parameter, or with an array of them, as `evaluate`."""
+
+    points: Any
+
+    def __call__(self, parameters):
+        from .evaluation import evaluate
+
+        return evaluate(self, parameters)
+
+    def __getattr__(self, name):
+        missing_member(self, name)
+
+
 @dataclass(frozen=True)
-class Bezier_curve:
+class Bezier_curve(Curve):
     """A Bezier curve, rational where it has weights."""
 
-    points: numpy.ndarray  #: control points, shape (degree + 1, dimension)
-    weights: Optional[numpy.ndarray] = None  #: shape (degree + 1,), positive; None where all are equal
+    points: Any  #: control points, shape (degree + 1, dimension)
+    weights: Any = None  #: shape (degree + 1,), positive; None where all are equal
     domain: Tuple[Any, Any] = (Fraction(0), Fraction(1))  #: the parameters of its ends: C orders depend on its length
 
     def __post_init__(self):
@@ -108,13 +111,13 @@ class Bezier_curve:
 
 
 @dataclass(frozen=True)
-class Spline:
+class Spline(Curve):
     """A B-spline curve, rational where it has weights, in the form of `scipy.interpolate.BSpline`."""
 
     degree: int
-    points: numpy.ndarray  #: control points, shape (n, dimension)
-    knots: numpy.ndarray  #: all with their multiplicities, n + degree + 1
-    weights: Optional[numpy.ndarray] = None  #: shape (n,), positive; None where all are equal
+    points: Any  #: control points, shape (n, dimension)
+    knots: Any  #: all with their multiplicities, n + degree + 1
+    weights: Any = None  #: shape (n,), positive; None where all are equal
 
     def __post_init__(self):
         _take_arrays(self)
@@ -146,7 +149,7 @@ def _take_arrays(curve) -> None:
 
 
 @dataclass(frozen=True)
-class Segmented_curve:
+class Segmented_curve(Curve):
     """Bezier curves of one degree m, each of which starts where the one before it ends: points of shape (m k + 1, dimension) of k
     curves, and k + 1 knots."""
 
@@ -187,11 +190,15 @@ def spline_of(curve, place: str) -> Spline:
     if isinstance(curve, Segmented_curve):
         m, knots = curve.degree, curve.knots
         return Spline(m, curve.points, numpy.concatenate([knots[:1], numpy.repeat(knots, m), knots[-1:]]))
+    if isinstance(curve, Curve):  # e.g. a blend
+        return spline_of(Bezier_curve(curve.points), place)
     if all(hasattr(curve, name) for name in "tck"):
         return _of_scipy(curve.t, curve.c, curve.k, place)
+    if all(hasattr(curve, name) for name in "cx"):
+        return _of_polynomials(curve, place)
     if isinstance(curve, (list, tuple)) and _is_tck(curve):
         return _of_scipy(curve[0], numpy.transpose(curve[1]), curve[2], place)
-    points = points_of(getattr(curve, "points", curve))  # e.g. of a blend
+    points = points_of(curve)
     kind = type(curve)
     library = kind.__module__.split(".")[0]
     if library in _ADAPTERS:
@@ -214,6 +221,20 @@ def _of_scipy(t, c, k, place: str) -> Spline:
         raise Error("dimension_mismatch", place, f"the coefficients of the B-spline have the shape {c.shape}; those of a curve are points: "
                     "shape (n, dimension)")
     return Spline(int(k), c[:len(t) - int(k) - 1], numpy.asarray(t))
+
+
+def _of_polynomials(curve, place: str) -> Spline:
+    """Returns the curve of a PPoly of SciPy, such as a CubicSpline, whose coefficients c[m - i] are those of powers (u - x)^i, exactly; or
+    of a BPoly, whose c are control points."""
+    c, x = numpy.asarray(curve.c), numpy.asarray(curve.x)
+    if c.ndim != 3:
+        raise Error("dimension_mismatch", place, f"the coefficients of the {type(curve).__name__} have the shape {c.shape}; those of a "
+                    "curve have a third index, for the dimension")
+    m = len(c) - 1
+    if all(kind.__name__ != "BPoly" for kind in type(curve).__mro__):
+        h, powers = numpy.diff(fractions_of(x))[:, None], fractions_of(c[::-1])
+        c = numpy.array([sum(powers[i] * h**i * Fraction(comb(j, i), comb(m, i)) for i in range(j + 1)) for j in range(m + 1)])
+    return Spline(m, c.transpose(1, 0, 2).reshape(-1, c.shape[2]), numpy.repeat(x, m + 1))
 
 
 def derivatives(spline: Spline, parameters: numpy.ndarray, order: int) -> List[numpy.ndarray]:

@@ -17,15 +17,16 @@ from typing import List, Optional, Sequence
 import numpy
 
 from . import _native
-from .curve_types import Segmented_curve, Spline, bezier_points, check_name, points_of, sides
+from .curve_types import Curve, Segmented_curve, Spline, bezier_points, points_of, sides
 from .errors import Error
+from .hints import check_name, missing_member
 
 STRATEGIES = _native.strategies
 """The names of the strategies of `blend`: to "fair" of degree 5, from "c3" on of degree 7."""
 
 
 @dataclass(frozen=True)
-class Blend:
+class Blend(Curve):
     """A blend: a Bezier curve on [0, 1], and what its strategy chose."""
 
     points: numpy.ndarray  #: control points, shape (6, dimension) or (8, dimension)
@@ -39,7 +40,7 @@ class Blend:
 
 
 @dataclass(frozen=True)
-class Representable_blend:
+class Representable_blend(Curve):
     """A blend with float64 control points whose joins with `phi` and `psi` are exactly G2."""
 
     points: numpy.ndarray  #: control points, shape (6, dimension)
@@ -57,6 +58,9 @@ class Rounded_corner:
     right: numpy.ndarray  #: control points of the right curve from the cut to its end
     left_cut: object  #: the parameter where the left curve is cut
     right_cut: object  #: the parameter where the right curve is cut
+
+    def __getattr__(self, name):
+        missing_member(self, name)
 
 
 @dataclass(frozen=True)

@@ -11,8 +11,9 @@ import numpy
 
 from . import _native
 from ._native import Edge_continuity, Join_continuity, Join_deviation, Kink_size, Order_within, Visual_class
-from .curve_types import chain, check_name, is_array, points_of, sides
+from .curve_types import chain, is_array, points_of, sides
 from .errors import Error
+from .hints import check_name
 
 _ORDERS = [kind + number for kind in "CGF" for number in "0123"]
 
@@ -61,22 +62,21 @@ def deviation(left, right) -> Join_deviation:
     return _native.deviation(a.points, b.points)
 
 
-def order_within(left, right, tolerance=None, *, gap=0, tangent_angle=0, curvature_jump=0, torsion_jump=0,
-                 curvature_derivative=0) -> Order_within:
+def order_within(left, right, tolerance=0, *, gap=None, tangent_angle=None, curvature_jump=None, torsion_jump=None,
+                 curvature_derivative=None) -> Order_within:
     """Decides which order the join between the end of `left` and the start of `right` has within tolerances: each of the orders 0 to 3
     is proved, refuted, or undecided where a tolerance lies inside of an enclosure of `deviation`.
 
     left, right: curves as of `continuity`.
+    tolerance: that of each quantity that has none of its own. By default these must hold exactly.
     gap: in units of the coordinates; tangent_angle: in radians; curvature_jump: relative; torsion_jump: in space, in 1/length;
-        curvature_derivative: in the plane, in 1/length^2. What is not named must hold exactly.
+        curvature_derivative: in the plane, in 1/length^2.
 
-    Raises Error: `unreachable_tolerance` for a negative tolerance and for one without a name, and as `deviation`.
+    Raises Error: `unreachable_tolerance` for a negative tolerance, and as `deviation`.
     """
-    if tolerance is not None:
-        raise Error("unreachable_tolerance", "order_within", "a tolerance has a name and a unit: "
-                    f"order_within(left, right, gap={tolerance}, tangent_angle={tolerance}, curvature_jump={tolerance})")
     a, b = sides(left, right, "order_within", ignore_domain=True)
-    return _native.order_within(a.points, b.points, tangent_angle, curvature_jump, torsion_jump, gap, curvature_derivative)
+    bounds = [tolerance if x is None else x for x in (tangent_angle, curvature_jump, torsion_jump, gap, curvature_derivative)]
+    return _native.order_within(a.points, b.points, *bounds)
 
 
 def visual_class(left, right, kink_angle=5) -> Optional[Visual_class]:

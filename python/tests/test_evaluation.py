@@ -130,6 +130,7 @@ class Joins(unittest.TestCase):
         knots = [0] * 6 + [1] * 6
         forms = [gamma, gc.Bezier_curve(gamma.points), gc.Spline(5, gamma.points, knots), B_spline(numpy.array(knots), gamma.points, 5),
                  (knots, gamma.points.T, 5), [tuple(p) for p in gamma.points]]
+        self.assertEqual(gamma(Fraction(1, 3)).tolist(), gc.evaluate(gamma.points, Fraction(1, 3)).tolist())
         for form in forms:
             join = gc.continuity(LEFT, form)
             self.assertEqual((str(join), join.betas), (str(expected), expected.betas))
@@ -149,7 +150,7 @@ class Joins(unittest.TestCase):
 
     @unittest.skipIf(importlib.util.find_spec("scipy") is None, "not installed: scipy")
     def test_scipy(self):
-        from scipy.interpolate import BSpline, make_interp_spline, splprep
+        from scipy.interpolate import BPoly, BSpline, CubicSpline, make_interp_spline, splprep
 
         t = numpy.linspace(0, 3, 9)
         points = numpy.column_stack([numpy.cos(t), numpy.sin(2 * t), t])
@@ -159,6 +160,12 @@ class Joins(unittest.TestCase):
             for k in range(degree):
                 numpy.testing.assert_allclose(gc.evaluate(spline, u, k), spline(u, nu=k), rtol=1e-9, atol=1e-9)
             self.assertGreaterEqual(min(join.c_order for join in gc.chain_joins(spline)), min(3, degree - 1))
+        cubic = CubicSpline(t, points)
+        for form in (cubic, BPoly.from_power_basis(cubic)):
+            numpy.testing.assert_allclose(gc.evaluate(form, u, 1), cubic(u, nu=1), rtol=1e-9, atol=1e-9)
+        self.assertEqual(gc.evaluate(cubic, 3.0).dtype, numpy.float64)
+        self.assertEqual(gc.pieces(cubic)[4].points[0].tolist(), points[4].tolist())
+        self.assertTrue(all(gc.order_within(p, q, 1e-9).proved_order >= 2 for p, q in zip(gc.pieces(cubic), gc.pieces(cubic)[1:])))
         tck, _ = splprep(points.T, s=0)
         self.assertEqual(gc.failing_joins(tck, "C2").tolist(), [])
         self.assertEqual(gc.failing_joins(spline, "C3").tolist(), [])
@@ -176,8 +183,8 @@ class Joins(unittest.TestCase):
         self.assertEqual(gc.order_within(line, [(1, 0), (2, Fraction(1, 1000))], tangent_angle=(low + high) / 2).verdicts[1],
                          "undecided" if low < (low + high) / 2 < high else "proved")
         self.assertEqual(gc.order_within(line, [(1, Fraction(1, 8)), (2, 0)], gap=Fraction(1, 8)).verdicts[0], "proved")
-        with self.assertRaisesRegex(gc.Error, "unreachable_tolerance: order_within: a tolerance has a name.*gap=1e-09, tangent_angle"):
-            gc.order_within(line, line, 1e-9)
+        self.assertEqual(gc.order_within(line, [(1 + 1e-10, 0), (2, 1e-10)], 1e-9).verdicts, ("proved",) * 4)
+        self.assertEqual(gc.order_within(line, [(1 + 1e-10, 0), (2, 1e-10)], 1e-9, gap=0).verdicts, ("refuted",) * 4)
         with self.assertRaises(gc.Error):
             gc.order_within(line, line, gap=-1)
 
@@ -201,6 +208,11 @@ class Sentences(unittest.TestCase):
         self.says("Bezier_curve(points, weights, domain)", lambda: gc.Bezier, AttributeError)
         self.says("Spline(degree, points, knots)", lambda: gc.BSpline, AttributeError)
         self.says("did you mean interpolate?", lambda: gc.interpolation, AttributeError)
+        self.says("did you mean continuity?", lambda: gc.check_continuity, AttributeError)
+        self.says("call evaluate(curve, parameters, 1)", lambda: gc.tangent_vector, AttributeError)
+        self.says("call curvature(...) of geometric_continuity with it", lambda: gc.blend(LEFT, RIGHT).curvature, AttributeError)
+        self.says("did you mean tangent_angle? It has curvature_jump, gap,", lambda: gc.deviation(LEFT, RIGHT).angle, AttributeError)
+        self.says("it has blend, left, left_cut, right, right_cut", lambda: gc.round_corner([(0, 0), (4, 0)], [(4, 0), (4, 4)], 1).points, AttributeError)
 
     def test_curves(self):
         path = type("CubicBezier", (), {"__module__": "svgelements.svgelements"})()
