@@ -102,9 +102,15 @@ class Bezier_curve(Curve):
     def osculating_curve(self, order: int = 3) -> numpy.ndarray:
         """Returns the curve of this degree on [0, 1] without weights that starts with the same derivatives up to this order, with respect
         to the parameter of the domain: what a join of at most that order knows of the curve. It consists of fractions."""
-        knots = [self.domain[0]] * (self.degree + 1) + [self.domain[1]] * (self.degree + 1)
-        spline = Spline(self.degree, fractions_of(self.points), fractions_of(knots), None if self.weights is None else fractions_of(self.weights))
-        jet = derivatives(spline, fractions_of([self.domain[0]]), order)
+        weights = fractions_of([1] * (self.degree + 1) if self.weights is None else self.weights)
+        rows = numpy.concatenate([fractions_of(self.points).T * weights, [weights]])
+        length = _fraction(self.domain[1]) - _fraction(self.domain[0])
+        jet, factor = [], Fraction(1)
+        for k in range(order + 1):
+            jet.append(factor * rows[:, :1] if k <= self.degree else 0 * jet[0])
+            factor *= (self.degree - k) / length
+            rows = rows[:, 1:] - rows[:, :-1]
+        jet = _quotients(jet)
         factors = [Fraction(factorial(order - k), factorial(order)) for k in range(order + 1)]
         rows = [sum(comb(j, k) * factors[k] * jet[k][:, 0] for k in range(j + 1)) for j in range(order + 1)]
         return numpy.array(rows, dtype=object)
@@ -253,8 +259,11 @@ def derivatives(spline: Spline, parameters: numpy.ndarray, order: int) -> List[n
         p = len(rows) - 1
         rows = [p * (rows[j + 1] - rows[j]) / (around[p + j] - around[j]) for j in range(p)]
         around = around[1:-1]
-    if spline.weights is None:
-        return jet
+    return jet if spline.weights is None else _quotients(jet)
+
+
+def _quotients(jet: List[numpy.ndarray]) -> List[numpy.ndarray]:
+    """The derivatives of x / w, for those of x and, in the last row, of w."""
     result: List[numpy.ndarray] = []
     for k, x in enumerate(jet):
         numerator = x[:-1]
@@ -288,7 +297,8 @@ def pieces(curve, low=None, high=None) -> List[Bezier_curve]:
 def _spans(spline: Spline, low=None, high=None) -> List[int]:
     """The numbers of the knots at which a part of the curve with a length starts."""
     u = spline.knots
-    spans = [i for i in range(spline.degree, len(spline.points)) if u[i] < u[i + 1]]
+    p, n = spline.degree, len(spline.points)
+    spans = [int(i) + p for i in numpy.flatnonzero(u[p:n] < u[p + 1:n + 1])]
     return [i for i in spans if (low is None or low < u[i + 1]) and (high is None or u[i] < high)]
 
 

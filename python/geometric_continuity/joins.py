@@ -11,7 +11,7 @@ import numpy
 
 from . import _native
 from ._native import Edge_continuity, Join_continuity, Join_deviation, Kink_size, Order_within, Visual_class
-from .curve_types import chain, is_array, points_of, sides
+from .curve_types import Segmented_curve, chain, is_array, points_of, sides
 from .errors import Error
 from .hints import check_name
 
@@ -140,12 +140,17 @@ def failing_joins(points, order: str = "G2", closed: bool = False, parallel: boo
     Raises Error: `wrong_number_of_points` for another shape, `parameter_outside_domain` for another order, `not_finite`.
     """
     check_name("failing_joins", "order", order, _ORDERS)
+    if isinstance(points, Segmented_curve) and order[0] != "C":
+        points = points.segments
     points = points_of(points)
     in_one_array = is_array(points) and (isinstance(points, numpy.ndarray) or all(is_array(c) and len(c) == len(points[0]) for c in points))
     if not in_one_array:
-        kind = {"C": "c_order", "G": "g_order", "F": "f_order"}[order[0]]
-        found = chain_joins(points, closed)
-        return numpy.array([i for i, join in enumerate(found) if getattr(join, kind) < int(order[1])], dtype=numpy.intp)
+        found = chain(points, "failing_joins")
+        arrays = [getattr(c, "points", c) for c in found if getattr(c, "weights", None) is None]
+        if order[0] == "C" or len(arrays) < len(found) or len({numpy.shape(a) for a in arrays}) > 1:
+            kind = {"C": "c_order", "G": "g_order", "F": "f_order"}[order[0]]
+            return numpy.array([i for i, join in enumerate(chain_joins(found, closed)) if getattr(join, kind) < int(order[1])], dtype=numpy.intp)
+        points = numpy.array(arrays)  # for orders G and F domains do not matter
     return _native.failing_joins(points, order, closed, parallel)
 
 

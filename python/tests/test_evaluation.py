@@ -109,6 +109,7 @@ class Joins(unittest.TestCase):
             failing = [k for k, join in enumerate(gc.chain_joins(left)) if join.g_order < 2]
             self.assertEqual(gc.failing_joins(left, "G2").tolist(), failing)
             self.assertEqual(gc.failing_joins(found, "G2").tolist(), failing)
+            self.assertEqual(gc.failing_joins([*found, found[0].points], "G2").tolist()[:-1], failing)
             for strategy, order in (("energy3", 2), ("fair_g3" if i < 5 else "c3", 3)):
                 try:
                     gamma = gc.blend(left, right, strategy)
@@ -144,6 +145,8 @@ class Joins(unittest.TestCase):
             self.assertEqual(gc.continuity(form, plane[::-1]).betas, gc.continuity(plane, plane[::-1]).betas)
             self.assertEqual(gc.fit(form, 0.1).points.tolist(), gc.fit(plane, 0.1).points.tolist())
         self.assertEqual(gc.failing_joins(numpy.array([z, z + 4]), "C0").tolist(), [])
+        fair = gc.interpolate_fair(plane)
+        self.assertEqual([gc.failing_joins(fair, order).tolist() for order in ("G2", "C2")], [[], gc.failing_joins(gc.pieces(fair), "C2").tolist()])
         mixed = [[(0, 0), (1, 1)], gc.Spline(1, [(1, 1), (2, 2), (3, 1)], [0, 0, 1, 2, 2]), [(3, 1), (4, 0), (5, 0)]]
         self.assertEqual([join.g_order for join in gc.chain_joins(mixed)], [3, 0, 1])
         self.assertEqual(gc.failing_joins(mixed, "G1", closed=True).tolist(), [1, 3])
