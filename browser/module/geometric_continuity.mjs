@@ -48,7 +48,6 @@ function point(p, place) {
 
 // Points as arrays of one dimension.
 function points(list, place) {
-  if (list === undefined) refuse('malformed_input', `${place}: this curve is missing: a join is that of two; verifySvg() decides those inside of a path`);
   if (!isList(list)) refuse('malformed_input', `${place}: an array of points is expected, not ${described(list)}`);
   if (list.length === 0) refuse('wrong_number_of_points', `${place}: no points`);
   const result = Array.from(list, (p, j) => point(p, `${place}[${j}]`)), dimension = result[0].length;
@@ -66,6 +65,7 @@ function path(d, place, end) {
 // An array of control points, or an object with them, weights and a domain, or path data, which is
 // at this end of a join.
 function curve(c, place, end) {
+  if (c === undefined) refuse('malformed_input', `${place}: this curve is missing: a join is that of two; verifySvg() decides those inside of a path`);
   if (typeof c === 'string') return path(c, place, end);
   const isObject = typeof c === 'object' && c !== null && !isList(c);
   const list = points(isObject ? c.control_points ?? c.points : c, place);
@@ -99,7 +99,7 @@ function patch(net, place) {
 // The numbers of a chain, one after the other, and the degree and dimension: those of the options,
 // or of an array of curves.
 function chain(curves, degree, dimension) {
-  if (!isList(curves)) refuse('malformed_input', `failingJoins: an array of numbers or of curves is expected, not ${described(curves)}`);
+  if (!isList(curves)) refuse('malformed_input', `failingJoins: an array of numbers or of curves is expected, not ${described(curves)}; verifySvg() takes path data`);
   if (curves.length === 0 || !isList(curves[0]))
     return { numbers: curves instanceof Float64Array ? curves : Float64Array.from(curves), degree, dimension };
   const lists = Array.from(curves, (c, i) => points(c, `failingJoins: curve ${i}`)), [first] = lists;

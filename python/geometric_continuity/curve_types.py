@@ -105,7 +105,8 @@ class Bezier_curve(Curve):
         weights = fractions_of([1] * (self.degree + 1) if self.weights is None else self.weights)
         rows = numpy.concatenate([fractions_of(self.points).T * weights, [weights]])
         length = _fraction(self.domain[1]) - _fraction(self.domain[0])
-        jet, factor = [], Fraction(1)
+        jet: List[numpy.ndarray] = []
+        factor = Fraction(1)
         for k in range(order + 1):
             jet.append(factor * rows[:, :1] if k <= self.degree else 0 * jet[0])
             factor *= (self.degree - k) / length

@@ -62,7 +62,7 @@ check('a thumb takes a point of a phone from 24 pixels away, and the mouse does'
     await scene('join', '?left=-9,0;-6,0;-3,0;0,0&right=0,0;3,0;6,0;9,0');
     await says(/C3 G3/);
     await act();
-    await new Promise((resolve) => setTimeout(resolve, 100));
+    await browser.value('new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))');
     const [x, y] = (await label(5)).match(/-?[0-9.]+(?=,|$)/g).slice(-2).map(Number);
     return [x, y];
   };
