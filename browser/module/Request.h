@@ -86,8 +86,13 @@ public:
   }
 
   // Dimension, number of points, whether there are weights, both ends of the domain, and for each
-  // point its weight and coordinates.
+  // point its weight and coordinates; or "first" or "last", the name of the argument, and path data
+  // with '~' as white space, of which it is a segment.
   Module_curve curve() {
+    const Request before = *this;
+    const std::string_view which = word();
+    if (which == "first" || which == "last") return segment(which == "last");
+    *this = before;
     const int dimension = count(), points = count();
     const bool weighted = count() != 0;
     const Exact begin = exact(), end = exact();
@@ -122,6 +127,8 @@ public:
   }
 
 private:
+  Module_curve segment(bool is_last); // of path data
+
   static double bits(std::string_view number) {
     std::uint64_t b = 0;
     const char *const first = number.data() + 1, *const last = number.data() + number.size();

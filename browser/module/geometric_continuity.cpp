@@ -8,6 +8,8 @@
 #include "array_joins.h"
 #include "call.h"
 #include "commands/blends/named_strategies.h"
+#include "commands/did_you_mean.h"
+#include "formats/svg/read_svg_path.h"
 
 #include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/IO/json.h>
@@ -19,6 +21,32 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+typedef GC::Traits_2<CGAL::Simple_cartesian<Exact>> Plane_traits;
+
+// The first or the last segment of path data, where curves meet: no arc.
+Module_curve Request::segment(bool is_last) {
+  const std::string name(word());
+  std::string data(word());
+  std::replace(data.begin(), data.end(), '~', ' ');
+  const std::vector<GC::Svg_subpath<Plane_traits>> paths = GC::read_svg_path<Plane_traits>(data, name);
+  const auto drawn = [](const GC::Svg_subpath<Plane_traits>& path) { return !path.segments.empty(); };
+  const auto first = std::find_if(paths.begin(), paths.end(), drawn);
+  const auto last = std::find_if(paths.rbegin(), paths.rend(), drawn);
+  if (first == paths.end()) throw GC::Error(GC::Error_code::wrong_number_of_points, name + ": the path draws nothing");
+  const GC::Bezier_curve<Plane_traits>* const curve =
+      is_last ? last->segments.back().bezier() : first->segments.front().bezier();
+  if (curve == nullptr)
+    throw GC::Error(GC::Error_code::malformed_input,
+                    name + ": the " + (is_last ? "last" : "first") +
+                        " segment is an arc (A) and no Bezier curve; verifySvg() decides its joins");
+  std::vector<Module_traits::Point> points;
+  for (const auto& p : *curve) {
+    const std::vector<Exact> x{p.x(), p.y()};
+    points.emplace_back(2, x.begin(), x.end());
+  }
+  return Module_curve(points, std::vector<Exact>(points.size(), Exact(1)));
+}
 
 namespace {
 
@@ -66,8 +94,6 @@ void deviation(Request& request, std::ostream& os) {
   GC::write_json_members(os, GC::deviation(left, right));
   os << '}';
 }
-
-typedef GC::Traits_2<CGAL::Simple_cartesian<Exact>> Plane_traits;
 
 GC::Bezier_curve<Plane_traits> plane_curve(const Module_curve& curve) {
   if (curve.dimension() != 2)
@@ -127,8 +153,14 @@ template <class Function> void with_strategy(std::string_view name, const Blend_
     return f(GC::Given_end_parameters<Exact>{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}});
   }
   options.check(0, "");
-  if (!with_named_strategy(quintic_strategies, name, f) && !with_named_strategy(septic_strategies, name, f))
-    throw GC::Error(GC::Error_code::malformed_input, "blend: there is no strategy \"" + std::string(name) + '"');
+  if (with_named_strategy(quintic_strategies, name, f) || with_named_strategy(septic_strategies, name, f)) return;
+  std::vector<std::string> names = names_of(quintic_strategies);
+  for (const std::string& septic : names_of(septic_strategies)) names.push_back(septic);
+  names.insert(names.end(), {"free", "free3"});
+  std::string message = "there is no strategy \"" + std::string(name) + '"' + did_you_mean(std::string(name), names);
+  message += message.back() == '?' ? " There are" : "; there are";
+  for (const std::string& known : names) message += (known == names.front() ? " " : ", ") + known;
+  throw GC::Error(GC::Error_code::malformed_input, "blend: " + message);
 }
 
 void write_finite(std::ostream& os, double x) {

@@ -3,12 +3,15 @@
 
 /** A number as it is, or the text of an exact one: a decimal or a fraction, e.g. "0.1", "1/3". */
 export type Exact = number | bigint | string;
-export type Point = ArrayLike<Exact>;
+/** An array of any dimension, or an object; a DOMPoint lies in the plane. */
+export type Point = ArrayLike<Exact> | { readonly x: Exact; readonly y: Exact; readonly z?: Exact };
 
 /**
  * The control points of a Bézier curve, of any degree and dimension; with weights a rational one.
+ * A text is path data of SVG, the attribute `d`, whose decimals are taken exactly: the curve is its
+ * last segment on the left of a join, and its first one on the right.
  */
-export type Curve = ReadonlyArray<Point> | {
+export type Curve = string | ReadonlyArray<Point> | {
   control_points?: ReadonlyArray<Point>;
   points?: ReadonlyArray<Point>;
   weights?: ReadonlyArray<Exact>;
@@ -164,26 +167,30 @@ export interface Module {
    * Returns the nearest handles of one direction on the integers, as vectors to and from the node,
    * or null where there are none so near.
    */
-  alignHandles(left: readonly [number, number], right: readonly [number, number], maxMove?: number): { left: [number, number]; right: [number, number] } | null;
+  alignHandles(left: Point, right: Point, maxMove?: number): { left: [number, number]; right: [number, number] } | null;
   /**
    * Returns the joins of a chain of Bézier curves of one degree that do not have an order: numbers
-   * i, for the join between the curves i and i + 1. The control points stand one after the other.
-   * The answer is exact for the numbers as given, and fast.
+   * i, for the join between the curves i and i + 1. The control points stand one after the other,
+   * or are those of curves, which have a degree and a dimension. The answer is exact for the
+   * numbers as given, and fast.
    */
   failingJoins(
-    coordinates: Float64Array | ArrayLike<number>,
+    curves: Float64Array | ArrayLike<number> | ReadonlyArray<ReadonlyArray<Point>>,
     options?: { degree?: number; dimension?: 2 | 3; order?: 'C0' | 'C1' | 'C2' | 'C3' | 'G1' | 'G2' | 'G3' | 'F3'; closed?: boolean },
   ): Uint32Array;
-  /** The JSON of `geometric_continuity verify --json` of a drawing. */
+  /**
+   * The JSON of `geometric_continuity verify --json` of a drawing. A text that begins with M is
+   * path data of SVG, as for all functions on drawings.
+   */
   verifySvg(svg: string | Uint8Array | ArrayBuffer, options?: { maxOrder?: number; require?: string | null; kinkAngle?: Exact }): Promise<any>;
   /**
    * A drawing without kinks where handles can move on the grid of its decimals, and the JSON of
-   * `geometric_continuity repair --json`.
+   * `geometric_continuity repair --json`; of path data the path as `d`, too.
    */
   repairSvg(
     svg: string | Uint8Array | ArrayBuffer,
     options?: { kinkAngle?: Exact; maxMove?: Exact | null; harmonise?: boolean },
-  ): Promise<{ svg: string; report: any }>;
+  ): Promise<{ svg: string; report: any; d?: string }>;
   /**
    * The curves of a drawing: segment i is that which a join of `verifySvg` names by its number
    * `left` or `right`.

@@ -38,24 +38,39 @@ function number(x, place) {
 
 const isList = (x) => Array.isArray(x) || (ArrayBuffer.isView(x) && !(x instanceof DataView));
 
+// A point as an array. A DOMPoint, which has a w, lies in the plane.
+function point(p, place) {
+  if (isList(p)) return p;
+  if (typeof p !== 'object' || p === null || p.x === undefined || p.y === undefined)
+    refuse('malformed_input', `${place}: a point is an array [x, y] or an object { x, y }, in space with z, not ${described(p)}`);
+  return p.z === undefined || p.w !== undefined ? [p.x, p.y] : [p.x, p.y, p.z];
+}
+
+// Points as arrays of one dimension.
 function points(list, place) {
   if (!isList(list)) refuse('malformed_input', `${place}: an array of points is expected, not ${described(list)}`);
   if (list.length === 0) refuse('wrong_number_of_points', `${place}: no points`);
-  const dimension = isList(list[0]) ? list[0].length : 0;
-  for (let j = 0; j < list.length; ++j) {
-    if (!isList(list[j])) refuse('malformed_input', `${place}[${j}]: a point is an array of numbers, not ${described(list[j])}`);
-    if (list[j].length !== dimension || dimension === 0)
-      refuse('dimension_mismatch', `${place}[${j}]: ${list[j].length} coordinates, ${dimension} in the first point`);
-  }
-  return dimension;
+  const result = Array.from(list, (p, j) => point(p, `${place}[${j}]`)), dimension = result[0].length;
+  for (const [j, { length }] of result.entries())
+    if (length !== dimension || dimension === 0) refuse('dimension_mismatch', `${place}[${j}]: ${length} coordinates, ${dimension} in the first point`);
+  return result;
 }
 
-// An array of control points, or an object with them, weights and a domain.
-function curve(c, place) {
+// Path data of SVG as one word, of which the module takes the last segment or the first one.
+function path(d, place, end) {
+  if (!/^[\sA-Za-z0-9.,+-]+$/.test(d)) refuse('malformed_input', `${place}: ${described(d)} is no path data, such as "M0 0C1 0 2 1 3 1"`);
+  return `${end} ${place} ${d.replace(/\s/g, '~')}`;
+}
+
+// An array of control points, or an object with them, weights and a domain, or path data, which is
+// at this end of a join.
+function curve(c, place, end) {
+  if (c === undefined) refuse('malformed_input', `${place}: this curve is missing: a join is that of two; verifySvg() decides those inside of a path`);
+  if (typeof c === 'string') return path(c, place, end);
   const isObject = typeof c === 'object' && c !== null && !isList(c);
-  const list = isObject ? c.control_points ?? c.points : c;
+  const list = points(isObject ? c.control_points ?? c.points : c, place);
   const weights = (isObject && c.weights) || null, domain = (isObject && c.domain) || [0, 1];
-  const dimension = points(list, place);
+  const dimension = list[0].length;
   if (weights && weights.length !== list.length)
     refuse('wrong_number_of_points', `${place}: ${weights.length} weights of ${list.length} points`);
   if (!isList(domain) || domain.length !== 2) refuse('malformed_input', `${place}: a domain is two numbers`);
@@ -72,12 +87,27 @@ function patch(net, place) {
   if (!isList(net) || net.length === 0) refuse('wrong_number_of_points', `${place}: an array of rows of points is expected`);
   const words = [];
   for (let i = 0; i < net.length; ++i) {
-    if (points(net[i], `${place}[${i}]`) !== 3) refuse('dimension_mismatch', `${place}[${i}]: points in space are expected`);
-    if (net[i].length !== net[0].length) refuse('wrong_number_of_points', `${place}[${i}]: rows of different lengths`);
-    for (let j = 0; j < net[i].length; ++j)
-      for (let k = 0; k < 3; ++k) words.push(number(net[i][j][k], `${place}[${i}][${j}][${k}]`));
+    const row = points(net[i], `${place}[${i}]`);
+    if (row[0].length !== 3) refuse('dimension_mismatch', `${place}[${i}]: points in space are expected`);
+    if (row.length !== net[0].length) refuse('wrong_number_of_points', `${place}[${i}]: rows of different lengths`);
+    for (let j = 0; j < row.length; ++j)
+      for (let k = 0; k < 3; ++k) words.push(number(row[j][k], `${place}[${i}][${j}][${k}]`));
   }
   return `${net.length - 1} ${net[0].length - 1} ${words.join(' ')}`;
+}
+
+// The numbers of a chain, one after the other, and the degree and dimension: those of the options,
+// or of an array of curves.
+function chain(curves, degree, dimension) {
+  if (!isList(curves)) refuse('malformed_input', `failingJoins: an array of numbers or of curves is expected, not ${described(curves)}; verifySvg() takes path data`);
+  if (curves.length === 0 || !isList(curves[0]))
+    return { numbers: curves instanceof Float64Array ? curves : Float64Array.from(curves), degree, dimension };
+  const lists = Array.from(curves, (c, i) => points(c, `failingJoins: curve ${i}`)), [first] = lists;
+  for (const [i, list] of lists.entries()) {
+    if (list.length !== first.length) refuse('wrong_number_of_points', `failingJoins: curve ${i} has ${list.length} points, the first one ${first.length}`);
+    if (list[0].length !== first[0].length) refuse('dimension_mismatch', `failingJoins: curve ${i} has ${list[0].length} coordinates, the first one ${first[0].length}`);
+  }
+  return { numbers: Float64Array.from(lists.flatMap((list) => list.flatMap((p) => [...p]))), degree: first.length - 1, dimension: first[0].length };
 }
 
 function integer(x, place, low, high) {
@@ -198,6 +228,14 @@ class Instance {
   }
 }
 
+// Path data alone becomes a drawing of one path.
+const isPath = (text) => typeof text === 'string' && /^\s*[Mm]/.test(text);
+const drawing = (text) => {
+  if (!isPath(text)) return text;
+  const escaped = text.replace(/[&<>"]/g, (c) => `&#${c.charCodeAt(0)};`);
+  return `<svg xmlns="http://www.w3.org/2000/svg"><path d="${escaped}"/></svg>`;
+};
+
 const fileBytes = (text) => {
   const bytes = typeof text === 'string' ? encoder.encode(text) : text instanceof ArrayBuffer ? new Uint8Array(text) : text;
   if (!(bytes instanceof Uint8Array)) refuse('malformed_input', `a text or bytes are expected, not ${described(text)}`);
@@ -220,22 +258,24 @@ export default async function load({ wasm, filesWasm } = {}) {
   const withoutNumbers = ({ left: _left, right: _right, ...join }) => join;
   const blendResult = (result) => ({ ...result, start_join: withoutNumbers(result.start_join), end_join: withoutNumbers(result.end_join) });
 
+  const sides = (left, right) => [curve(left, 'left', 'last'), curve(right, 'right', 'first')];
+
   return {
     continuity(left, right, { maxOrder = 3 } = {}) {
-      return withoutNumbers(call('continuity', integer(maxOrder, 'options.maxOrder', 0, 32), curve(left, 'left'), curve(right, 'right')));
+      return withoutNumbers(call('continuity', integer(maxOrder, 'options.maxOrder', 0, 32), ...sides(left, right)));
     },
     deviation(left, right) {
-      return call('deviation', curve(left, 'left'), curve(right, 'right'));
+      return call('deviation', ...sides(left, right));
     },
     joinGrade(left, right, { kinkAngle = 5 } = {}) {
-      return call('joinGrade', number(kinkAngle, 'options.kinkAngle'), curve(left, 'left'), curve(right, 'right'));
+      return call('joinGrade', number(kinkAngle, 'options.kinkAngle'), ...sides(left, right));
     },
     blend(phi, psi, options = {}) {
-      return blendResult(call('blend', strategy(options), curve(phi, 'phi'), curve(psi, 'psi')));
+      return blendResult(call('blend', strategy(options), curve(phi, 'phi', 'last'), curve(psi, 'psi', 'first')));
     },
     roundCorner(left, right, distance, options = {}) {
       const given = { strategy: 'fair', ...options };
-      const result = call('roundCorner', strategy(given), number(distance, 'distance'), curve(left, 'left'), curve(right, 'right'));
+      const result = call('roundCorner', strategy(given), number(distance, 'distance'), ...sides(left, right));
       return { ...result, blend: blendResult(result.blend) };
     },
     edgeContinuity(patchA, edgeA, patchB, edgeB) {
@@ -243,14 +283,14 @@ export default async function load({ wasm, filesWasm } = {}) {
     },
     alignHandles(left, right, maxMove = 16) {
       const vector = (v, place) => {
-        if (points([v], place) !== 2) refuse('dimension_mismatch', `${place}: two coordinates are expected`);
-        return `${number(v[0], place)} ${number(v[1], place)}`;
+        const [x] = points([v], place);
+        if (x.length !== 2) refuse('dimension_mismatch', `${place}: two coordinates are expected`);
+        return `${number(x[0], place)} ${number(x[1], place)}`;
       };
       return call('alignHandles', vector(left, 'left'), vector(right, 'right'), number(maxMove, 'maxMove'));
     },
-    failingJoins(coordinates, { degree = 3, dimension = 2, order = 'G1', closed = false } = {}) {
-      if (!isList(coordinates)) refuse('malformed_input', `failingJoins: an array of numbers is expected, not ${described(coordinates)}`);
-      const numbers = coordinates instanceof Float64Array ? coordinates : Float64Array.from(coordinates);
+    failingJoins(curves, { order = 'G1', closed = false, ...shape } = {}) {
+      const { numbers, degree, dimension } = chain(curves, shape.degree ?? 3, shape.dimension ?? 2);
       integer(degree, 'options.degree', 1, 1000);
       integer(dimension, 'options.dimension', 2, 3);
       const question = questions.indexOf(order);
@@ -266,13 +306,14 @@ export default async function load({ wasm, filesWasm } = {}) {
       });
     },
     async verifySvg(svg, { maxOrder = 3, require = null, kinkAngle = 5 } = {}) {
-      return callWithFile(svg, 'verifySvg', integer(maxOrder, 'options.maxOrder', 0, 32), require === null ? '-' : word(require, 'options.require'), number(kinkAngle, 'options.kinkAngle'));
+      return callWithFile(drawing(svg), 'verifySvg', integer(maxOrder, 'options.maxOrder', 0, 32), require === null ? '-' : word(require, 'options.require'), number(kinkAngle, 'options.kinkAngle'));
     },
     async repairSvg(svg, { kinkAngle = 5, maxMove = null, harmonise = false } = {}) {
-      return callWithFile(svg, 'repairSvg', number(kinkAngle, 'options.kinkAngle'), maxMove === null ? '-' : number(maxMove, 'options.maxMove'), harmonise ? 1 : 0);
+      const repaired = await callWithFile(drawing(svg), 'repairSvg', number(kinkAngle, 'options.kinkAngle'), maxMove === null ? '-' : number(maxMove, 'options.maxMove'), harmonise ? 1 : 0);
+      return isPath(svg) ? { ...repaired, d: repaired.svg.match(/ d="([^"]*)"/)[1] } : repaired;
     },
     async svgCurves(svg) {
-      return callWithFile(svg, 'svgCurves');
+      return callWithFile(drawing(svg), 'svgCurves');
     },
     async verifyFont(font, { glyphs = '-', require = null, kinkAngle = 5, worst = 0 } = {}) {
       return callWithFile(font, 'verifyFont', require === null ? '-' : word(require, 'options.require'), number(kinkAngle, 'options.kinkAngle'), integer(worst, 'options.worst', 0, 1000000), glyphNames(glyphs));

@@ -97,6 +97,9 @@ const identity = new Frame([[-12, 0], [12, 0]]);
 identity.scale = 1;
 identity.centre = [0, 0];
 
+// From how many pixels away a thumb, or a mouse, takes a point.
+const reach = 24;
+
 // A picture of [-12, 12] x [-8, 8] with points that move.
 class Picture {
   constructor(label, points, { snap = 0, frame = identity, changed, address }) {
@@ -107,8 +110,6 @@ class Picture {
     this.svg = element('svg', { class: 'scene', viewBox: '-12 -8 24 16', role: 'group', 'aria-label': label }, this.under, this.over);
     this.circles = points.map((p, i) => {
       const c = element('circle', { class: 'point', r: 0.22, tabindex: 0, role: 'button', stroke: p.colour });
-      c.addEventListener('pointerdown', (e) => (c.setPointerCapture(e.pointerId), c.focus({ preventScroll: true }), e.preventDefault()));
-      c.addEventListener('pointermove', (e) => c.hasPointerCapture(e.pointerId) && this.move(i, this.place(e)));
       c.addEventListener('keydown', (e) => {
         const step = (e.shiftKey ? 10 : 1) * (this.snap || 0.1), direction = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[e.key];
         if (!direction) return;
@@ -118,8 +119,36 @@ class Picture {
       this.over.append(c);
       return c;
     });
+    this.svg.addEventListener('pointerdown', (e) => this.grip(e));
+    this.svg.addEventListener('pointermove', (e) => this.drag(e));
+    for (const type of ['pointerup', 'pointercancel']) this.svg.addEventListener(type, (e) => e.pointerId === this.held?.pointer && (this.held = null));
     stage.replaceChildren(this.svg);
     this.place_circles();
+  }
+  // The number of the point that is nearest to the pointer, in one place the last one, which is on
+  // top; -1 where none is within reach.
+  near(event) {
+    const at = this.place(event);
+    let nearest = -1, least = reach / (this.svg.getScreenCTM().a || 1);
+    for (const [i, p] of this.points.entries()) {
+      const distance = Math.hypot(p.at[0] - at[0], p.at[1] - at[1]);
+      if (distance <= least) [nearest, least] = [i, distance];
+    }
+    return nearest;
+  }
+  // The point keeps its distance to the pointer, so that a finger does not hide it.
+  grip(event) {
+    const i = this.near(event);
+    if (this.held || i < 0) return;
+    event.preventDefault();
+    this.svg.setPointerCapture(event.pointerId);
+    this.circles[i].focus({ preventScroll: true });
+    const at = this.place(event);
+    this.held = { i, pointer: event.pointerId, offset: this.points[i].at.map((x, k) => x - at[k]) };
+  }
+  drag(event) {
+    if (!this.held) this.svg.style.cursor = this.near(event) < 0 ? '' : 'grab';
+    else if (event.pointerId === this.held.pointer) this.move(this.held.i, this.place(event).map((x, k) => x + this.held.offset[k]));
   }
   place(event) {
     const m = this.svg.getScreenCTM().inverse(), p = new DOMPoint(event.clientX, event.clientY).matrixTransform(m);
@@ -499,12 +528,12 @@ class Outlines {
   }
   // Takes the point that is next to the pointer, nodes first: it takes its handles along.
   grip(event) {
-    const at = this.place(event), near = (this.svg.viewBox.baseVal.width / (this.svg.clientWidth || 1)) * (event.pointerType === 'touch' ? 24 : 12);
-    let best = null, least = near;
+    const at = this.place(event), near = reach / (this.svg.getScreenCTM().a || 1);
+    let best = null, least = Infinity;
     for (const [i, { points }] of this.curves.entries())
       for (const [j, p] of points.entries()) {
-        const is_node = j === 0 || j === points.length - 1, distance = Math.hypot(p[0] - at[0], p[1] - at[1]) * (is_node ? 0.5 : 1);
-        if (distance < least) [best, least] = [{ i, j }, distance];
+        const is_node = j === 0 || j === points.length - 1, distance = Math.hypot(p[0] - at[0], p[1] - at[1]);
+        if (distance <= near && distance * (is_node ? 0.5 : 1) < least) [best, least] = [{ i, j }, distance * (is_node ? 0.5 : 1)];
       }
     if (!best) return;
     event.preventDefault();

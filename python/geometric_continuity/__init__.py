@@ -4,7 +4,8 @@
 """Curves and surfaces that join smoothly, and a proof that they do.
 
 An array of shape (degree + 1, dimension) is a Bezier curve. Numbers may be int, float, fractions.Fraction and decimal.Decimal; each is
-read exactly as it is, and what is decided is decided exactly. Names and members are those of the C++ package.
+read exactly as it is, and what is decided is decided exactly. Names and members are those of the C++ package. `Bezier_curve` has
+weights and a domain, `Spline` knots; those of SciPy are taken, too.
 
 >>> import geometric_continuity as gc
 >>> left = [(-3, 0), (-3, 2), (-2, 3), (0, 3)]
@@ -16,25 +17,34 @@ read exactly as it is, and what is decided is decided exactly. Names and members
 
 import warnings
 
-from ._native import (Edge_continuity, Enclosure, Join_continuity, Join_deviation, Kink_size, Order_up_to_rounding, Visual_class,
-                      uses_gmp)
-from .curves import (STRATEGIES, Blend, Fair_spline, Fitted_curve, Representable_blend, Rounded_corner, Segmented_curve, Spline, blend,
-                     fair, fairness, fit, interpolate, interpolate_fair, representable_blend, round_corner)
+from ._native import (Edge_continuity, Enclosure, Join_continuity, Join_deviation, Kink_size, Order_up_to_rounding, Order_within,
+                      Visual_class, uses_gmp)
+from ._native import version as __version__
+from .curve_types import Bezier_curve, Segmented_curve, Spline, pieces
+from .curves import (STRATEGIES, Blend, Fair_spline, Fitted_curve, Representable_blend, Rounded_corner, blend, fair, fairness, fit,
+                     interpolate, interpolate_fair, representable_blend, round_corner)
 from .errors import Error
-from .joins import align_handle, align_handles, continuity, deviation, edge_continuity, failing_joins, kink_size, visual_class
+from .evaluation import curvature, curvature_vector, evaluate
+from .hints import missing_in_module, missing_member
+from .joins import (align_handle, align_handles, chain_joins, continuity, deviation, edge_continuity, failing_joins, kink_size,
+                    order_within, visual_class)
 from .program import file_record, program, verify
 
 __all__ = [
-    "Blend", "Edge_continuity", "Enclosure", "Error", "Fair_spline", "Fitted_curve", "Join_continuity", "Join_deviation", "Visual_class",
-    "Kink_size", "Order_up_to_rounding", "Representable_blend", "Rounded_corner", "STRATEGIES", "Segmented_curve", "Spline", "blend",
-    "continuity", "deviation", "edge_continuity", "failing_joins", "fair", "fairness", "file_record", "fit", "interpolate", "interpolate_fair",
-    "visual_class", "kink_size", "program", "representable_blend", "round_corner", "align_handle", "align_handles", "uses_gmp", "verify",
+    "Bezier_curve", "Blend", "Edge_continuity", "Enclosure", "Error", "Fair_spline", "Fitted_curve", "Join_continuity", "Join_deviation",
+    "Kink_size", "Order_up_to_rounding", "Order_within", "Representable_blend", "Rounded_corner", "STRATEGIES", "Segmented_curve", "Spline",
+    "Visual_class", "align_handle", "align_handles", "blend", "chain_joins", "continuity", "curvature", "curvature_vector",
+    "deviation", "edge_continuity", "evaluate", "failing_joins", "fair", "fairness", "file_record", "fit", "interpolate", "interpolate_fair",
+    "kink_size", "order_within", "pieces", "program", "representable_blend", "round_corner", "uses_gmp", "verify", "visual_class",
 ]
+
+for _class in (Edge_continuity, Enclosure, Join_continuity, Join_deviation, Kink_size, Order_up_to_rounding, Order_within):
+    setattr(_class, "__getattr__", missing_member)
 
 
 def __getattr__(name):
     new = {"Join_grade": "Visual_class", "join_grade": "visual_class"}.get(name)  # old names, for one release
-    if new is None:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    warnings.warn(f"{name} is now {new}", DeprecationWarning, stacklevel=2)
-    return globals()[new]
+    if new is not None:
+        warnings.warn(f"{name} is now {new}", DeprecationWarning, stacklevel=2)
+        return globals()[new]
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}: {missing_in_module(name, __all__)}")

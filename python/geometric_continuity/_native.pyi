@@ -8,6 +8,7 @@ import numpy
 
 uses_gmp: bool
 strategies: Tuple[str, ...]
+version: str
 
 class Enclosure:
     @property
@@ -55,6 +56,14 @@ class Join_deviation:
     @property
     def torsion_jump(self) -> Optional[Enclosure]: ...
 
+class Order_within:
+    @property
+    def deviation(self) -> Join_deviation: ...
+    @property
+    def verdicts(self) -> Tuple[str, str, str, str]: ...
+    @property
+    def proved_order(self) -> int: ...
+
 class Visual_class:
     gap: Visual_class
     corner: Visual_class
@@ -99,6 +108,9 @@ class Edge_continuity:
 
 def continuity(left: Any, right: Any, max_order: int) -> Join_continuity: ...
 def deviation(left: Any, right: Any) -> Join_deviation: ...
+def order_within(
+    left: Any, right: Any, tangent_angle: Any, curvature_jump: Any, torsion_jump: Any, gap: Any, curvature_derivative: Any
+) -> Order_within: ...
 def visual_class(left: Any, right: Any, kink_angle: Any) -> Optional[Visual_class]: ...
 def kink_size(left: Any, right: Any) -> Optional[Kink_size]: ...
 def align_handles(

@@ -17,13 +17,16 @@ from typing import List, Optional, Sequence
 import numpy
 
 from . import _native
+from .curve_types import Curve, Segmented_curve, Spline, bezier_points, points_of, sides
+from .errors import Error
+from .hints import check_name, missing_member
 
 STRATEGIES = _native.strategies
 """The names of the strategies of `blend`: to "fair" of degree 5, from "c3" on of degree 7."""
 
 
 @dataclass(frozen=True)
-class Blend:
+class Blend(Curve):
     """A blend: a Bezier curve on [0, 1], and what its strategy chose."""
 
     points: numpy.ndarray  #: control points, shape (6, dimension) or (8, dimension)
@@ -37,7 +40,7 @@ class Blend:
 
 
 @dataclass(frozen=True)
-class Representable_blend:
+class Representable_blend(Curve):
     """A blend with float64 control points whose joins with `phi` and `psi` are exactly G2."""
 
     points: numpy.ndarray  #: control points, shape (6, dimension)
@@ -56,32 +59,8 @@ class Rounded_corner:
     left_cut: object  #: the parameter where the left curve is cut
     right_cut: object  #: the parameter where the right curve is cut
 
-
-@dataclass(frozen=True)
-class Spline:
-    """A B-spline curve: control points of shape (n, dimension), and its knots, in the form of `scipy.interpolate.BSpline`."""
-
-    degree: int
-    points: numpy.ndarray
-    knots: numpy.ndarray
-
-
-@dataclass(frozen=True)
-class Segmented_curve:
-    """Bezier curves of one degree m, each of which starts where the one before it ends: points of shape (m k + 1, dimension) of k
-    curves, and k + 1 knots."""
-
-    degree: int
-    points: numpy.ndarray
-    knots: numpy.ndarray
-
-    @property
-    def segments(self) -> numpy.ndarray:
-        """The control points of the Bezier curves, shape (k, m + 1, dimension). A view where the array is one of floats."""
-        m, (n, dimension) = self.degree, self.points.shape
-        row, column = self.points.strides
-        shape = ((n - 1) // m, m + 1, dimension)
-        return numpy.lib.stride_tricks.as_strided(self.points, shape, (m * row, row, column), writeable=False)
+    def __getattr__(self, name):
+        missing_member(self, name)
 
 
 @dataclass(frozen=True)
@@ -106,7 +85,8 @@ def blend(left, right, strategy: str = "energy3", *, beta=None, eta=None, parame
     """Returns the blend from the end of `left` to the start of `right`: a Bezier curve on [0, 1] of degree 5 with G2 joins, or of degree
     7 with G3 or F3 joins, by the strategy.
 
-    left, right: arrays of shape (degree + 1, dimension).
+    left, right: arrays of shape (degree + 1, dimension), or curves with weights and splines, as of `continuity`: the blend depends on
+        their derivatives at the join.
     strategy: one of STRATEGIES; "energy3" has the least energy of the third derivative, "fair" varies the curvature least.
     beta, eta: shape parameters, positive; automatic unless they are given.
     parameters: of the strategy "free": (s1, s2) of degree 5, or (beta2, mu, beta3) at the start and at the end of degree 7.
@@ -115,7 +95,9 @@ def blend(left, right, strategy: str = "energy3", *, beta=None, eta=None, parame
     Raises Error: `zero_tangent`, `nonpositive_beta`, `dimension_mismatch`, `wrong_number_of_points`, `not_finite`,
     `parameter_outside_domain` for another strategy.
     """
-    return Blend(**_native.blend(left, right, strategy, beta, eta, tuple(parameters), exact))
+    check_name("blend", "strategy", strategy, STRATEGIES)
+    a, b = sides(left, right, "blend")
+    return Blend(**_native.blend(a.points, b.points, strategy, beta, eta, tuple(parameters), a.exact(b.exact(exact))))
 
 
 def fair(left, right, order: int = 2, *, exact: Optional[bool] = None) -> Blend:
@@ -125,8 +107,6 @@ def fair(left, right, order: int = 2, *, exact: Optional[bool] = None) -> Blend:
     Raises Error as `blend`, and `parameter_outside_domain` for another order.
     """
     if order not in (2, 3):
-        from .errors import Error
-
         raise Error("parameter_outside_domain", "fair", f"the order {order} is not 2 or 3")
     return blend(left, right, "fair" if order == 2 else "fair_g3", exact=exact)
 
@@ -139,6 +119,8 @@ def representable_blend(left, right, strategy: str = "fair") -> Representable_bl
 
     Raises Error: `not_representable` where there are no such numbers, and as `blend`.
     """
+    check_name("representable_blend", "strategy", strategy, ("fair", "energy3"))
+    left, right = (bezier_points(curve, "representable_blend") for curve in (left, right))
     return Representable_blend(**_native.representable_blend(left, right, strategy))
 
 
@@ -152,6 +134,8 @@ def round_corner(left, right, distance, strategy: str = "fair", *, exact: Option
 
     Raises Error: `curves_do_not_meet`, `parameter_outside_domain`, `zero_tangent`, `zero_direction`, `dimension_mismatch`, `not_finite`.
     """
+    check_name("round_corner", "strategy", strategy, ("fair", "energy3", "fair_g3"))
+    left, right = (bezier_points(curve, "round_corner") for curve in (left, right))
     return Rounded_corner(**_native.round_corner(left, right, distance, strategy, exact))
 
 
@@ -163,7 +147,7 @@ def fairness(curve) -> float:
 
     Raises Error: `work_limit`, `not_finite`, `wrong_number_of_points`.
     """
-    return _native.fairness(curve)
+    return _native.fairness(bezier_points(curve, "fairness"))
 
 
 def interpolate(points, closed: bool = False, parametrisation: str = "chordal", parameters: Sequence = (), *,
@@ -176,7 +160,8 @@ def interpolate(points, closed: bool = False, parametrisation: str = "chordal", 
 
     Raises Error: `wrong_number_of_points`, `empty_domain` unless parameters increase, `dimension_mismatch`, `not_finite`, `work_limit`.
     """
-    return Spline(**_native.interpolate(points, closed, parametrisation, tuple(parameters), exact))
+    check_name("interpolate", "parametrisation", parametrisation, ("uniform", "chordal", "centripetal"))
+    return Spline(**_native.interpolate(points_of(points), closed, parametrisation, tuple(parameters), exact))
 
 
 def interpolate_fair(points, closed: bool = False, *, exact: Optional[bool] = None) -> Fair_spline:
@@ -186,7 +171,7 @@ def interpolate_fair(points, closed: bool = False, *, exact: Optional[bool] = No
 
     Raises Error: `wrong_number_of_points`, `empty_domain` where consecutive points coincide, `not_finite`.
     """
-    return Fair_spline(**_native.interpolate_fair(points, closed, exact))
+    return Fair_spline(**_native.interpolate_fair(points_of(points), closed, exact))
 
 
 def fit(points, tolerance, order: int = 1, closed: bool = False, corner_angle: float = 45, *,
@@ -200,4 +185,4 @@ def fit(points, tolerance, order: int = 1, closed: bool = False, corner_angle: f
 
     Raises Error: `wrong_number_of_points`, `parameter_outside_domain`, `unreachable_tolerance`, `not_finite`.
     """
-    return Fitted_curve(**_native.fit(points, tolerance, order, closed, corner_angle, exact))
+    return Fitted_curve(**_native.fit(points_of(points), tolerance, order, closed, corner_angle, exact))

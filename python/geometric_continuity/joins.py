@@ -5,24 +5,48 @@
 
 from __future__ import annotations
 
-from typing import Optional, Tuple
+from typing import List, Optional, Tuple
 
 import numpy
 
 from . import _native
-from ._native import Edge_continuity, Join_continuity, Join_deviation, Kink_size, Visual_class
+from ._native import Edge_continuity, Join_continuity, Join_deviation, Kink_size, Order_within, Visual_class
+from .curve_types import Segmented_curve, chain, is_array, points_of, sides
+from .errors import Error
+from .hints import check_name
+
+_ORDERS = [kind + number for kind in "CGF" for number in "0123"]
 
 
-def continuity(left, right, max_order: int = 3) -> Join_continuity:
+def continuity(left, right=None, max_order: int = 3) -> Join_continuity:
     """Decides the continuity of the join between the end of `left` and the start of `right`, up to `max_order`, exactly on the
     numbers as given.
 
     left, right: Bezier curves on [0, 1], arrays of shape (degree + 1, dimension); degrees may differ. Numbers may be int, float,
-        fractions.Fraction and decimal.Decimal, each read as it is.
+        fractions.Fraction and decimal.Decimal, each read as it is. `Bezier_curve`, `Spline` and BSplines of SciPy, with weights
+        and domains, are taken, too: C orders and shape parameters are those with respect to their parameters.
 
     Raises Error: `negative_count`, `dimension_mismatch`, `wrong_number_of_points` for other shapes, `not_finite`, `work_limit`.
     """
-    return _native.continuity(left, right, max_order)
+    if right is None:
+        raise Error("wrong_number_of_points", "continuity", "a join is that of two curves, continuity(left, right); "
+                    "chain_joins(curve) decides those inside of a spline or between the curves of a list")
+    a, b = sides(left, right, "continuity", max_order)
+    return _native.continuity(a.points, b.points, max_order)
+
+
+def chain_joins(curves, closed: bool = False) -> List[Join_continuity]:
+    """Decides the joins of consecutive curves as `continuity` does: those inside of a spline at its knots, or between the curves of a
+    list, whose splines have joins, too.
+
+    curves: a `Spline`, a BSpline of SciPy, a result such as `Fair_spline`, or a list of curves; or an array of shape
+        (n, degree + 1, dimension).
+    closed: whether the last curve and the first one have a join, which is the last of the result.
+
+    Raises Error: as `continuity`.
+    """
+    found = chain(curves, "chain_joins")
+    return [continuity(a, b) for a, b in zip(found, found[1:] + (found[:1] if closed else []))]
 
 
 def deviation(left, right) -> Join_deviation:
@@ -30,33 +54,54 @@ def deviation(left, right) -> Join_deviation:
     of the gap (units of the coordinates), the angle of the tangents (radians), the relative jump of the curvature vector and the
     jump of the torsion (1/length).
 
-    left, right: arrays of shape (degree + 1, dimension).
+    left, right: curves as of `continuity`.
 
     Raises Error: `dimension_mismatch`, `wrong_number_of_points`, `not_finite`, `work_limit`.
     """
-    return _native.deviation(left, right)
+    a, b = sides(left, right, "deviation", ignore_domain=True)
+    return _native.deviation(a.points, b.points)
+
+
+def order_within(left, right, tolerance=0, *, gap=None, tangent_angle=None, curvature_jump=None, torsion_jump=None,
+                 curvature_derivative=None) -> Order_within:
+    """Decides which order the join between the end of `left` and the start of `right` has within tolerances: each of the orders 0 to 3
+    is proved, refuted, or undecided where a tolerance lies inside of an enclosure of `deviation`.
+
+    left, right: curves as of `continuity`.
+    tolerance: that of each quantity that has none of its own. By default these must hold exactly.
+    gap: in units of the coordinates; tangent_angle: in radians; curvature_jump: relative; torsion_jump: in space, in 1/length;
+        curvature_derivative: in the plane, in 1/length^2.
+
+    Raises Error: `unreachable_tolerance` for a negative tolerance, and as `deviation`.
+    """
+    a, b = sides(left, right, "order_within", ignore_domain=True)
+    bounds = [tolerance if x is None else x for x in (tangent_angle, curvature_jump, torsion_jump, gap, curvature_derivative)]
+    return _native.order_within(a.points, b.points, *bounds)
 
 
 def visual_class(left, right, kink_angle=5) -> Optional[Visual_class]:
     """Returns what a join of two plane curves looks like: gap, corner, kink, g1 or g2; None where a curve has no length.
 
-    left, right: arrays of shape (degree + 1, 2).
+    left, right: curves in the plane, as of `continuity`.
     kink_angle: degrees; the largest angle that is a kink and no corner, read exactly as it is.
 
     Raises Error: `dimension_mismatch` unless in the plane, `parameter_outside_domain` unless 0 < kink_angle < 180, `not_finite`.
     """
-    return _native.visual_class(left, right, kink_angle)
+    a, b = sides(left, right, "visual_class", ignore_domain=True)
+    return _native.visual_class(a.points, b.points, kink_angle)
 
 
 def kink_size(left, right) -> Optional[Kink_size]:
     """Returns how large the angle at a join of two plane curves is: enclosures of the angle (radians), of how far a handle is off and
     of the severity (units of the coordinates); None where a curve has no length.
 
-    left, right: arrays of shape (degree + 1, 2).
+    left, right: curves in the plane, as of `continuity`; handles are those of Bezier curves without weights, of a curve with
+        weights a third of its derivative.
 
     Raises Error: `dimension_mismatch` unless in the plane, `not_finite`.
     """
-    return _native.kink_size(left, right)
+    a, b = sides(left, right, "kink_size", ignore_domain=True)
+    return _native.kink_size(a.points, b.points)
 
 
 def align_handles(left: Tuple[int, int], right: Tuple[int, int], max_squared_move: int
@@ -85,7 +130,7 @@ def failing_joins(points, order: str = "G2", closed: bool = False, parallel: boo
     curves i and i + 1, as an array of integers.
 
     points: n Bezier curves of one degree, an array of shape (n, degree + 1, dimension). In the plane and in space an array of
-        float64 is read where it is, with any strides; nothing is copied.
+        float64 is read where it is, with any strides; nothing is copied. Or a spline, or a list of curves, as of `chain_joins`.
     order: "C0" to "C3", "G0" to "G3", "F0" to "F3".
     closed: whether the last curve and the first one have a join, the number n - 1, too.
     parallel: on several cores, where the module was built with TBB.
@@ -94,6 +139,18 @@ def failing_joins(points, order: str = "G2", closed: bool = False, parallel: boo
 
     Raises Error: `wrong_number_of_points` for another shape, `parameter_outside_domain` for another order, `not_finite`.
     """
+    check_name("failing_joins", "order", order, _ORDERS)
+    if isinstance(points, Segmented_curve) and order[0] != "C":
+        points = points.segments
+    points = points_of(points)
+    in_one_array = is_array(points) and (isinstance(points, numpy.ndarray) or all(is_array(c) and len(c) == len(points[0]) for c in points))
+    if not in_one_array:
+        found = chain(points, "failing_joins")
+        arrays = [getattr(c, "points", c) for c in found if getattr(c, "weights", None) is None]
+        if order[0] == "C" or len(arrays) < len(found) or len({numpy.shape(a) for a in arrays}) > 1:
+            kind = {"C": "c_order", "G": "g_order", "F": "f_order"}[order[0]]
+            return numpy.array([i for i, join in enumerate(chain_joins(found, closed)) if getattr(join, kind) < int(order[1])], dtype=numpy.intp)
+        points = numpy.array(arrays)  # for orders G and F domains do not matter
     return _native.failing_joins(points, order, closed, parallel)
 
 
@@ -107,4 +164,6 @@ def edge_continuity(a, edge_a: str, b, edge_b: str) -> Edge_continuity:
     Raises Error: `dimension_mismatch` unless in space, `wrong_number_of_points`, `parameter_outside_domain` for another edge,
     `not_finite`, `work_limit`.
     """
+    for edge in (edge_a, edge_b):
+        check_name("edge_continuity", "edge", edge, ("u0", "u1", "v0", "v1"))
     return _native.edge_continuity(a, edge_a, b, edge_b)

@@ -172,6 +172,11 @@ GC::Join_deviation deviation(const Numbers& left, const Numbers& right) {
   return with_curves(left, right, "deviation", [](const auto& a, const auto& b) { return GC::deviation(a, b); });
 }
 
+GC::Order_within order_within(const Numbers& left, const Numbers& right, const GC::Join_tolerance& tolerance) {
+  return with_curves(left, right, "order_within",
+                     [&](const auto& a, const auto& b) { return GC::order_within(a, b, tolerance); });
+}
+
 std::optional<GC::Visual_class> visual_class(const Numbers& left, const Numbers& right, const Exact& kink_angle) {
   const GC::Corner_threshold bound{kink_angle};
   return with_plane_curves(left, right, "visual_class",

@@ -365,6 +365,20 @@ PYBIND11_MODULE(_native, m) {
       .def("__repr__", [](const GC::Join_deviation& d) { return "<Join_deviation " + text(d) + '>'; })
       .def("__str__", text<GC::Join_deviation>);
 
+  py::class_<GC::Order_within>(m, "Order_within", "The orders 0 to 3 of a join, within a tolerance.")
+      .def_readonly("deviation", &GC::Order_within::deviation, "the enclosures on which the verdicts rest")
+      .def_property_readonly(
+          "verdicts",
+          [](const GC::Order_within& within) {
+            py::list verdicts;
+            for (const GC::Verdict verdict : within.verdicts) verdicts.append(to_string(verdict));
+            return py::tuple(verdicts);
+          },
+          "of the orders 0 to 3: 'proved', 'refuted' or 'undecided'")
+      .def_property_readonly("proved_order", &GC::Order_within::proved_order, "the largest order that is proved, or -1")
+      .def("__repr__", [](const GC::Order_within& within) { return "<Order_within " + text(within) + '>'; })
+      .def("__str__", text<GC::Order_within>);
+
   py::enum_<GC::Visual_class>(m, "Visual_class",
                               "What a join of two plane curves looks like, from the roughest to the smoothest.")
       .value("gap", GC::Visual_class::gap)
@@ -405,6 +419,15 @@ PYBIND11_MODULE(_native, m) {
     const Numbers a = numbers_of(left), b = numbers_of(right);
     return released([&] { return deviation(a, b); });
   });
+  m.def("order_within", [](const py::object& left, const py::object& right, const py::object& tangent_angle,
+                           const py::object& curvature_jump, const py::object& torsion_jump, const py::object& gap,
+                           const py::object& curvature_derivative) {
+    const Numbers a = numbers_of(left), b = numbers_of(right);
+    const auto bound = [](const py::object& x) { return GC::Bound(GC::enclosure(exact_number(x))); };
+    const GC::Join_tolerance tolerance{bound(tangent_angle), bound(curvature_jump), bound(torsion_jump), bound(gap),
+                                       bound(curvature_derivative)};
+    return released([&] { return order_within(a, b, tolerance); });
+  });
   m.def("visual_class", [](const py::object& left, const py::object& right, const py::object& kink_angle) {
     const Numbers a = numbers_of(left), b = numbers_of(right);
     const Exact angle = exact_number(kink_angle);
@@ -425,6 +448,7 @@ PYBIND11_MODULE(_native, m) {
     return pair(GC::align_handle({handle.first, handle.second}, {direction.first, direction.second}));
   });
   m.def("failing_joins", failing_joins_of);
+  m.attr("version") = GEOMETRIC_CONTINUITY_VERSION;
   m.attr("strategies") = py::tuple(py::cast(strategy_names()));
   m.def("blend",
         [](const py::object& left, const py::object& right, const std::string& strategy, const py::object& beta,

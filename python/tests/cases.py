@@ -40,6 +40,8 @@ def _tree(flat):
     def build(prefix):
         if prefix + "#" in flat:
             return [build(f"{prefix}.{i}") for i in range(int(flat[prefix + "#"]))]
+        if prefix not in flat:
+            return _tree({key[len(prefix) + 1:]: value for key, value in flat.items() if key.startswith(prefix + ".")})
         return flat[prefix]
 
     names = {key.split("#")[0].split(".")[0] for key in flat}

@@ -329,14 +329,12 @@ class Free_cad(unittest.TestCase):
     def test_edges(self):
         from FreeCAD import Vector
 
-        from geometric_continuity.adapters.splines import continuity
-
         part = self.part
         line = self.check(part.makeLine(Vector(0, 0.1, 0), Vector(1, 2, 3)), 1, 1, False)
         self.assertEqual(line[0].points[0].tolist(), [0, Fraction(0.1), 0])
         self.check(part.Arc(Vector(1, 0, 0), Vector(0, 1, 0), Vector(-1, 0, 0)).toShape(), 3, 1, True)
         circle = self.check(part.makeCircle(2), 3, 2, True)
-        self.assertEqual([continuity(p, q).g_order for p, q in zip(circle, circle[::-1])], [3, 3])
+        self.assertEqual([gc.continuity(p, q).g_order for p, q in zip(circle, circle[::-1])], [3, 3])
         bezier = part.BezierCurve()
         bezier.setPoles([Vector(0, 0, 0), Vector(1, 1, 0), Vector(2, 0, 0)])
         self.check(bezier.toShape(), 2, 1, False)
@@ -347,17 +345,17 @@ class Free_cad(unittest.TestCase):
         for weights in (None, [1, 2, 1, 1, 0.3, 1]):
             spline = self.spline(poles, (4, 1, 1, 4), (0, 1, 2.5, 3), weights=weights)
             pieces = self.check(spline.toShape(), 3, 3, weights is not None)
-            self.assertEqual([continuity(p, q).g_order for p, q in zip(pieces, pieces[1:])], [2, 2])
-            self.assertEqual([continuity(p, q).c_order for p, q in zip(pieces, pieces[1:])], [2, 2])
+            self.assertEqual([gc.continuity(p, q).g_order for p, q in zip(pieces, pieces[1:])], [2, 2])
+            self.assertEqual([gc.continuity(p, q).c_order for p, q in zip(pieces, pieces[1:])], [2, 2])
             self.assertEqual([p.domain for p in pieces], [(0, 1), (1, 2.5), (2.5, 3)])
             self.check(spline.toShape(0.5, 2.75), 3, 3, weights is not None)
             reversed_edge = spline.toShape()
             reversed_edge.reverse()
             pieces = self.check(reversed_edge, 3, 3, weights is not None)
-            self.assertEqual([continuity(p, q).g_order for p, q in zip(pieces, pieces[1:])], [2, 2])
+            self.assertEqual([gc.continuity(p, q).g_order for p, q in zip(pieces, pieces[1:])], [2, 2])
         around = self.spline(poles, (1, 1, 1, 1, 1, 1, 1), (0, 1, 2, 3.5, 4, 5, 6), periodic=True)
         pieces = self.check(around.toShape(), 3, 6, False)
-        self.assertEqual([continuity(p, q).g_order for p, q in zip(pieces, pieces[1:] + pieces[:1])], [2] * 6)
+        self.assertEqual([gc.continuity(p, q).g_order for p, q in zip(pieces, pieces[1:] + pieces[:1])], [2] * 6)
         offset = part.OffsetCurve(part.Circle(), 0.5, Vector(0, 0, 1)) if hasattr(part, "OffsetCurve") else None
         if offset is not None:
             with self.assertRaises(ValueError):
@@ -398,45 +396,42 @@ class Drawings(unittest.TestCase):
         import ezdxf
 
         from geometric_continuity.adapters.drawings import spline_pieces
-        from geometric_continuity.adapters.splines import continuity
 
         document = ezdxf.new()
         points = [(0, 0), (1, 2), (3, 2), (4, 0.3), (6, 1), (7, 0)]
         spline = document.modelspace().add_open_spline(points, degree=3)
         pieces = spline_pieces(spline)
         self.assertEqual([p.points.shape for p in pieces], [(4, 3)] * 3)
-        self.assertEqual([continuity(p, q).c_order for p, q in zip(pieces, pieces[1:])], [2, 2])
+        self.assertEqual([gc.continuity(p, q).c_order for p, q in zip(pieces, pieces[1:])], [2, 2])
         # the knots are uniform
         self.assertEqual(gc.failing_joins(numpy.array([p.points for p in pieces]), "G2").tolist(), [])
         tool = spline.construction_tool()
         for piece, u in zip(pieces, (0, 1, 2)):
             numpy.testing.assert_allclose(piece.points[0].astype(float), tool.point(u * tool.max_t / 3), atol=1e-12)
         rational = spline_pieces(document.modelspace().add_rational_spline(points, weights=[1, 2, 1, 1, 1, 1]))
-        self.assertEqual([continuity(p, q).c_order for p, q in zip(rational, rational[1:])], [2, 2])
+        self.assertEqual([gc.continuity(p, q).c_order for p, q in zip(rational, rational[1:])], [2, 2])
         unequal = document.modelspace().add_spline()
         unequal.dxf.degree, unequal.control_points, unequal.knots = 3, [(*p, 0) for p in points], [0, 0, 0, 0, 1, 2.5, 3, 3, 3, 3]
         pieces = spline_pieces(unequal)
         self.assertEqual([p.domain for p in pieces], [(0, 1), (1, 2.5), (2.5, 3)])
-        self.assertEqual([continuity(p, q).c_order for p, q in zip(pieces, pieces[1:])], [2, 2])
+        self.assertEqual([gc.continuity(p, q).c_order for p, q in zip(pieces, pieces[1:])], [2, 2])
 
 
 class Splines(unittest.TestCase):
     def test_derivatives(self):
         """C orders and shape parameters are those with respect to the knots, from both ends, with weights too."""
-        from geometric_continuity.adapters.splines import Piece, continuity, pieces
-
         knots = [0, 0, 0, 0, 1, 2.5, Fraction(8, 3), Fraction(8, 3), 4, 4, 4, 4]
         points = [(0, 0), (1, 2), (3, 2), (4, 0.3), (6, 1), (7, 0), (8, 3), (9, 1)]
         for weights in (None, [1, 2, 1, 1, 0.3, 1, 2, 5]):
-            found = pieces(3, knots, points, weights)
+            found = gc.pieces(gc.Spline(3, points, knots, weights))
             self.assertEqual([p.domain for p in found], [(0, 1), (1, 2.5), (2.5, Fraction(8, 3)), (Fraction(8, 3), 4)])
-            joins = [continuity(p, q) for p, q in zip(found, found[1:])]
+            joins = [gc.continuity(p, q) for p, q in zip(found, found[1:])]
             self.assertEqual([(j.c_order, j.betas) for j in joins], [(2, (1, 0)), (2, (1, 0)), (1, (1,))])
             back = [p.reverse() for p in reversed(found)]
-            self.assertEqual([continuity(p, q).c_order for p, q in zip(back, back[1:])], [1, 2, 2])
-        left, right = (Piece(numpy.array([[Fraction(x)] * 2 for x in row], dtype=object), None, domain)
+            self.assertEqual([gc.continuity(p, q).c_order for p, q in zip(back, back[1:])], [1, 2, 2])
+        left, right = (gc.Bezier_curve([[x] * 2 for x in row], None, domain)
                        for row, domain in (((0, 1), (0, 1)), ((1, 4), (1, 3))))
-        join = continuity(left, right)  # at speeds 1 and 3/2
+        join = gc.continuity(left, right)  # at speeds 1 and 3/2
         self.assertEqual((join.c_order, join.g_order, join.betas[0]), (0, 3, Fraction(3, 2)))
 
 

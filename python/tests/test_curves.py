@@ -189,7 +189,7 @@ class Documentation(unittest.TestCase):
         classes = {n.name: n for n in stub.body if isinstance(n, ast.ClassDef)}
         native = gc._native
         public = {n for n in dir(native) if not n.startswith("_")}
-        self.assertEqual(functions | set(classes) | {"strategies", "uses_gmp"}, public)
+        self.assertEqual(functions | set(classes) | {"strategies", "uses_gmp", "version"}, public)
         for name, node in classes.items():
             members = {m.target.id for m in node.body if isinstance(m, ast.AnnAssign) and not m.target.id.startswith("_")}
             members |= {m.name for m in node.body if isinstance(m, ast.FunctionDef) and not m.name.startswith("_")}
@@ -214,7 +214,8 @@ class Documentation(unittest.TestCase):
     def test_examples_of_docstrings(self):
         import doctest
 
-        self.assertEqual(doctest.testmod(gc).failed, 0)
+        for module in (gc, gc.evaluation):
+            self.assertEqual(doctest.testmod(module).failed, 0)
 
 
 if __name__ == "__main__":

@@ -37,6 +37,16 @@ test('a kink is found and mended', async () => {
   assert.equal((await gc.repairSvg(repaired.svg, { kinkAngle: 6 })).svg, repaired.svg);
 });
 
+test('path data is a drawing', async () => {
+  const kink = 'M0 0 C10 0 20 0 30 0 C40 1 50 10 60 20';
+  assert.deepEqual(await gc.verifySvg(kink), await gc.verifySvg(svg(kink).replace(' id="p"', '')));
+  const { d, svg: drawn } = await gc.repairSvg(kink, { kinkAngle: 6 });
+  assert.ok(drawn.includes(` d="${d}"`) && d !== kink);
+  assert.equal((await gc.verifySvg(d, { require: 'G1', kinkAngle: 6 })).met, true);
+  assert.equal((await gc.svgCurves(kink)).subpaths[0].curves.length, 2);
+  assert.ok(!(await gc.repairSvg('M0 0L1"/><script/>')).svg.includes('<script'), 'and remains one');
+});
+
 test('chains and models', async () => {
   const line = (a, b) => `100 1 0 0\n2 0\n2 2\n0 0 1 1\n${a}\n${b}\n`;
   const report = await gc.verifyG2(line('0 0', '0.1 0.3') + line('0.1 0.3', '0.3 0.9'), { require: 'G2' });

@@ -67,6 +67,29 @@ test('numbers are what they are: doubles, decimals, fractions, bigints', () => {
   assert.equal(gc.continuity([[-0, 0], [1, 0]], [[1, 0], [2, 0]], { maxOrder: 1 }).c_order, 1);
 });
 
+test('points are objects, and curves are path data', () => {
+  const objects = (list) => list.map(([x, y]) => ({ x, y })), expected = gc.blend(phi, psi);
+  assert.deepEqual(gc.blend(objects(phi), objects(psi)), expected);
+  assert.deepEqual(gc.blend(objects(phi), { points: psi }), expected);
+  assert.deepEqual(gc.blend(phi.map(([x, y]) => ({ x, y, z: 0, w: 1 })), 'M4 0L5-1'), expected, 'a DOMPoint');
+  assert.deepEqual(gc.blend('M9 9L-3 0C-3 2-2 3 0 3', 'm4 0l1-1l7 7'), expected, 'the last segment, and the first one');
+  assert.equal(gc.continuity([{ x: 0, y: 0, z: 0 }, { x: 1, y: 1, z: 1 }], [[1, 1, 1], [2, 2, 2]]).c_order, 3);
+  assert.equal(gc.continuity('M0 0 .1 .3', 'M.1,.3\n.3 .9').g_order, 3, 'decimals are exact');
+  assert.equal(gc.continuity('M0 0 .1 .3', [[0.1, 0.3], [0.3, 0.9]]).g_order, -1, 'and numbers are doubles');
+  assert.equal(gc.joinGrade('M0 0H9', 'M9 0q1 0 2 1').grade, 'G1');
+  assert.deepEqual(gc.alignHandles({ x: 10, y: 1 }, { x: 20, y: 1 }), gc.alignHandles([10, 1], [20, 1]));
+  assert.deepEqual([...gc.failingJoins([objects(phi), [[0, 3], [1, 3], [2, 3], [3, 0]], [[3, 0], [4, 0], [5, 0], [6, 0]]])], [1]);
+  fails('malformed_input', () => gc.continuity('M0 0A5 5 0 0 1 9 1', phi), 'left: the last segment is an arc (A)');
+  fails('malformed_input', () => gc.continuity('0 0 1 1', phi), 'left');
+  fails('malformed_input', () => gc.continuity('M0 0L1', phi), 'left, character');
+  fails('malformed_input', () => gc.continuity(phi, '<path>'), 'right: "<path>" is no path data, such as "M0 0');
+  fails('wrong_number_of_points', () => gc.continuity(phi, 'M0 0'), 'right: the path draws nothing');
+  fails('malformed_input', () => gc.continuity('M0 0L1 1'), 'verifySvg() decides those inside of a path');
+  fails('malformed_input', () => gc.continuity(phi, [0, 3, 1, 1]), 'right[0]: a point is an array [x, y] or an object { x, y }');
+  fails('dimension_mismatch', () => gc.failingJoins([phi, phi.map(([x, y]) => [x, y, 0])]), 'curve 1 has 3 coordinates');
+  fails('malformed_input', () => gc.blend(phi, psi, { strategy: 'faire' }), "there is no strategy \"faire\"; did you mean 'fair'? There are c2, normal,");
+});
+
 test('rational curves and domains', () => {
   const quarter = (a, b, c) => ({ control_points: [a, b, c], weights: [1, 1, 2] });
   const circle = gc.continuity(quarter([1, 0], [1, 1], [0, 1]), { control_points: [[0, 1], [-1, 1], [-1, 0]], weights: [2, 2, 4] });

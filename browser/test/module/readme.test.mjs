@@ -16,7 +16,7 @@ const run = Object.getPrototypeOf(async () => {}).constructor;
 const plain = (value) => (ArrayBuffer.isView(value) ? [...value] : value);
 
 test('the README prints what the module answers', async () => {
-  assert.equal(blocks.length, 2);
+  assert.equal(blocks.length, 3);
   let values = 0;
   for (const block of blocks) {
     const lines = block.replace(/^import load .*\n/, '').split('\n').map((line) => {
@@ -27,5 +27,5 @@ test('the README prints what the module answers', async () => {
     });
     await new run('load', 'check', lines.join('\n'))(load, (value, expected) => assert.deepEqual(plain(value), expected));
   }
-  assert.equal(values, 7);
+  assert.equal(values, 12);
 });

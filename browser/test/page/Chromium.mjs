@@ -78,6 +78,15 @@ export class Chromium {
     await this.mouse('mouseReleased', x + dx, y + dy);
   }
 
+  // As `drag`, by a finger that is put down beside the middle of what it drags.
+  async swipe(selector, beside, dx, dy, steps = 10) {
+    const [x, y] = await this.value(`(() => { const r = document.querySelector(${JSON.stringify(selector)}).getBoundingClientRect(); return [r.x + r.width / 2 + ${beside[0]}, r.y + r.height / 2 + ${beside[1]}]; })()`);
+    const touch = (type, ...touchPoints) => this.send('Input.dispatchTouchEvent', { type, touchPoints });
+    await touch('touchStart', { x, y });
+    for (let k = 1; k <= steps; ++k) await touch('touchMove', { x: x + (dx * k) / steps, y: y + (dy * k) / steps });
+    await touch('touchEnd');
+  }
+
   async key(key, modifiers = 0) {
     for (const type of ['keyDown', 'keyUp']) await this.send('Input.dispatchKeyEvent', { type, key, code: key, modifiers });
   }

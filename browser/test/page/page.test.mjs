@@ -54,6 +54,43 @@ check('a join is dragged out of smoothness, and mended', async () => {
   await says(/gap|G[0-3]/);
 });
 
+check('a thumb takes a point of a phone from 24 pixels away, and the mouse does', async () => {
+  const phone = { width: 390, height: 844, deviceScaleFactor: 2, mobile: true };
+  const label = (i) => browser.value(`document.querySelectorAll('circle.point')[${i}].getAttribute('aria-label')`), handle = 'circle:nth-of-type(6)';
+  const moved = async (act) => {
+    await scene('blend');
+    await scene('join', '?left=-9,0;-6,0;-3,0;0,0&right=0,0;3,0;6,0;9,0');
+    await says(/C3 G3/);
+    await act();
+    await browser.value('new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))');
+    const [x, y] = (await label(5)).match(/-?[0-9.]+(?=,|$)/g).slice(-2).map(Number);
+    return [x, y];
+  };
+  await browser.send('Emulation.setDeviceMetricsOverride', phone);
+  await browser.send('Emulation.setTouchEmulationEnabled', { enabled: true });
+  try {
+    const pixels = 24 / (await browser.value("document.querySelector('#stage svg').clientWidth")); // of the picture for one of the screen
+    assert.ok(pixels > 0.06 && pixels < 0.07, `the picture is as wide as the phone: ${pixels}`);
+    for (const drag of [() => browser.swipe(handle, [0, 23], 0, -60), () => browser.swipe(handle, [16, 16], 0, -60)]) {
+      const [x, y] = await moved(drag);
+      assert.ok(Math.abs(x - 3) < 0.1 && Math.abs(y - 60 * pixels) < 0.1, `it moves as the thumb does, without a leap: ${x}, ${y}`);
+    }
+    assert.deepEqual(await moved(() => browser.swipe(handle, [0, 26], 0, -60)), [3, 0], 'and from farther away not');
+    assert.ok((await moved(() => browser.swipe('circle:nth-of-type(7)', [-23, 0], 0, -60)))[1] > 3, 'the nearest one is taken');
+  } finally {
+    await browser.send('Emulation.setTouchEmulationEnabled', { enabled: false });
+    await browser.send('Emulation.clearDeviceMetricsOverride');
+  }
+  const beside = async (distance) => {
+    const [x, y] = await browser.value(`(() => { const r = document.querySelector('${handle}').getBoundingClientRect(); return [r.x + r.width / 2, r.y + r.height / 2 + ${distance}]; })()`);
+    await browser.mouse('mousePressed', x, y);
+    await browser.mouse('mouseMoved', x, y - 60);
+    await browser.mouse('mouseReleased', x, y - 60);
+  };
+  assert.ok((await moved(() => beside(22)))[1] > 1);
+  assert.deepEqual(await moved(() => beside(26)), [3, 0]);
+});
+
 check('a curve and a line are mended by the handle: the line stays', async () => {
   await scene('join', '?left=-9,4;-6,5;-3,1;0,0&right=0,0;8,2');
   await says(/C0 G0 F0/);
@@ -601,19 +638,6 @@ test('a font is dropped: its glyphs, their kinks, and one of them as a join', { 
   await drop('font.ttf', Buffer.from('no font at all').toString('base64'));
   await says(/malformed_input/);
   assert.deepEqual(browser.errors, []);
-});
-
-check('touch', async () => {
-  await browser.send('Emulation.setTouchEmulationEnabled', { enabled: true, maxTouchPoints: 1 });
-  await scene('join', '?left=-9,0;-6,0;-3,0;0,0&right=0,0;3,0;6,0;9,0');
-  await says(/C3 G3 F2/);
-  const [x, y] = await browser.value("(() => { const r = document.querySelector('circle:nth-of-type(6)').getBoundingClientRect(); return [r.x + r.width / 2 + 9, r.y + r.height / 2]; })()");
-  const touch = (type, points) => browser.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
-  await touch('touchStart', [[x, y]]);
-  for (let k = 1; k <= 10; ++k) await touch('touchMove', [[x, y - 6 * k]]);
-  await touch('touchEnd', []);
-  await browser.send('Emulation.setTouchEmulationEnabled', { enabled: false });
-  await says(/C0 G0 F0, (kink|corner)/);
 });
 
 check('narrow windows: nothing is cut off or scrolls sideways', async () => {

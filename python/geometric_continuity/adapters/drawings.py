@@ -10,7 +10,7 @@ from typing import List
 
 import numpy
 
-from .splines import Piece, pieces
+from ..curve_types import Bezier_curve, Spline, pieces
 
 
 def svg_contours(path) -> List[List[numpy.ndarray]]:
@@ -37,9 +37,9 @@ def svg_contours(path) -> List[List[numpy.ndarray]]:
     return [c for c in contours if c]
 
 
-def spline_pieces(spline) -> List[Piece]:
+def spline_pieces(spline) -> List[Bezier_curve]:
     """Returns the Bezier curves of a SPLINE of ezdxf, or of its construction tool, in space, each with its span as domain. They are exact, for
     the knots, control points and weights of the spline as they are."""
     tool = spline.construction_tool() if hasattr(spline, "construction_tool") else spline
     weights = list(tool.weights()) if tool.is_rational else None
-    return pieces(tool.order - 1, tool.knots(), list(tool.control_points), weights)
+    return pieces(Spline(tool.order - 1, [tuple(p) for p in tool.control_points], tool.knots(), weights))

@@ -8,12 +8,13 @@ from __future__ import annotations
 from typing import Iterator, List, Tuple
 
 from .._native import Join_continuity
-from .splines import Piece, continuity, pieces
+from ..curve_types import Bezier_curve, Spline, pieces
+from ..joins import continuity
 
 _CONVERTED = ("Line", "LineSegment", "Circle", "ArcOfCircle", "Ellipse", "ArcOfEllipse", "Hyperbola", "ArcOfHyperbola", "Parabola", "ArcOfParabola")
 
 
-def edge_pieces(edge) -> List[Piece]:
+def edge_pieces(edge) -> List[Bezier_curve]:
     """Returns the Bezier curves of a `Part.Edge` in its direction, with the parameters of its curve as domains. Those of Bezier and B-spline
     curves are exact, also where the edge is a part of its curve; lines and conics are the rational curves as which FreeCAD writes them.
 
@@ -35,7 +36,7 @@ def edge_pieces(edge) -> List[Piece]:
     weights = curve.getWeights() if curve.isRational() else [1] * len(points)
     extra = len(knots) - degree - 1 - len(points)  # of a periodic spline, which goes around
     points, weights = points + points[:extra], weights + weights[:extra]
-    found = pieces(degree, knots, points, weights, low, high)
+    found = pieces(Spline(degree, points, knots, weights), low, high)
     return [p.reverse() for p in reversed(found)] if edge.Orientation == "Reversed" else found
 
 
