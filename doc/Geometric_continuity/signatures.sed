@@ -16,3 +16,6 @@ s/class Given = internal::Of_points/class Given = unspecified_type/
 s/, class = internal::[A-Za-z_]*<[A-Za-z_, ]*>>/>/
 s/typename internal::\(Chain_curve<InputIterator>\|Curve_of_range<Range>\)::Traits/Traits/g
 s/typename internal::Blended_surfaces<[A-Za-z_, ]*>::Row_traits/unspecified_type/g
+s/^template <int k> inline constexpr internal::Parametric_join_predicate<k> \([a-z0-9_]*\){};/template <int k, class Left, class Right> bool \1(const Left\& left, const Right\& right);/
+s/^inline constexpr internal::\(Join\|Polygon\)_predicate<.*> \([a-z0-9_]*\){};/template <class Left, class Right> bool \2(const Left\& left, const Right\& right);/
+s/^inline constexpr internal::Invariant_predicate<.*> \([a-z0-9_]*\){};/template <class Left, class Right> std::optional<bool> \1(const Left\& left, const Right\& right);/

@@ -154,6 +154,13 @@ public:
                                             const FT& b = FT(1))
       : Polygon(rows, a, b) {}
 
+  /// Takes control points one after the other, on [0, 1].
+  /// \throws Error `wrong_number_of_points`, `dimension_mismatch`, `not_finite` as for a range of
+  ///   points
+  template <class... Points, class = std::enable_if_t<(std::is_same_v<Points, Point> && ...)>>
+  Bezier_curve(const Point& first, const Point& second, const Points&... others)
+      : Bezier_curve(std::initializer_list<Point>{first, second, others...}) {}
+
   /// Takes a list of control points, on [0, 1].
   /// \throws Error `wrong_number_of_points`, `dimension_mismatch`, `not_finite` as for a range of
   ///   points
