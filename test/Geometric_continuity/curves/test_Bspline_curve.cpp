@@ -185,7 +185,6 @@ TEST_FOR_EACH(bezier_curves_and_back, K, Kernels) {
 // The degree, all knots and the points, with knots of any type of numbers and in braces.
 TEST_FOR_EACH(degree_knots_and_points, K, Kernels) {
   typedef GC::Traits_2<K> Traits;
-  typedef typename K::FT FT;
   typedef typename K::Point_2 Point;
   typedef GC::Bspline_curve<Traits> Curve;
   typedef GC::Rational_bspline_curve<Traits> Rational;

@@ -179,7 +179,7 @@ BOOST_AUTO_TEST_CASE(common_edges_are_found) {
   const auto part = GC::edge_continuity(a, half);
   BOOST_CHECK(part.g_order == 2 && !part.whole_a && part.whole_b);
   BOOST_CHECK(GC::edge_continuity(GC::Bspline_surface<Traits>(half), a).g_order == 2);
-  // both ends of a strip, which meet; a surface and its copy, with four edges; no edge of one surface
+  // both ends of a strip, which meet; a surface and its copy; a surface that does not close
   const Square strip{{Point(0, 0, 0), Point(0, 1, 0)},
                      {Point(2, 0, 0), Point(2, 1, 0)},
                      {Point(-2, 0, 0), Point(-2, 1, 0)},

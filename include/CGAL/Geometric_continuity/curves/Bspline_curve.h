@@ -181,12 +181,7 @@ public:
   /// Writes the knots and the control points.
   friend std::ostream& operator<<(std::ostream& os, const Bspline_polygon& c) {
     os << "B-spline curve of degree " << c.degree() << " over " << c.knots_ << ':';
-    for (int j = 0; j < c.number_of_points(); ++j) {
-      const Coordinates p = c.coordinates(j);
-      os << " (";
-      for (int i = 0; i < p.dimension(); ++i) os << (i == 0 ? "" : ", ") << p[i];
-      os << ')';
-    }
+    for (int j = 0; j < c.number_of_points(); ++j) os << ' ' << c.coordinates(j);
     return os;
   }
 
@@ -258,8 +253,8 @@ public:
   }
 
   /// Takes the degree, all knots and the control points, also in braces, as in
-  /// `Bspline_curve<Traits>(2, {0, 0, 0, 1, 1, 1}, {p, q, r})`. \throws Error as the constructor from
-  /// iterators, and as that of `Knot_vector`
+  /// `Bspline_curve<Traits>(2, {0, 0, 0, 1, 1, 1}, {p, q, r})`.
+  /// \throws Error as the constructor from iterators, and as that of `Knot_vector`
   template <class Number = FT>
   Bspline_curve(int degree, const std::vector<Number>& knots, std::vector<Point> points)
       : Bspline_curve(std::move(points), Knot_vector<FT>(degree, knots)) {}

@@ -244,12 +244,12 @@ verdicts_on_common_edges(const Surface_a& a, const Surface_b& b, bool whole, std
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
-/// Decides the continuity of two surfaces along the edge that they have in common, which is looked
-/// for among all pairs of edges: first one that is the same as a whole, then one of which a part is.
-/// Edges that are a single point do not count. See the function for given edges, and
+/// Decides the continuity of two surfaces along the edge that they have in common. It is looked for
+/// among all pairs of edges: first one that is the same as a whole, then one of which a part is the
+/// same. Edges that are a single point do not count. See the function for given edges, and
 /// `common_edges()`.
-/// \tparam Surface_a, Surface_b as for given edges; where both are the same object, two of its edges
-///   are the common one
+/// \tparam Surface_a, Surface_b as for given edges; where both are the same object, two of its
+///   edges are the common one
 /// \throws Error `curves_do_not_meet` when there is none, `several_common_edges` when there are
 ///   several, with their names; `dimension_mismatch` unless in dimension 3, `work_limit` for a pair
 template <class Surface_a, class Surface_b>

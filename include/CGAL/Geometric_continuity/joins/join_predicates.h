@@ -44,9 +44,10 @@
 /// \f$ s = b_{-2} - b_{-3} \f$, the right one starts with \f$ b_0, b_1, b_2, b_3 \f$. The parameter
 /// intervals do not matter.
 ///
-/// All predicates are function objects: they are called like functions, and passed like numbers. One
-/// question about each of many joins, on several cores if wanted, is answered by `failing_joins()`.
-/// The question is a predicate, or any function of two curves that returns a `bool`:
+/// All predicates are function objects, which are called like functions and passed like numbers.
+/// One question about each of many joins, on several cores if wanted, is answered by
+/// `failing_joins()`. The question is a predicate, or any function of two curves that returns a
+/// `bool`:
 ///
 /// \code{.cpp}
 /// for (std::size_t i : failing_joins<CGAL::Parallel_if_available_tag>(chain, is_g2_join))
