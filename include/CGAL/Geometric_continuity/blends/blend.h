@@ -168,7 +168,10 @@ CGAL_GC_FORCEINLINE auto blend_of_jets(const Coordinate_jet<typename Traits::FT,
     constexpr bool is_strategy = is_septic_strategy_v<Strategy, Traits>;
     static_assert(is_strategy, "the third argument of blend() is a strategy, a model of BlendStrategy such as Fair() "
                                "or Fair_g3()");
-    if constexpr (is_strategy) return blend_of_jets<Septic_blend<Traits>, Septic_ends>(phi, psi, strategy, shape...);
+    if constexpr (is_strategy)
+      return blend_of_jets<Septic_blend<Traits>, Septic_ends>(phi, psi, strategy, shape...);
+    else // so that there is one error
+      return blend_of_jets<Quintic_blend<Traits>, Quintic_ends>(phi, psi, Minimal_energy<3>(), shape...);
   }
 }
 
