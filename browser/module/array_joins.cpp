@@ -57,14 +57,14 @@ std::vector<std::uint32_t> failing(const double* points, std::size_t curves, int
   typedef Curve_in_array<Traits> Curve;
   const auto joins = [&](const auto& holds) { return failing<Curve>(points, curves, degree, closed, holds); };
   switch (question) {
-  case Array_question::c0: return joins([](const Curve& a, const Curve& b) { return GC::is_c_join<0>(a, b); });
-  case Array_question::c1: return joins([](const Curve& a, const Curve& b) { return GC::is_c_join<1>(a, b); });
-  case Array_question::c2: return joins([](const Curve& a, const Curve& b) { return GC::is_c_join<2>(a, b); });
-  case Array_question::c3: return joins([](const Curve& a, const Curve& b) { return GC::is_c_join<3>(a, b); });
-  case Array_question::g1: return joins([](const Curve& a, const Curve& b) { return GC::is_g1_join(a, b); });
-  case Array_question::g2: return joins([](const Curve& a, const Curve& b) { return GC::is_g2_join(a, b); });
-  case Array_question::g3: return joins([](const Curve& a, const Curve& b) { return GC::is_g3_join(a, b); });
-  case Array_question::f3: return joins([](const Curve& a, const Curve& b) { return GC::is_f3_join(a, b); });
+  case Array_question::c0: return joins(GC::is_c_join<0>);
+  case Array_question::c1: return joins(GC::is_c_join<1>);
+  case Array_question::c2: return joins(GC::is_c_join<2>);
+  case Array_question::c3: return joins(GC::is_c_join<3>);
+  case Array_question::g1: return joins(GC::is_g1_join);
+  case Array_question::g2: return joins(GC::is_g2_join);
+  case Array_question::g3: return joins(GC::is_g3_join);
+  case Array_question::f3: return joins(GC::is_f3_join);
   }
   return {};
 }

@@ -20,3 +20,6 @@ s/typename internal::Blended_surfaces<[A-Za-z_, ]*>::Row_traits/unspecified_type
 s|^  using Base::beta; *///< r|  const FT\& beta() const; ///< R|
 s|^  using Base::degree; *///< r|  int degree() const; ///< R|
 s|^\( *using typename [^;=]*;\) *///<.*|\1|
+s/^template <int k> inline constexpr internal::Parametric_join_predicate<k> \([a-z0-9_]*\){};/template <int k, class Left, class Right> bool \1(const Left\& left, const Right\& right);/
+s/^inline constexpr internal::\(Join\|Polygon\)_predicate<.*> \([a-z0-9_]*\){};/template <class Left, class Right> bool \2(const Left\& left, const Right\& right);/
+s/^inline constexpr internal::Invariant_predicate<.*> \([a-z0-9_]*\){};/template <class Left, class Right> std::optional<bool> \1(const Left\& left, const Right\& right);/

@@ -41,8 +41,7 @@ int main() {
       std::cout << "1. join " << i << ": " << joins[i] << "; " << GC::deviation(circle[i], circle[(i + 1) % 4]) << '\n';
 
   // 2. only their numbers: one question about many joins
-  const auto is_g2 = [](const Cubic& left, const Cubic& right) { return GC::is_g2_join(left, right); };
-  std::cout << "2. " << GC::failing_joins(circle, is_g2).size() << " of the inner joins\n";
+  std::cout << "2. " << GC::failing_joins(circle, GC::is_g2_join).size() << " of the inner joins\n";
 
   // 3. decimals as they are written: 0.1 is 1/10
   const FT x = GC::parse_number<FT>("0.1"), y = GC::parse_number<FT>("0.3"), z = GC::parse_number<FT>("0.9");

@@ -81,17 +81,14 @@ namespace {
 
 // The questions, by their names.
 template <class Function> void with_question(const std::string& order, Function f) {
-  if (order == "C0" || order == "G0" || order == "F0")
-    return f([](const auto& left, const auto& right) { return GC::is_c_join<0>(left, right); });
-  if (order == "C1") return f([](const auto& left, const auto& right) { return GC::is_c_join<1>(left, right); });
-  if (order == "C2") return f([](const auto& left, const auto& right) { return GC::is_c_join<2>(left, right); });
-  if (order == "C3") return f([](const auto& left, const auto& right) { return GC::is_c_join<3>(left, right); });
-  if (order == "G1" || order == "F1")
-    return f([](const auto& left, const auto& right) { return GC::is_g1_join(left, right); });
-  if (order == "G2" || order == "F2")
-    return f([](const auto& left, const auto& right) { return GC::is_g2_join(left, right); });
-  if (order == "G3") return f([](const auto& left, const auto& right) { return GC::is_g3_join(left, right); });
-  if (order == "F3") return f([](const auto& left, const auto& right) { return GC::is_f3_join(left, right); });
+  if (order == "C0" || order == "G0" || order == "F0") return f(GC::is_c_join<0>);
+  if (order == "C1") return f(GC::is_c_join<1>);
+  if (order == "C2") return f(GC::is_c_join<2>);
+  if (order == "C3") return f(GC::is_c_join<3>);
+  if (order == "G1" || order == "F1") return f(GC::is_g1_join);
+  if (order == "G2" || order == "F2") return f(GC::is_g2_join);
+  if (order == "G3") return f(GC::is_g3_join);
+  if (order == "F3") return f(GC::is_f3_join);
   throw GC::Error(GC::Error_code::parameter_outside_domain,
                   "failing_joins: the order '" + order + "' is none of C0 to C3, G0 to G3, F0 to F3");
 }

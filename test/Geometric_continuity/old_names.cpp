@@ -34,7 +34,5 @@ std::vector<GC::Near_edges> near(const std::vector<Patch>& model, const GC::Edge
   return GC::near_edges(model, GC::model_continuity(model), tolerance);
 }
 GC::Bezier_curve<Patch::Traits> edge(const Patch& p) { return GC::boundary_curve(p, GC::Patch_edge::u0); }
-std::vector<std::size_t> failing(const std::vector<Curve>& chain) {
-  return GC::failing_joins(chain, [](const Curve& a, const Curve& b) { return GC::is_g2_join(a, b); });
-}
+std::vector<std::size_t> failing(const std::vector<Curve>& chain) { return GC::failing_joins(chain, GC::is_g2_join); }
 GC::Svg_figure picture(const Curve& c) { return GC::Svg_figure().add(GC::Svg_panel().add(c)); }

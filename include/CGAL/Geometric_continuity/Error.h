@@ -49,6 +49,7 @@ enum class Error_code {
   jet_order_too_low,      ///< a jet has fewer derivatives than the construction reads
   not_finite,             ///< a floating-point coordinate is infinite or not a number
   curves_do_not_meet,     ///< a curve does not start where the one before it ends
+  several_common_edges,   ///< two surfaces have more than one edge in common
   /// what is given along a side of a blend contradicts a surface at a corner
   incompatible_corner,
   already_smooth,        ///< an edge that is to be rounded has the continuity already
@@ -83,6 +84,7 @@ inline std::string to_string(Error_code code) {
                                           "jet_order_too_low",
                                           "not_finite",
                                           "curves_do_not_meet",
+                                          "several_common_edges",
                                           "incompatible_corner",
                                           "already_smooth",
                                           "nonpositive_curvature",

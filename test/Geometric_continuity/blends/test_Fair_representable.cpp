@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(almost_as_fair, Traits, Traits_classes) {
         const int grid = 20 + i % 17;
         const GC::Bezier_curve<Traits> phi = cubic<Traits>(random, -3, grid), psi = cubic<Traits>(random, 2, grid);
         const GC::Representable_blend<Traits> gamma = GC::representable_blend(phi, psi, GC::Fair());
-        BOOST_CHECK(GC::is_g2_join(gamma.phi, gamma) && GC::is_g2_join(gamma, gamma.psi));
+        BOOST_CHECK(decide_g2_join(gamma.phi, gamma) && decide_g2_join(gamma, gamma.psi));
         if (grid < 36) BOOST_CHECK(!gamma.start_join.is_moved() && !gamma.end_join.is_moved());
         const double ratio = fairness(static_cast<const GC::Bezier_curve<Traits, 5>&>(gamma)) /
                              fairness(GC::blend(phi, psi, GC::Fair()));

@@ -99,7 +99,7 @@ BOOST_AUTO_TEST_CASE(a_shape_without_a_strategy) {
   BOOST_CHECK(blend(c.phi, c.psi, {1, 2}) == least);
   BOOST_CHECK(blend(c.phi, c.psi, GC::Shape_parameters<Exact::FT>(1, 2)) == least);
   BOOST_CHECK(blend(c.phi.end_jet(2), c.psi.start_jet(2), {1, 2}) == least);
-  BOOST_CHECK(is_g2_join(c.phi, least) && is_g2_join(least, c.psi));
+  BOOST_CHECK(decide_g2_join(c.phi, least) && decide_g2_join(least, c.psi));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

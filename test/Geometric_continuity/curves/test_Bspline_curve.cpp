@@ -182,6 +182,26 @@ TEST_FOR_EACH(bezier_curves_and_back, K, Kernels) {
   }
 }
 
+// The degree, all knots and the points, with knots of any type of numbers and in braces.
+TEST_FOR_EACH(degree_knots_and_points, K, Kernels) {
+  typedef GC::Traits_2<K> Traits;
+  typedef typename K::Point_2 Point;
+  typedef GC::Bspline_curve<Traits> Curve;
+  typedef GC::Rational_bspline_curve<Traits> Rational;
+  const std::vector<Point> points{Point(0, 0), Point(1, 2), Point(3, 4)};
+  const std::vector<FT> knots{0, 0, 0, FT(1) / FT(2), FT(1) / FT(2), FT(1) / FT(2)}, weights{1, 2, 1};
+  const Curve curve(points, GC::Knot_vector<FT>(2, knots));
+  const Rational rational(points, weights, GC::Knot_vector<FT>(2, knots));
+  BOOST_CHECK(Curve(2, knots, points) == curve);
+  BOOST_CHECK(Curve(knots.size() - points.size() - 1, knots, points) == curve);
+  BOOST_CHECK(Curve(2, std::vector<double>{0, 0, 0, 0.5, 0.5, 0.5}, points) == curve);
+  BOOST_CHECK(Curve(2, {0, 0, 0, 0.5, 0.5, 0.5}, {Point(0, 0), Point(1, 2), Point(3, 4)}) == curve);
+  BOOST_CHECK(Rational(2, knots, points, weights) == rational);
+  BOOST_CHECK(Rational(2, {0, 0, 0, 0.5, 0.5, 0.5}, {Point(0, 0), Point(1, 2), Point(3, 4)}, {1, 2, 1}) == rational);
+  CHECK_ERROR(Curve(3, knots, points), wrong_number_of_points);
+  CHECK_ERROR(Curve(2, std::vector<double>{0, 0, 0, 0.5, 0.5, std::nan("")}, points), not_finite);
+}
+
 BOOST_AUTO_TEST_CASE(bezier_curves_of_different_dimensions_do_not_join) {
   typedef CGAL::Cartesian_d<Q> K;
   typedef GC::Bezier_curve<GC::Traits_d<K>> Bezier;

@@ -96,6 +96,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(connected_surfaces, K, All_kernels) {
     BOOST_CHECK_EQUAL(none.defect, Edge_defect::gap);
     BOOST_CHECK(!none.deviation && !none.vanishing);
     BOOST_CHECK(GC::common_edges(no[0], no[1]).empty());
+    CHECK_ERROR(GC::edge_continuity(no[0], no[1]), curves_do_not_meet);
   }
 }
 
@@ -159,8 +160,37 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(all_orientations, K, All_kernels) {
         const std::vector<GC::Common_edge> common = GC::common_edges(a, b);
         BOOST_REQUIRE_EQUAL(common.size(), 1);
         BOOST_CHECK(common[0].edge_a == edge_a && common[0].edge_b == edge_b && common[0].reversed == backwards);
+        const auto found = GC::edge_continuity(a, b);
+        BOOST_CHECK(found.g_order == e.g_order && found.reversed == backwards && found.part_a == e.part_a);
       }
   BOOST_CHECK_EQUAL(reversed, 3 * 32);
+}
+
+// The common edge is looked for: a part of an edge, one of a spline, and one of several.
+BOOST_AUTO_TEST_CASE(common_edges_are_found) {
+  typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Traits;
+  typedef Traits::Point Point;
+  typedef GC::Bezier_patch<Traits> Square;
+  const auto square = [](int x, Q y, int z) {
+    return Square{{Point(x, 0, 0), Point(x, y, 0)}, {Point(x + 1, 0, z), Point(x + 1, y, z)}};
+  };
+  const Square a = square(0, 1, 0), b = square(1, 1, 1), half = square(1, Q(1) / Q(2), 0);
+  BOOST_CHECK_EQUAL(GC::edge_continuity(a, b).g_order, 0);
+  const auto part = GC::edge_continuity(a, half);
+  BOOST_CHECK(part.g_order == 2 && !part.whole_a && part.whole_b);
+  BOOST_CHECK(GC::edge_continuity(GC::Bspline_surface<Traits>(half), a).g_order == 2);
+  // both ends of a strip, which meet; a surface and its copy; a surface that does not close
+  const Square strip{{Point(0, 0, 0), Point(0, 1, 0)},
+                     {Point(2, 0, 0), Point(2, 1, 0)},
+                     {Point(-2, 0, 0), Point(-2, 1, 0)},
+                     {Point(0, 0, 0), Point(0, 1, 0)}};
+  BOOST_CHECK_EQUAL(GC::edge_continuity(strip, strip).g_order, 2);
+  CHECK_ERROR(GC::edge_continuity(a, Square(a)), several_common_edges);
+  CHECK_ERROR(GC::edge_continuity(a, a), curves_do_not_meet);
+  // edges that are one point do not count
+  const Square pole{{Point(0, 0, 0), Point(0, 0, 0)}, {Point(1, 0, 0), Point(0, 1, 0)}},
+      opposite{{Point(0, 0, 0), Point(0, 0, 0)}, {Point(-1, 0, 0), Point(0, -1, 0)}};
+  CHECK_ERROR(GC::edge_continuity(pole, opposite), curves_do_not_meet);
 }
 
 TEST_FOR_EACH(unequal_degrees_and_domains, K, All_kernels) {

@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(edges_without_a_normal) {
     const auto edge = GC::edge_continuity(x, v0, y, v0);
     BOOST_CHECK(edge.g_order == 0 && edge.normal_vanishes && !edge.deviation);
     for (const GC::Edge_order_within& within :
-         {GC::order_within(edge, {4, 0}), GC::order_within(x, v0, y, v0, {4, 0})}) {
+         {GC::order_within(edge, {4, 0}), GC::order_within(x, v0, y, v0, {4, 0}), GC::order_within(x, v0, y, v0, 4)}) {
       BOOST_CHECK(within(0) == Verdict::proved && within(1) == Verdict::refuted);
       BOOST_CHECK(!within.deviation.normal_angle && within.deviation.normal_vanishes);
     }

@@ -164,6 +164,12 @@ BOOST_AUTO_TEST_CASE(verdicts) {
   for (int k = 0; k <= 3; ++k) BOOST_CHECK_EQUAL(GC::order_within(line, away, {1, 1, 1})(k), Verdict::refuted);
   BOOST_CHECK_EQUAL(GC::order_within(line, away, {1, 1, 1}).proved_order(), -1);
   BOOST_CHECK_EQUAL(GC::order_within(line, away, {0, 0, 0, 0.5}).proved_order(), 2);
+  // one number is the tolerance for all
+  for (const auto* right : {&kink, &away})
+    for (double t : {0., 0.125, 0.5, 4.})
+      BOOST_CHECK(GC::order_within(line, *right, t).verdicts ==
+                  GC::order_within(line, *right, {t, t, t, t, t}).verdicts);
+  BOOST_CHECK_EQUAL(GC::order_within(line, away, 1).proved_order(), 2);
   // no tangent, no order 1
   const Space_curve cusp{Space::Point(8, 0, 0), Space::Point(8, 0, 0), Space::Point(9, 0, 0)};
   BOOST_CHECK_EQUAL(GC::order_within(line, cusp, {4, 4, 4})(1), Verdict::refuted);

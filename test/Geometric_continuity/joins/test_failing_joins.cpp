@@ -17,8 +17,6 @@ typedef std::vector<std::size_t> Indices;
 template <class FT> using Traits = GC::Traits_2<CGAL::Simple_cartesian<FT>>;
 template <class FT> using Curve = GC::Bezier_curve<Traits<FT>, 2>;
 
-const auto is_g2 = [](const auto& left, const auto& right) { return GC::is_g2_join(left, right); };
-
 // Pieces of the parabola y = x^2, in thirds if the numbers allow it; those in `bent` have their
 // middle point moved, so that they have no common tangent with their neighbours.
 template <class FT> std::vector<Curve<FT>> parabola(int n, const std::set<int>& bent) {
@@ -40,14 +38,14 @@ template <class Tag, class FT> void check_chain(int n, const std::set<int>& bent
   }
   const Indices truth(expected.begin(), expected.end());
   const std::vector<Curve<FT>> curves = parabola<FT>(n, bent);
-  BOOST_CHECK(GC::failing_joins<Tag>(curves.begin(), curves.end(), is_g2) == truth);
+  BOOST_CHECK(GC::failing_joins<Tag>(curves.begin(), curves.end(), GC::is_g2_join) == truth);
   Indices one_by_one;
   for (int i = 0; i + 1 < n; ++i)
     if (!GC::is_g2_join(curves[i], curves[i + 1])) one_by_one.push_back(i);
   BOOST_CHECK(one_by_one == truth);
   if (n > 0) // the chain as pairs
-    BOOST_CHECK(GC::failing_joins<Tag>(curves.begin(), curves.end() - 1, curves.begin() + 1, curves.end(), is_g2) ==
-                truth);
+    BOOST_CHECK(GC::failing_joins<Tag>(curves.begin(), curves.end() - 1, curves.begin() + 1, curves.end(),
+                                       GC::is_g2_join) == truth);
 }
 
 template <class Tag, class FT> void check_chains(int n) {
@@ -79,18 +77,20 @@ BOOST_AUTO_TEST_CASE(pairs_of_curves) {
   const std::vector<Curve<double>> left(curves.begin(), curves.end() - 1);
   const std::deque<Curve<double>> right(curves.begin() + 1, curves.end());
   const Indices truth = {0, 1, 1499, 1500, 2997, 2998};
-  BOOST_CHECK(GC::failing_joins(left.begin(), left.end(), right.begin(), right.end(), is_g2) == truth);
+  BOOST_CHECK(GC::failing_joins(left.begin(), left.end(), right.begin(), right.end(), GC::is_g2_join) == truth);
   BOOST_CHECK(GC::failing_joins<CGAL::Parallel_if_available_tag>(left.begin(), left.end(), right.begin(), right.end(),
-                                                                 is_g2) == truth);
+                                                                 GC::is_g2_join) == truth);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_of_curves_differ) {
   const std::vector<Curve<double>> curves = parabola<double>(5, {});
   const auto refused = [](const GC::Error& e) { return e.code() == GC::Error_code::wrong_number_of_points; };
-  BOOST_CHECK_EXCEPTION((void)GC::failing_joins(curves.begin(), curves.end(), curves.begin(), curves.end() - 1, is_g2),
-                        GC::Error, refused);
-  BOOST_CHECK_EXCEPTION((void)GC::failing_joins(curves.begin(), curves.begin(), curves.begin(), curves.end(), is_g2),
-                        GC::Error, refused);
+  BOOST_CHECK_EXCEPTION(
+      (void)GC::failing_joins(curves.begin(), curves.end(), curves.begin(), curves.end() - 1, GC::is_g2_join),
+      GC::Error, refused);
+  BOOST_CHECK_EXCEPTION(
+      (void)GC::failing_joins(curves.begin(), curves.begin(), curves.begin(), curves.end(), GC::is_g2_join), GC::Error,
+      refused);
 }
 
 // An exception of a predicate reaches the caller, also from another thread.

@@ -260,7 +260,7 @@ BOOST_AUTO_TEST_CASE(joins_become_smooth) {
     const Vector node{431, 250};
     const Point left[] = {Point(0, 0), Point(100, 30), point(node - a), point(node)},
                 right[] = {point(node), point(node + b), Point(700, 300), Point(800, 250)};
-    return GC::is_g1_join(GC::Bezier_curve<Traits>(left, left + 4), GC::Bezier_curve<Traits>(right, right + 4));
+    return decide_g1_join(GC::Bezier_curve<Traits>(left, left + 4), GC::Bezier_curve<Traits>(right, right + 4));
   };
   const Vector a{97, 31}, b{143, 44};
   const std::optional<GC::Aligned_handles> handles = GC::align_handles(a, b);

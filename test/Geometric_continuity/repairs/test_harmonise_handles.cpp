@@ -40,7 +40,7 @@ Result harmonised(const GC::Handle_side& left, const GC::Handle_side& right, std
   const std::optional<GC::Aligned_handles> handles = GC::harmonise_handles(left, right, bound);
   BOOST_REQUIRE(handles);
   const Curve x = curve(left, handles->left, -1), y = curve(right, handles->right, 1);
-  return {*handles, GC::is_g1_join(x, y), GC::is_g2_join(x, y), GC::deviation(x, y).curvature_jump->upper};
+  return {*handles, decide_g1_join(x, y), decide_g2_join(x, y), GC::deviation(x, y).curvature_jump->upper};
 }
 
 BOOST_AUTO_TEST_CASE(exactly_where_the_ratio_is_a_square) {

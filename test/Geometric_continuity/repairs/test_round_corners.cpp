@@ -85,6 +85,26 @@ BOOST_AUTO_TEST_CASE(closed_and_open) {
 }
 
 // Kinks, a jump of the curvature and a smooth join.
+// A polygon is the chain of its sides, and closed where it ends in its first point.
+BOOST_AUTO_TEST_CASE(polygons) {
+  std::vector<Point> corners{Point(0, 0), Point(8, 0), Point(8, 8), Point(0, 8)};
+  const Chain three(square.begin(), square.end() - 1);
+  const auto check = [](const Rounded& r, const Rounded& expected) {
+    BOOST_REQUIRE(r.curves.size() == expected.curves.size());
+    for (std::size_t i = 0; i < r.curves.size(); ++i) BOOST_CHECK(same(r.curves[i], expected.curves[i]));
+  };
+  check(GC::round_corners(corners, 2), GC::round_corners(three, 2, GC::Closure::open));
+  check(GC::round_corners(three, 2), GC::round_corners(three, 2, GC::Closure::open));
+  const Rounded closed = GC::round_corners(square, 2, GC::Closure::closed);
+  BOOST_CHECK_EQUAL(closed.corners.size(), 4);
+  check(GC::round_corners(corners, 2, GC::Closure::closed), closed);
+  corners.push_back(corners.front());
+  check(GC::round_corners(corners, 2), closed);
+  check(GC::round_corners(corners, 2, GC::Closure::closed), closed);
+  check(GC::round_corners(square, 2), closed);
+  CHECK_ERROR(GC::round_corners(std::vector<Point>(1, Point(0, 0)), 2), wrong_number_of_points);
+}
+
 BOOST_AUTO_TEST_CASE(which_joins) {
   const Curve parabola{Point(4, 0), Point(6, 0), Point(8, 2)};
   const Chain chain = {{Point(-2, 2), Point(0, 0)},

@@ -45,14 +45,23 @@ INSTANTIATE_CONTINUITY(Quintic<Float_2>)
 
 template Join_continuity<Exact_rational> continuity(const Curve_jet<Exact_2>&, const Curve_jet<Exact_2>&);
 
-template bool is_g1_join(const Bezier_curve<Double_2>&, const Bezier_curve<Double_2>&);
-template bool is_g2_join(const Bezier_curve<Double_2>&, const Bezier_curve<Double_2>&);
-template bool is_g2_join(const Bezier_curve<Traits_2<Epick>>&, const Representable_blend<Traits_2<Epick>>&);
-template bool is_g2_join(const Representable_blend<Traits_2<Epick>>&, const Bezier_curve<Traits_2<Epick>>&);
-template bool is_g2_join(const Bezier_curve<Traits_3<Epick>>&, const Representable_blend<Traits_3<Epick>>&);
-template bool is_g2_join(const Representable_blend<Traits_3<Epick>>&, const Bezier_curve<Traits_3<Epick>>&);
-template bool is_g2_join(const Bezier_curve<Exact_2>&, const Quintic_blend<Exact_2>&);
-template bool is_g2_join(const Quintic_blend<Exact_2>&, const Bezier_curve<Exact_2>&);
-
 } // namespace Geometric_continuity
 } // namespace CGAL
+
+template <class Left, class Right> bool decide_g1_join(const Left& left, const Right& right) {
+  return CGAL::Geometric_continuity::is_g1_join(left, right);
+}
+template <class Left, class Right> bool decide_g2_join(const Left& left, const Right& right) {
+  return CGAL::Geometric_continuity::is_g2_join(left, right);
+}
+
+using namespace CGAL::Geometric_continuity;
+using CGAL::Epick;
+template bool decide_g1_join(const Bezier_curve<Double_2>&, const Bezier_curve<Double_2>&);
+template bool decide_g2_join(const Bezier_curve<Double_2>&, const Bezier_curve<Double_2>&);
+template bool decide_g2_join(const Bezier_curve<Traits_2<Epick>>&, const Representable_blend<Traits_2<Epick>>&);
+template bool decide_g2_join(const Representable_blend<Traits_2<Epick>>&, const Bezier_curve<Traits_2<Epick>>&);
+template bool decide_g2_join(const Bezier_curve<Traits_3<Epick>>&, const Representable_blend<Traits_3<Epick>>&);
+template bool decide_g2_join(const Representable_blend<Traits_3<Epick>>&, const Bezier_curve<Traits_3<Epick>>&);
+template bool decide_g2_join(const Bezier_curve<Exact_2>&, const Quintic_blend<Exact_2>&);
+template bool decide_g2_join(const Quintic_blend<Exact_2>&, const Bezier_curve<Exact_2>&);

@@ -22,8 +22,10 @@ template <class Left, class Right>
 Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right);
 template <class Traits>
 Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, const Curve_jet<Traits>& right);
-template <class Left, class Right> bool is_g1_join(const Left& left, const Right& right);
-template <class Left, class Right> bool is_g2_join(const Left& left, const Right& right);
 
 } // namespace Geometric_continuity
 } // namespace CGAL
+
+// The predicates is_g1_join and is_g2_join, which are objects and cannot be declared before.
+template <class Left, class Right> bool decide_g1_join(const Left& left, const Right& right);
+template <class Left, class Right> bool decide_g2_join(const Left& left, const Right& right);

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -119,6 +120,13 @@ public:
   }
   /// Decides whether the dimension or a coordinate is different.
   friend bool operator!=(const Coordinate_vector& v, const Coordinate_vector& w) { return !(v == w); }
+
+  /// Writes the coordinates, e.g. `(1, 2)`.
+  friend std::ostream& operator<<(std::ostream& os, const Coordinate_vector& v) {
+    os << '(';
+    for (int i = 0; i < v.dimension(); ++i) os << (i == 0 ? "" : ", ") << v[i];
+    return os << ')';
+  }
 
   /// Returns the dot product.
   friend FT dot(const Coordinate_vector& v, const Coordinate_vector& w) {

@@ -165,8 +165,13 @@ CGAL_GC_FORCEINLINE auto blend_of_jets(const Coordinate_jet<typename Traits::FT,
   if constexpr (is_quintic_strategy_v<Strategy, Traits>)
     return blend_of_jets<Quintic_blend<Traits>, Quintic_ends>(phi, psi, strategy, shape...);
   else { // asked only now, so that a quintic strategy may be a generic lambda
-    static_assert(is_septic_strategy_v<Strategy, Traits>, "the strategy models BlendStrategy");
-    return blend_of_jets<Septic_blend<Traits>, Septic_ends>(phi, psi, strategy, shape...);
+    constexpr bool is_strategy = is_septic_strategy_v<Strategy, Traits>;
+    static_assert(is_strategy, "the third argument of blend() is a strategy, a model of BlendStrategy such as Fair() "
+                               "or Fair_g3()");
+    if constexpr (is_strategy)
+      return blend_of_jets<Septic_blend<Traits>, Septic_ends>(phi, psi, strategy, shape...);
+    else // so that there is one error
+      return blend_of_jets<Quintic_blend<Traits>, Quintic_ends>(phi, psi, Minimal_energy<3>(), shape...);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_polygon.h>
 #include <CGAL/Geometric_continuity/curves/internal/bezier_jet.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
+#include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
 
@@ -153,6 +154,13 @@ public:
   CGAL_GC_FORCEINLINE explicit Bezier_curve(const Per_point<Coordinates>& rows, const FT& a = FT(0),
                                             const FT& b = FT(1))
       : Polygon(rows, a, b) {}
+
+  /// Takes control points one after the other, on [0, 1].
+  /// \throws Error `wrong_number_of_points`, `dimension_mismatch`, `not_finite` as for a range of
+  ///   points
+  template <class... Points, class = std::enable_if_t<(std::is_same_v<Points, Point> && ...)>>
+  Bezier_curve(const Point& first, const Point& second, const Points&... others)
+      : Bezier_curve(std::initializer_list<Point>{first, second, others...}) {}
 
   /// Takes a list of control points, on [0, 1].
   /// \throws Error `wrong_number_of_points`, `dimension_mismatch`, `not_finite` as for a range of
@@ -323,6 +331,8 @@ private:
     return Field(internal::to_field<Field>(b_) - internal::to_field<Field>(a_));
   }
 
+  CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
+
   // x[0], ..., x[order], unrolled for the order k or less
   template <int k, class Jet> CGAL_GC_FORCEINLINE void write_jet(const FT& u, int order, Jet&& x) const {
     const Traits traits;
@@ -333,6 +343,7 @@ private:
           internal::bezier_jet<level, k, N>(dimension(), degree(), u, a_, b_, coordinate, order, x);
         });
   }
+  CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
 
   // Declared outside of any block, a jet is not copied when it is returned.
   template <int k> Curve_jet<Traits> jet_of_order(const FT& u, int order) const {

@@ -124,12 +124,7 @@ public:
   /// Writes the domain and the control points.
   friend std::ostream& operator<<(std::ostream& os, const Bezier_polygon& c) {
     os << "Bezier curve of degree " << c.degree() << " on [" << c.a_ << ", " << c.b_ << "]:";
-    for (int j = 0; j <= c.degree(); ++j) {
-      const Coordinates p = c.coordinates(j);
-      os << " (";
-      for (int i = 0; i < p.dimension(); ++i) os << (i == 0 ? "" : ", ") << p[i];
-      os << ')';
-    }
+    for (int j = 0; j <= c.degree(); ++j) os << ' ' << c.coordinates(j);
     return os;
   }
 

@@ -21,6 +21,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -84,6 +85,33 @@ span_end_jets(const Knot_vector<FT>& knots, const std::vector<Coordinate_vector<
   }
   return jets;
 }
+
+// Refuses a call of a constructor with arguments in an order that it does not take, by one error of
+// the compiler instead of a list of all constructors.
+template <class Given> int refused_order() {
+  static_assert(!std::is_same_v<Given, Given>,
+                "Bspline_curve takes the degree, all knots and the control points, in this order, as in "
+                "Bspline_curve<Traits>(2, {0, 0, 0, 1, 1, 1}, {p, q, r}), or the points and a Knot_vector; a "
+                "Rational_bspline_curve takes the weights last; interpolate(points) leads a curve through points");
+  return 0;
+}
+
+template <class FT, class... Given>
+constexpr bool has_knot_vector = (std::is_convertible_v<const Given&, Knot_vector<FT>> || ...);
+
+// Tells whether these are other arguments than iterators, or a range of points, and a Knot_vector.
+template <class FT, class First, class Second, class... Others>
+constexpr bool misses_knots = !has_knot_vector<FT, Second, Others...> &&
+                              (sizeof...(Others) == 0 ? !std::is_same_v<First, Second> : !std::is_integral_v<First>);
+
+template <class T, class = void> constexpr bool is_range = false;
+template <class T> constexpr bool is_range<T, std::void_t<decltype(std::begin(std::declval<const T&>()))>> = true;
+
+// Tells whether these are points, weights and knots, with the degree or without it, and not the
+// arguments of a constructor with a Knot_vector at the end.
+template <class FT, class First, class Second, class Third, class... Fourth>
+constexpr bool misses_order = !has_knot_vector<FT, Third> &&
+                              (int(is_range<First> + is_range<Second> + is_range<Third>) + ... + is_range<Fourth>) == 3;
 
 } // namespace internal
 
@@ -153,12 +181,7 @@ public:
   /// Writes the knots and the control points.
   friend std::ostream& operator<<(std::ostream& os, const Bspline_polygon& c) {
     os << "B-spline curve of degree " << c.degree() << " over " << c.knots_ << ':';
-    for (int j = 0; j < c.number_of_points(); ++j) {
-      const Coordinates p = c.coordinates(j);
-      os << " (";
-      for (int i = 0; i < p.dimension(); ++i) os << (i == 0 ? "" : ", ") << p[i];
-      os << ')';
-    }
+    for (int j = 0; j < c.number_of_points(); ++j) os << ' ' << c.coordinates(j);
     return os;
   }
 
@@ -228,6 +251,40 @@ public:
     internal::check_number_of_coefficients(knots_, points_, "Bspline_curve");
     this->check_points();
   }
+
+  /// Takes the degree, all knots and the control points, also in braces, as in
+  /// `Bspline_curve<Traits>(2, {0, 0, 0, 1, 1, 1}, {p, q, r})`.
+  /// \throws Error as the constructor from iterators, and as that of `Knot_vector`
+  template <class Number = FT>
+  Bspline_curve(int degree, const std::vector<Number>& knots, std::vector<Point> points)
+      : Bspline_curve(std::move(points), Knot_vector<FT>(degree, knots)) {}
+
+  // These refuse the same in other orders, and what lacks knots or the degree.
+  template <class Number = FT>
+  Bspline_curve(int, const std::vector<Point>& points, const std::vector<Number>& knots)
+      : Bspline_curve(internal::refused_order<Number>(), knots, points) {}
+  template <class Number = FT>
+  Bspline_curve(const std::vector<Point>& points, const std::vector<Number>& knots, int)
+      : Bspline_curve(internal::refused_order<Number>(), knots, points) {}
+  template <class Number = FT>
+  Bspline_curve(const std::vector<Point>& points, int, const std::vector<Number>& knots)
+      : Bspline_curve(internal::refused_order<Number>(), knots, points) {}
+  template <class Number = FT>
+  Bspline_curve(const std::vector<Number>& knots, const std::vector<Point>& points, int)
+      : Bspline_curve(internal::refused_order<Number>(), knots, points) {}
+  template <class Number = FT>
+  Bspline_curve(const std::vector<Number>& knots, int, const std::vector<Point>& points)
+      : Bspline_curve(internal::refused_order<Number>(), knots, points) {}
+  template <class Number = FT>
+  Bspline_curve(const std::vector<Number>& knots, const std::vector<Point>& points)
+      : Bspline_curve(internal::refused_order<Number>(), knots, points) {}
+  template <class Number = FT>
+  explicit Bspline_curve(const std::vector<Point>& points)
+      : Bspline_curve(internal::refused_order<Number>(), std::vector<FT>(), points) {}
+  template <class First, class Second, class... Others,
+            class = std::enable_if_t<internal::misses_knots<FT, First, Second, Others...>>>
+  Bspline_curve(const First&, const Second&, const Others&...)
+      : Bspline_curve(internal::refused_order<First>(), std::vector<FT>(), std::vector<Point>()) {}
 
   /// Takes the coordinates as a function.
   /// \throws Error `dimension_mismatch` when the coefficients differ in dimension
@@ -328,7 +385,7 @@ public:
     const std::vector<Coordinates> changed =
         insertion.template new_coefficients<Coordinates>([&](int j) { return this->coordinates(j); });
     const auto point = [&](int i) { return Geometric_continuity::to_point<Traits>(changed[i]); };
-    return Bspline_curve(std::move(finer), insertion.replaced(points_, point));
+    return Bspline_curve(internal::Unspecified(), std::move(finer), insertion.replaced(points_, point));
   }
 
   /// Returns this curve over finer knots, see `bspline_refine()`. \f$ O(n p^2) \f$
@@ -428,7 +485,8 @@ public:
   /// @}
 
 private:
-  Bspline_curve(Knot_vector<FT> knots, std::vector<Point> points) : Polygon(std::move(knots), std::move(points)) {}
+  Bspline_curve(internal::Unspecified, Knot_vector<FT> knots, std::vector<Point> points)
+      : Polygon(std::move(knots), std::move(points)) {}
 
   typedef internal::Rows_of_points<Traits> Rows_of_points;
   typedef internal::Write_points<Traits> Write_points;
@@ -448,7 +506,7 @@ private:
     Write_points output{dimension(), points.data()};
     work(output);
     if (!output.finite) throw Error(Error_code::not_finite, "Bspline_curve: control points");
-    return Bspline_curve(knots.knot_vector(), std::move(points));
+    return Bspline_curve(internal::Unspecified(), knots.knot_vector(), std::move(points));
   }
 
   template <class Field> Coordinate_jet<Field, N> jet_over(const FT& u, int span, int k) const {

@@ -123,6 +123,19 @@ public:
       : Rational_curve(std::begin(points), std::end(points), std::begin(weights), std::end(weights), std::move(knots)) {
   }
 
+  /// Takes the degree, all knots, the control points and the weights of a B-spline curve, also in
+  /// braces. \throws Error as the constructor from iterators, and as that of `Knot_vector`
+  template <class Number = FT>
+  Rational_curve(int degree, const std::vector<Number>& knots, const std::vector<Point>& points,
+                 const std::vector<FT>& weights)
+      : Rational_curve(points, weights, Knot_vector<FT>(degree, knots)) {}
+
+  // This refuses the same in other orders, or without the degree.
+  template <class First, class Second, class Third, class... Fourth,
+            class = std::enable_if_t<internal::misses_order<FT, First, Second, Third, Fourth...>>>
+  Rational_curve(const First&, const Second&, const Third&, const Fourth&...)
+      : Rational_curve(internal::refused_order<First>(), std::vector<FT>(), std::vector<Point>(), std::vector<FT>()) {}
+
   /// Takes the curve of the homogeneous points \f$ (w_i b_i, w_i) \f$.
   /// \throws Error `zero_weight` unless the denominator is positive on the whole domain,
   ///   `not_finite` when a quotient overflows

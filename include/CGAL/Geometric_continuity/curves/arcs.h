@@ -168,6 +168,16 @@ template <class Given = internal::Of_points, class Point = typename Given::Point
 Rational_bezier_curve<Traits, 2> circular_arc(const Point& centre, const typename Traits::Point& start,
                                               const typename Traits::Vector& axis, Degrees r) = delete;
 
+// This refuses a radius and two angles, which other libraries take.
+template <class Given = internal::Of_points, class Point = typename Given::Point, class Number,
+          class Traits = Traits_or_of<Given, Point>, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
+Rational_bezier_curve<Traits, 2> circular_arc(const Point&, Number, const typename Traits::FT&,
+                                              const typename Traits::FT&) {
+  static_assert(!std::is_same_v<Number, Number>,
+                "circular_arc takes the centre, the start point and the tangent of a quarter of the angle, as in "
+                "circular_arc(centre, start, std::tan(angle / 4)), where others take a radius and two angles");
+}
+
 /// \ingroup PkgGeometricContinuityCurves
 /// Returns the arc of a circle from `p` to `r` through `q`, which is its point at the parameter
 /// 1/2, in any dimension; where `q` lies between `p` and `r` on their line, the segment.

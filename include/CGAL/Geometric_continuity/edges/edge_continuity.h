@@ -16,6 +16,7 @@
 #include <array>
 #include <optional>
 #include <ostream>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -218,6 +219,54 @@ auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
   return internal::decide_surfaces(a, edge_a, b, edge_b, [](const auto& pieces_a, const auto& pieces_b) {
     return internal::common_edge_part(pieces_a, pieces_b);
   });
+}
+
+namespace internal {
+
+// The verdicts on all pairs of edges that have more than a point in common, and their names. The
+// edges of one surface are paired with each other.
+template <class Surface_a, class Surface_b>
+std::vector<Spline_edge_continuity<Edge_field<typename Surface_a::Traits>>>
+verdicts_on_common_edges(const Surface_a& a, const Surface_b& b, bool whole, std::string& names) {
+  const bool same = static_cast<const void*>(&a) == static_cast<const void*>(&b);
+  std::vector<Spline_edge_continuity<Edge_field<typename Surface_a::Traits>>> verdicts;
+  for (Patch_edge edge_a : patch_edges)
+    for (Patch_edge edge_b : patch_edges) {
+      if ((same && !(edge_a < edge_b)) || (whole && !edge_has_order<0>(a, edge_a, b, edge_b))) continue;
+      auto verdict = edge_continuity(a, edge_a, b, edge_b);
+      if (verdict.g_order < 0 || verdict.collapsed) continue;
+      names += std::string(verdicts.empty() ? "" : ", ") + to_string(edge_a) + " and " + to_string(edge_b);
+      verdicts.push_back(std::move(verdict));
+    }
+  return verdicts;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Decides the continuity of two surfaces along the edge that they have in common. It is looked for
+/// among all pairs of edges: first one that is the same as a whole, then one of which a part is the
+/// same. Edges that are a single point do not count. See the function for given edges, and
+/// `common_edges()`.
+/// \tparam Surface_a, Surface_b as for given edges; where both are the same object, two of its
+///   edges are the common one
+/// \throws Error `curves_do_not_meet` when there is none, `several_common_edges` when there are
+///   several, with their names; `dimension_mismatch` unless in dimension 3, `work_limit` for a pair
+template <class Surface_a, class Surface_b>
+auto edge_continuity(const Surface_a& a, const Surface_b& b)
+    -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
+  for (bool whole : {true, false}) {
+    std::string names;
+    auto verdicts = internal::verdicts_on_common_edges(a, b, whole, names);
+    if (verdicts.size() == 1) return std::move(verdicts[0]);
+    if (verdicts.size() > 1)
+      throw Error(Error_code::several_common_edges, "edge_continuity: " + names +
+                                                        "; name one pair, as in edge_continuity(a, Patch_edge::u1, b, "
+                                                        "Patch_edge::u0)");
+  }
+  throw Error(Error_code::curves_do_not_meet,
+              "edge_continuity: no edge of one surface is an edge of the other, or a part of it, exactly; deviation() "
+              "of two named edges tells how far apart they are");
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces

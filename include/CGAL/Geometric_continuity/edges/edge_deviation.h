@@ -338,6 +338,16 @@ Edge_order_within order_within(const Surface_a& a, Patch_edge edge_a, const Surf
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
+/// Decides which order, 0 or 1, two surfaces have along an edge of each within one number, which is
+/// the tolerance for the angle of the normals, in radians, and for the gap.
+/// \throws Error as the function that takes an `Edge_tolerance`
+template <class Surface_a, class Surface_b, class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
+Edge_order_within order_within(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                               Number tolerance) {
+  return order_within(a, edge_a, b, edge_b, Edge_tolerance{Bound(tolerance), Bound(tolerance)});
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
 /// Decides which order, 0 or 1, a B-spline surface has along one of its knot lines within a
 /// tolerance. Where the surface jumps its two parts are compared at equal parameters.
 /// \tparam Surface `Bspline_surface` or `Rational_bspline_surface`

@@ -139,6 +139,18 @@ Order_within order_within(const Left& left, const Right& right, const Join_toler
   return result;
 }
 
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides which order a join has within one number: it is the tolerance for each of the quantities
+/// of `Join_deviation`, in their units. The angle in radians and the relative jump of the curvature
+/// do not depend on the unit of length, as the others do.
+/// \throws Error as the function that takes a `Join_tolerance`
+template <class Left, class Right, class Number, class = std::void_t<typename Left::Traits, typename Right::Traits>,
+          class = std::enable_if_t<std::is_arithmetic_v<Number>>>
+Order_within order_within(const Left& left, const Right& right, Number tolerance) {
+  const Bound bound(tolerance);
+  return order_within(left, right, Join_tolerance{bound, bound, bound, bound, bound});
+}
+
 } // namespace Geometric_continuity
 } // namespace CGAL
 

@@ -44,13 +44,13 @@
 /// \f$ s = b_{-2} - b_{-3} \f$, the right one starts with \f$ b_0, b_1, b_2, b_3 \f$. The parameter
 /// intervals do not matter.
 ///
+/// All predicates are function objects, which are called like functions and passed like numbers.
 /// One question about each of many joins, on several cores if wanted, is answered by
 /// `failing_joins()`. The question is a predicate, or any function of two curves that returns a
 /// `bool`:
 ///
 /// \code{.cpp}
-/// const auto is_g2 = [](const Curve& left, const Curve& right) { return is_g2_join(left, right); };
-/// for (std::size_t i : failing_joins<CGAL::Parallel_if_available_tag>(chain, is_g2))
+/// for (std::size_t i : failing_joins<CGAL::Parallel_if_available_tag>(chain, is_g2_join))
 ///   std::cout << "curves " << i << " and " << i + 1 << '\n';
 /// \endcode
 ///
@@ -70,15 +70,37 @@ Join_answer join_answer(const Left& left, const Right& right) {
   return decide_join<question>(left, right, stages);
 }
 
-template <Join_question question, class Left, class Right> bool join_is(const Left& left, const Right& right) {
-  return join_answer<question>(left, right) == Join_answer::yes;
-}
-template <Join_question question, class Left, class Right>
-std::optional<bool> optional_join_answer(const Left& left, const Right& right) {
-  const Join_answer answer = join_answer<question>(left, right);
-  if (answer == Join_answer::undefined) return std::nullopt;
-  return answer == Join_answer::yes;
-}
+// Decides whether a join has a property.
+template <Join_question question> struct Join_predicate {
+  template <class Left, class Right> bool operator()(const Left& left, const Right& right) const {
+    return join_answer<question>(left, right) == Join_answer::yes;
+  }
+};
+template <int k> struct Parametric_join_predicate : Join_predicate<static_cast<Join_question>(k)> {
+  static_assert(0 <= k && k <= 3, "orders 0 to 3");
+};
+
+// Decides whether an invariant is equal on both sides, where it exists.
+template <Join_question question> struct Invariant_predicate {
+  template <class Left, class Right> std::optional<bool> operator()(const Left& left, const Right& right) const {
+    const Join_answer answer = join_answer<question>(left, right);
+    if (answer == Join_answer::undefined) return std::nullopt;
+    return answer == Join_answer::yes;
+  }
+};
+
+// Decides whether two polygons of one degree pass a test of Hagen.
+template <Join_question question> struct Polygon_predicate {
+  template <class Traits, int Left, int Right>
+  bool operator()(const Bezier_curve<Traits, Left>& left, const Bezier_curve<Traits, Right>& right) const {
+    if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, "polygon tests");
+    if (right.degree() != left.degree())
+      throw Error(Error_code::wrong_number_of_points, "polygon tests: the polygons differ in degree");
+    if (question == Join_question::f3 && left.dimension() < 3)
+      throw Error(Error_code::dimension_mismatch, "polygon test of torsion in the plane");
+    return Join_predicate<question>()(left, right);
+  }
+};
 
 } // namespace internal
 
@@ -88,18 +110,13 @@ std::optional<bool> optional_join_answer(const Left& left, const Right& right) {
 /// \f$ 2^{20} \f$ and their lengths are as two whole numbers of at most 1024, and when the first
 /// derivatives differ clearly.
 /// \throws Error `dimension_mismatch`
-template <int k, class Left, class Right> bool is_c_join(const Left& left, const Right& right) {
-  static_assert(0 <= k && k <= 3, "orders 0 to 3");
-  return internal::join_is<static_cast<internal::Join_question>(k)>(left, right);
-}
+template <int k> inline constexpr internal::Parametric_join_predicate<k> is_c_join{};
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns whether the points agree and the tangents, which are not zero, have one direction. A
 /// form of degree 2.
 /// \throws Error `dimension_mismatch`
-template <class Left, class Right> bool is_g1_join(const Left& left, const Right& right) {
-  return internal::join_is<internal::Join_question::g1>(left, right);
-}
+inline constexpr internal::Join_predicate<internal::Join_question::g1> is_g1_join{};
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns whether points, tangents and curvature vectors agree. A form of degree 4 in the sides of
@@ -107,17 +124,13 @@ template <class Left, class Right> bool is_g1_join(const Left& left, const Right
 /// \f$ i \f$ a coordinate with \f$ a_{1,i} \ne 0 \f$, \f$ a_{1,i}^2 b_2 - b_{1,i}^2 a_2 \f$ must be
 /// a multiple of \f$ a_1 \f$ (for equal degrees).
 /// \throws Error `dimension_mismatch`
-template <class Left, class Right> bool is_g2_join(const Left& left, const Right& right) {
-  return internal::join_is<internal::Join_question::g2>(left, right);
-}
+inline constexpr internal::Join_predicate<internal::Join_question::g2> is_g2_join{};
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns whether points, tangents, curvature vectors and third derivatives with respect to arc
 /// length agree. A form of degree 6.
 /// \throws Error `dimension_mismatch`
-template <class Left, class Right> bool is_g3_join(const Left& left, const Right& right) {
-  return internal::join_is<internal::Join_question::g3>(left, right);
-}
+inline constexpr internal::Join_predicate<internal::Join_question::g3> is_g3_join{};
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns whether points, Frenet frames, curvatures and torsions agree (Hagen 2.1, corrected: the
@@ -125,37 +138,19 @@ template <class Left, class Right> bool is_g3_join(const Left& left, const Right
 /// parallel by G2, and \f$ (n \cdot b_3) a_{1,i}^3 = (n \cdot a_3) b_{1,i}^3 \f$ (for equal
 /// degrees). False in the plane, where the order F ends with 2.
 /// \throws Error `dimension_mismatch`
-template <class Left, class Right> bool is_f3_join(const Left& left, const Right& right) {
-  return internal::join_is<internal::Join_question::f3>(left, right);
-}
+inline constexpr internal::Join_predicate<internal::Join_question::f3> is_f3_join{};
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns whether the curvature vectors agree, wherever the points are; empty when a tangent is
 /// zero. A form of degree 4 if the tangents are parallel, otherwise 7.
 /// \throws Error `dimension_mismatch`
-template <class Left, class Right>
-std::optional<bool> has_equal_curvature_vector(const Left& left, const Right& right) {
-  return internal::optional_join_answer<internal::Join_question::curvature_vector>(left, right);
-}
+inline constexpr internal::Invariant_predicate<internal::Join_question::curvature_vector> has_equal_curvature_vector{};
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns whether the torsions agree, wherever the points are; empty unless both curves lie in
 /// space and have nonzero curvature. A form of degree 7.
 /// \throws Error `dimension_mismatch`
-template <class Left, class Right> std::optional<bool> has_equal_torsion(const Left& left, const Right& right) {
-  return internal::optional_join_answer<internal::Join_question::torsion>(left, right);
-}
-
-namespace internal {
-
-template <class Traits, int Left, int Right>
-void check_polygons(const Bezier_curve<Traits, Left>& left, const Bezier_curve<Traits, Right>& right) {
-  if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, "polygon tests");
-  if (right.degree() != left.degree())
-    throw Error(Error_code::wrong_number_of_points, "polygon tests: the polygons differ in degree");
-}
-
-} // namespace internal
+inline constexpr internal::Invariant_predicate<internal::Join_question::torsion> has_equal_torsion{};
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns whether the tangent is continuous: \f$ b_1 - b_0 = \beta p \f$ with \f$ \beta > 0 \f$.
@@ -163,11 +158,7 @@ void check_polygons(const Bezier_curve<Traits, Left>& left, const Bezier_curve<T
 /// \f$ O(n) \f$ in dimension `n`
 /// \throws Error `dimension_mismatch` when the dimensions differ, `wrong_number_of_points` when the
 ///   degrees differ
-template <class Traits, int Left, int Right>
-bool is_tangent_continuous(const Bezier_curve<Traits, Left>& left, const Bezier_curve<Traits, Right>& right) {
-  internal::check_polygons(left, right);
-  return is_g1_join(left, right);
-}
+inline constexpr internal::Polygon_predicate<internal::Join_question::g1> is_tangent_continuous{};
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns whether tangent and curvature vector are continuous:
@@ -175,11 +166,7 @@ bool is_tangent_continuous(const Bezier_curve<Traits, Left>& left, const Bezier_
 /// their lengths only. \f$ O(n) \f$
 /// \throws Error `dimension_mismatch` when the dimensions differ, `wrong_number_of_points` when the
 ///   degrees differ
-template <class Traits, int Left, int Right>
-bool is_curvature_continuous(const Bezier_curve<Traits, Left>& left, const Bezier_curve<Traits, Right>& right) {
-  internal::check_polygons(left, right);
-  return is_g2_join(left, right);
-}
+inline constexpr internal::Polygon_predicate<internal::Join_question::g2> is_curvature_continuous{};
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Returns whether tangent, curvature vector and torsion are continuous:
@@ -189,12 +176,7 @@ bool is_curvature_continuous(const Bezier_curve<Traits, Left>& left, const Bezie
 /// \f$ O(n) \f$
 /// \throws Error `dimension_mismatch` when the dimensions differ or are less than 3,
 ///   `wrong_number_of_points` when the degrees differ
-template <class Traits, int Left, int Right>
-bool is_torsion_continuous(const Bezier_curve<Traits, Left>& left, const Bezier_curve<Traits, Right>& right) {
-  internal::check_polygons(left, right);
-  if (left.dimension() < 3) throw Error(Error_code::dimension_mismatch, "polygon test of torsion in the plane");
-  return is_f3_join(left, right);
-}
+inline constexpr internal::Polygon_predicate<internal::Join_question::f3> is_torsion_continuous{};
 
 namespace internal {
 

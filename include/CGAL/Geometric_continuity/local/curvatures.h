@@ -208,6 +208,8 @@ std::vector<std::optional<Signed_square<FT>>> frenet_curvatures(const Coordinate
   return kappa;
 }
 
+CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
+
 /// \ingroup PkgGeometricContinuityLocal
 /// Computes the curvatures \f$ \kappa = |d_1 \times d_2| / |d_1|^3 \f$ and torsions
 /// \f$ \tau = \det(d_1, d_2, d_3) / |d_1 \times d_2|^2 \f$ of many jets in space, in one pass.
@@ -263,6 +265,8 @@ std::size_t curvature_and_torsion(const Jet_arrays<FT, 3, k>& jets, FT* curvatur
   });
   return undefined;
 }
+
+CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_ON
 
 namespace internal {
 

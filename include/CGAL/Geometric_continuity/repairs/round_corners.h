@@ -347,6 +347,47 @@ auto round_corners(
   return round_corners(std::begin(chain), std::end(chain), distance, closure, order, strategy);
 }
 
+/// \ingroup PkgGeometricContinuityConstruction
+/// Rounds all corners of the polygon or the polyline with these vertices, points of a \cgal kernel,
+/// over whose traits class (`Traits_of`) the result is.
+/// \throws Error `wrong_number_of_points` for fewer than two points, and as for a chain of curves
+template <class Point, class Strategy = Fair>
+Rounded_chain<Bezier_curve<Traits_of<Point>>>
+round_corners(const std::vector<Point>& points,
+              const internal::Convertible_number<typename Traits_of<Point>::FT>& distance, Closure closure,
+              int order = 2, const Strategy& strategy = Strategy()) {
+  if (points.size() < 2) throw Error(Error_code::wrong_number_of_points, "round_corners: fewer than two points");
+  std::vector<Bezier_curve<Traits_of<Point>>> sides;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) sides.emplace_back(points[i], points[i + 1]);
+  if (closure == Closure::closed && points.front() != points.back()) sides.emplace_back(points.back(), points.front());
+  return round_corners(sides, distance, closure, order, strategy);
+}
+
+namespace internal {
+
+// Tells whether points, or curves, end where they start.
+template <class Curve_or_point> Closure closure_of(const std::vector<Curve_or_point>& chain) {
+  if (chain.empty()) return Closure::open;
+  if constexpr (Has_traits<Curve_or_point>::value) {
+    typedef typename Curve_or_point::FT FT;
+    const bool meet = end_jet<FT>(chain.back(), 0)[0] == start_jet<FT>(chain.front(), 0)[0];
+    return meet ? Closure::closed : Closure::open;
+  } else
+    return chain.front() == chain.back() ? Closure::closed : Closure::open;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Rounds all corners of a vector of curves, or of the polygon or the polyline with a vector of
+/// points: it is closed where it ends in the point where it starts, and open otherwise.
+/// \throws Error as the functions that take a `Closure`
+template <class Curve_or_point, class Number>
+auto round_corners(const std::vector<Curve_or_point>& chain, const Number& distance)
+    -> decltype(round_corners(chain, distance, Closure::open)) {
+  return round_corners(chain, distance, internal::closure_of(chain));
+}
+
 } // namespace Geometric_continuity
 } // namespace CGAL
 

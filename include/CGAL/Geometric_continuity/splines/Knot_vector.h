@@ -69,6 +69,12 @@ public:
   /// \throws Error `empty_domain` when the knots decrease somewhere, and unless \f$ u_p < u_n \f$
   /// \throws Error `knot_multiplicity` when a knot is repeated more than `p + 1` times
   Knot_vector(int degree, std::vector<FT> knots) : p_(degree), u_(std::move(knots)) { check(); }
+  /// Constructs a vector from the degree `p >= 0` and all knots, numbers of another type.
+  /// \throws Error as the constructor from knots of type `FT`
+  template <class Number> Knot_vector(int degree, const std::vector<Number>& knots) : p_(degree) {
+    for (const Number& u : knots) u_.push_back(internal::Convertible_number<FT>(u).value);
+    check();
+  }
   /// Constructs a vector from the degree `p >= 0` and all knots.
   /// \throws Error as the constructor from a `std::vector`
   Knot_vector(int degree, std::initializer_list<FT> knots) : p_(degree), u_(knots) { check(); }

@@ -72,6 +72,15 @@ public:
                   Knot_vector<FT> knots_v)
       : u_(std::move(knots_u)), v_(std::move(knots_v)), net_(internal::spline_net<Traits>(net, u_, v_)) {}
 
+  // This refuses knots without a degree before them, by one error of the compiler instead of a list
+  // of all constructors.
+  template <
+      class First, class Second, class Third, class... Others,
+      class = std::enable_if_t<(sizeof...(Others) > 0) || !std::is_convertible_v<const Second&, Knot_vector<FT>> ||
+                               !std::is_convertible_v<const Third&, Knot_vector<FT>>>>
+  Bspline_surface(const First&, const Second&, const Third&, const Others&...)
+      : Bspline_surface(internal::refused_surface<Bspline_surface>()) {}
+
   /// Constructs the surface without inner knots that is equal to a patch.
   explicit Bspline_surface(const Bezier_patch<Traits>& patch)
       : u_(patch.degree_u(), patch.domain_u().first, patch.domain_u().second),

@@ -131,11 +131,7 @@ public:
   friend std::ostream& operator<<(std::ostream& os, const Control_net& net) {
     for (int i = 0; i < net.rows_; ++i) {
       os << '\n';
-      for (int j = 0; j < net.columns_; ++j) {
-        const Coordinates<Traits> p = net.coordinates(i, j);
-        for (int x = 0; x < p.dimension(); ++x) os << (x > 0 ? ", " : j > 0 ? " (" : "(") << p[x];
-        os << ')';
-      }
+      for (int j = 0; j < net.columns_; ++j) os << (j > 0 ? " " : "") << net.coordinates(i, j);
     }
     return os;
   }
