@@ -21,7 +21,8 @@
 #include <string>
 #include <vector>
 
-// What several commands ask about models over fractions is compiled once.
+// Decisions and pictures of models over fractions, which several commands ask for: each is compiled
+// once.
 
 typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Exact_space;
 typedef GC::Bspline_surface<Exact_space> Exact_surface;
