@@ -17,6 +17,7 @@
 #include "commands/fonts/font_text.cpp"
 #include "commands/fonts/read_fonts.cpp"
 #include "commands/fonts/verify_fonts.cpp"
+#include "commands/models/Model_surfaces.cpp"
 #include "commands/models/verify_surfaces.cpp"
 #include "commands/repair/grid_contour.cpp"
 #include "commands/repair/path_text.cpp"
