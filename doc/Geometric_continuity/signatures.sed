@@ -12,6 +12,8 @@ s/internal::Per_object_limit::default_steps/4'000'000'000/
 s/typedef \(std::conditional_t<.*\|typename \)internal::.*> *\(::type\)\{0,1\} \([A-Za-z_]*\);/typedef unspecified_type \3;/
 s/internal::Traits_or_none<Traits_> Traits/Traits_ Traits/
 s/internal::Unspecified/unspecified_type/g
+s/internal::Continuity_of_model<PatchRange>/auto/
+s/class = std::enable_if_t<internal::misses_[a-z]*<.*>>>$/class = unspecified_type>/
 s/class Given = internal::Of_points/class Given = unspecified_type/
 s/, class = internal::[A-Za-z_]*<[A-Za-z_, ]*>>/>/
 s/typename internal::\(Chain_curve<InputIterator>\|Curve_of_range<Range>\)::Traits/Traits/g
