@@ -225,11 +225,26 @@ private:
       const double place = (path_.arc_length(k) - path_.arc_length(i)) / total * samples;
       const int cell = (std::min)(static_cast<int>(place), samples - 1);
       const double guess = u[cell] + (place - cell) * (u[cell + 1] - u[cell]);
-      t.push_back((std::min)((std::max)(piece.projected(guess, p_[k]), t.back()), 1.));
+      t.push_back(piece.projected(guess, p_[k]));
     }
     t.push_back(1);
+    make_monotone(t.begin(), t.end());
     if (!near(piece, i)) return std::nullopt;
     return piece;
+  }
+
+  // Makes numbers from 0 to 1 increase: the mean of the largest one before and the least one after.
+  template <class Iterator> static void make_monotone(Iterator first, Iterator last) {
+    std::vector<double> largest;
+    largest.reserve(last - first);
+    for (Iterator t = first; t != last; ++t)
+      largest.push_back((std::max)((std::min)(*t, 1.), largest.empty() ? 0. : largest.back()));
+    double least = 1;
+    for (Iterator t = last; t != first; largest.pop_back()) {
+      --t;
+      least = (std::min)((std::max)(*t, 0.), least);
+      *t = (least + largest.back()) / 2;
+    }
   }
 
   // Makes one step of Gauss and Newton for the distances from the points x, orthogonal to the
@@ -286,9 +301,10 @@ private:
         handles[i] = (std::min)((std::max)(handles[i], natural[i] / 8), 4 * degree * natural[i]);
     }
     set_points(piece, start, end, handles);
+    for (int k = 1; k < samples; ++k) u[k] = piece.projected(u[k], x[k]);
+    make_monotone(u.begin(), u.begin() + samples + 1);
     double worst = 0;
     for (int k = 1; k < samples; ++k) {
-      u[k] = (std::min)((std::max)(piece.projected(u[k], x[k]), u[k - 1]), 1.);
       const Vector d = piece.offset(u[k], x[k])[0];
       worst = (std::max)(worst, dot(d, d));
     }
