@@ -34,8 +34,8 @@ inline Eigen::VectorXd bernstein(int degree, double t) {
   return b;
 }
 
-// Returns whether a curve is within the tolerance of the vertices from i to j, and of points between
-// them.
+// Returns whether a curve is within the tolerance of the vertices from i to j, and of points
+// between them.
 inline bool is_one_piece(const Plane_polyline& p, int i, int j, int degree, double tolerance) {
   const int parts = j - i < 12 ? 4 : j - i < 60 ? 2 : 1, n = (j - i) * parts + 1, unknowns = 2 * (degree + 1);
   Eigen::MatrixX2d x(n, 2);
