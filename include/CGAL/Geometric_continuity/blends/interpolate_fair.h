@@ -231,7 +231,7 @@ short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_
     // the jets need room
     const int room = rounds ? std::numeric_limits<FT>::digits - 4 + std::ilogb(h) + n - std::ilogb(p.size) : 80;
     digits.push_back((std::min)(10, (room - 4) / 4));
-    int unit = std::ilogb(h) - most_digits, unit_of_second = unit;
+    int unit = std::ilogb(h) - (digits.back() >= 5 ? 20 : most_digits), unit_of_second = unit;
     if (digits.back() >= 5) {
       unit = (std::max)(unit, std::ilogb(h) - room + digits.back());
       unit_of_second = (std::max)(unit, std::ilogb(h) - room + 2 * digits.back() + 2);
@@ -273,14 +273,23 @@ Bezier_curve<Traits> parabola(const Coordinate_jet<typename Traits::FT, dimensio
   return Bezier_curve<Traits>(p, p + 3);
 }
 
-// Returns whether a parabola has the jet exactly.
-template <class Traits, class Jet> bool has_jet(const Bezier_curve<Traits>& curve, const Jet& jet, bool ends) {
+// Returns whether an end of a quintic has exactly the tangent and the curvature of a jet: b_1 - b_0
+// is a positive multiple r of the tangent, and b_2 - b_0 - 5/4 r^2 of the second derivative is a
+// multiple of it, too.
+template <class Traits, class Jet> bool has_jet(const Bezier_curve<Traits, 5>& curve, const Jet& jet, bool at_end) {
   typedef typename Exact_field<typename Traits::FT>::type Exact;
-  const Coordinates<Traits> middle = curve.coordinates(1), far = curve.coordinates(ends ? 0 : 2);
-  for (int k = 0; k < jet[0].dimension(); ++k) {
-    const Exact step = Exact(jet[1][k]) / Exact(ends ? -2 : 2), x = Exact(jet[0][k]) + step;
-    if (Exact(middle[k]) != x || Exact(far[k]) != x + step + Exact(jet[2][k]) / Exact(2)) return false;
-  }
+  const int dimension = jet[0].dimension();
+  const auto step = [&](int i, int k) {
+    return Exact(Exact(curve.coordinates(at_end ? 5 - i : i)[k]) - Exact(jet[0][k]));
+  };
+  int large = 0;
+  for (int k = 1; k < dimension; ++k)
+    if (std::abs(jet[1][large]) < std::abs(jet[1][k])) large = k;
+  const Exact tangent(jet[1][large]), r(step(1, large) / tangent);
+  const auto rest = [&](int k) { return Exact(step(2, k) - r * r * Exact(jet[2][k]) * Exact(5) / Exact(4)); };
+  if (!(at_end ? r < Exact(0) : Exact(0) < r)) return false;
+  for (int k = 0; k < dimension; ++k)
+    if (step(1, k) != r * Exact(jet[1][k]) || rest(k) * tangent != rest(large) * Exact(jet[1][k])) return false;
   return true;
 }
 
@@ -288,11 +297,10 @@ template <class Traits, class Jet> bool has_jet(const Bezier_curve<Traits>& curv
 // none.
 template <class Traits, class Jet>
 std::optional<Bezier_curve<Traits, 5>> unmoved_blend(const Jet& start, const Jet& end) {
-  const Bezier_curve<Traits> before = parabola<Traits>(start, true), after = parabola<Traits>(end, false);
-  if (!has_jet(before, start, true) || !has_jet(after, end, false)) return std::nullopt;
   try {
-    const Representable_blend<Traits> blend = representable_blend(before, after, Fair());
-    if (!blend.start_join.is_moved() && !blend.end_join.is_moved()) return blend;
+    const Representable_blend<Traits> blend =
+        representable_blend(parabola<Traits>(start, true), parabola<Traits>(end, false), Fair());
+    if (has_jet<Traits>(blend, start, false) && has_jet<Traits>(blend, end, true)) return blend;
   } catch (const Error& e) {
     if (e.code() != Error_code::not_representable) throw;
   }
@@ -420,19 +428,26 @@ Fair_spline<Traits> pieces_between(const Fair_points<Traits>& p, const std::vect
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns a spline of fair quintic blends through points, with joins that are exactly \f$ G^2 \f$.
-/// Each piece is the blend by `Fair` of the tangents and curvatures at two points. These are found
-/// in floating-point numbers, in the plane and in space: from the circles through three points on,
-/// such that the variation of curvature \f$ \int |(dK/ds)^\perp|^2 ds \f$ of blends of least energy
-/// is least, one point after the other; in other dimensions they are those of the circles. Points
-/// of a circle, at equal distances, give nearly that circle.
+/// Tangents, curvatures and the handles of the pieces are found in floating-point numbers, in the
+/// plane and in space: from the circles through three points on, such that the
+/// variation of curvature \f$ \int |(dK/ds)^\perp|^2 ds \f$ is least, all together, so that the
+/// order of the points does not matter and what is symmetric stays so, up to the rounding of these
+/// numbers. In other dimensions they are those of the circles, and pieces are blends by `Fair`.
+/// Points of a circle, at equal distances, give nearly that circle.
+///
+/// In the plane the curve has no more inflections than the polygon of the points, but at the pieces
+/// in `Fair_spline::waves`: where the polygon turns to one side at both ends of a piece, this has
+/// no inflection, and one where the sides differ. Points on a line with both neighbours, which do
+/// not turn to different sides, give lines.
 ///
 /// With an exact kernel the points are met exactly, and the joins are \f$ G^2 \f$ whatever was
-/// found. With floating-point numbers, `representable_blend()` makes the pieces: then the joins are
-/// exactly \f$ G^2 \f$, too, but at the points in `Fair_spline::rounded`, of which there are few or
-/// none; and points with more binary digits than leave room for that are rounded, see
-/// `Fair_spline::moved`.
+/// found. With floating-point numbers, so few digits are taken that nothing is rounded, or
+/// `representable_blend()` makes the piece: then the joins are exactly \f$ G^2 \f$, too, but at the
+/// points in `Fair_spline::rounded`, of which there are few or none unless the points are far from
+/// the origin for their distances; and points with more binary digits than leave room for that are
+/// rounded, see `Fair_spline::moved`.
 ///
-/// \f$ O(n) \f$, at most 20 steps for each point.
+/// \f$ O(n) \f$, at most 16 steps on all points.
 /// \param first, last the points
 /// \param closure whether the curve returns to the first point, \f$ G^2 \f$ there, too
 /// \param tangents the tangents at the points, of any length, where they are given; empty: all are
@@ -441,9 +456,9 @@ Fair_spline<Traits> pieces_between(const Fair_points<Traits>& p, const std::vect
 /// \tparam Traits a model of `GeometricContinuityTraits` \tparam InputIterator its value type is
 ///   `Traits::Point`
 /// \throws Error `wrong_number_of_points` for fewer than 2 points, or 3 if closed, and for another
-///   number of tangents; `empty_domain` when two consecutive points coincide; `zero_tangent` for a
-///   tangent that is zero; `dimension_mismatch`; `not_finite` also when floating-point numbers
-///   overflow
+///   number of tangents; `empty_domain` when two consecutive points coincide, also by rounding;
+///   `zero_tangent` for a tangent that is zero; `dimension_mismatch`; `not_finite` also when
+///   floating-point numbers overflow
 template <class Traits, class InputIterator>
 Fair_spline<Traits> interpolate_fair(InputIterator first, InputIterator last, Closure closure = Closure::open,
                                      const std::vector<std::optional<typename Traits::Vector>>& tangents = {}) {
