@@ -230,7 +230,7 @@ short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_
     // the binary digits below h that are left, and those of handles; the products of them and of
     // the jets need room
     const int room = rounds ? std::numeric_limits<FT>::digits - 4 + std::ilogb(h) + n - std::ilogb(p.size) : 80;
-    digits.push_back((std::min)(10, (room - 4) / 4));
+    digits.push_back((std::min)(10, (room - 4) / 3));
     int unit = std::ilogb(h) - (digits.back() >= 5 ? 20 : most_digits), unit_of_second = unit;
     if (digits.back() >= 5) {
       unit = (std::max)(unit, std::ilogb(h) - room + digits.back());
