@@ -10,6 +10,8 @@
 #include <CGAL/Geometric_continuity/blends/interpolate_fair.h>
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
 
+#include <cstddef>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -24,8 +26,9 @@ Leads a cubic B-spline through points: C2, with second derivatives that vanish
 at its ends, or with --closed back to the first point and C2 there, too. The
 knots are the parameters of the points: uniform, chordal (at the distances of
 the points), or centripetal (at the roots of these). With --fair the curve is
-made of quintics with G2 joins, whose curvature varies little. The joins are
-decided exactly on the numbers that are written.
+made of quintics with G2 joins, whose curvature varies little; in the plane it
+has no more inflections than the polygon of the points, or the report says where
+it may have. The joins are decided exactly on the numbers that are written.
 
 POINTS has the coordinates of a point in each line, decimals or fractions p/q
 with blanks or commas between them; what follows # is skipped.
@@ -57,6 +60,7 @@ struct Written_curve {
   std::string text;
   Joins_of_pieces joins;
   std::string remark;
+  std::vector<int> waves = {}; // pieces
 };
 
 template <class FT>
@@ -76,8 +80,14 @@ Written_curve fair_spline(const Command_line& line, const std::vector<typename P
     GC::write_g2(os, exact(Program_curve<FT>(GC::Bezier_curve<Program_traits<FT>>(piece))));
   typedef std::conditional_t<std::is_same_v<FT, double>, double, GC::Decimal> Number;
   const double moved = CGAL::to_double(curve.moved);
-  return {os.str(), decide_joins<Number>(os.str(), closure_of(line)),
-          moved == 0 ? "" : "coordinates were moved by at most " + rounded(moved, 3) + '\n'};
+  std::string remark = moved == 0 ? "" : "coordinates were moved by at most " + rounded(moved, 3) + '\n';
+  if (curve.dimension() == 2) {
+    remark += curve.waves.empty()
+                  ? "no more inflections than the polygon, proved\n"
+                  : "more inflections than the polygon, or not proved: " + counted(curve.waves.size(), "piece") +
+                        ", the first one from the point " + std::to_string(curve.waves[0] + 1) + " on\n";
+  }
+  return {os.str(), decide_joins<Number>(os.str(), closure_of(line)), remark, curve.waves};
 }
 
 template <class FT> int interpolate(const Command_line& line) {
@@ -89,13 +99,19 @@ template <class FT> int interpolate(const Command_line& line) {
   const bool none = joins.joins == 0, proved = none || (fair ? joins.g_order : joins.c_order) >= 2;
   std::ostream& report = report_stream(line);
   const std::string parameters = fair ? "" : to_string(parametrisation_of(line));
-  if (line.has("json"))
+  if (line.has("json")) {
     report << "{\"points\":" << points.size() << ",\"closed\":" << (line.has("closed") ? "true" : "false")
            << ",\"curve\":\"" << (fair ? "fair\",\"parameters\":null" : "cubic\",\"parameters\":\"" + parameters + '"')
            << ",\"pieces\":" << joins.pieces << ",\"joins\":" << joins.joins
            << ",\"c_order\":" << (none ? "null" : std::to_string(joins.c_order))
-           << ",\"g_order\":" << (none ? "null" : std::to_string(joins.g_order)) << "}\n";
-  else
+           << ",\"g_order\":" << (none ? "null" : std::to_string(joins.g_order));
+    if (fair && points[0].dimension() == 2) {
+      report << ",\"waves\":[";
+      for (std::size_t k = 0; k < written.waves.size(); ++k) report << (k == 0 ? "" : ",") << written.waves[k];
+      report << ']';
+    }
+    report << "}\n";
+  } else
     report << counted(points.size(), "point") << ", " << (fair ? "" : parameters + " parameters, ")
            << counted(joins.pieces, fair ? "fair quintic" : "cubic piece") << '\n'
            << written.remark << counted(joins.joins, "join")
@@ -128,6 +144,8 @@ int run_interpolate(const Command_line& line) {
   const bool exact = line.choice("kernel", {"exact", "double"}) == "exact";
   if (!exact) line.refuse({"max-work"}, "only with --kernel exact");
   const GC::Work_scope each(line.work_limit());
+  std::optional<GC::Work_scope> all; // of a search that is no object of its own
+  if (line.has("fair") && exact) all.emplace(line.work_limit(), "interpolate");
   return within_work_limit([&] { return input_name(line.files()[0]); },
                            [&] { return exact ? interpolate<Exact>(line) : interpolate<double>(line); });
 }

@@ -44,6 +44,9 @@ std::vector<typename Program_traits<FT>::Point> read_points(std::istream& is, co
     if (!points.empty() && static_cast<int>(x.size()) != points[0].dimension())
       throw GC::Error(GC::Error_code::dimension_mismatch, place + std::to_string(x.size()) + " coordinates, and " +
                                                               std::to_string(points[0].dimension()) + " before");
+    if (x.size() == 1)
+      throw GC::Error(GC::Error_code::dimension_mismatch,
+                      place + "1 coordinate; a point of a curve needs 2 or more, with a blank or a comma between them");
     points.emplace_back(static_cast<int>(x.size()), x.begin(), x.end());
   }
   return points;

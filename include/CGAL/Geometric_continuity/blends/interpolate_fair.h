@@ -8,17 +8,21 @@
 #include <CGAL/FPU.h>
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_joints.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/internal/short_numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -46,18 +50,25 @@ template <class Traits> struct Fair_spline : Composite_bezier_curve<Traits, 5> {
   /// The numbers of the points at which rounding may have broken the join: none with an exact
   /// kernel.
   std::vector<int> rounded;
+  /// In the plane the numbers of the pieces that were not proved to have as few inflections as
+  /// their side of the polygon: one where the polygon turns to different sides at its ends, or else
+  /// none. All others are proved by `sign_pattern()` and Descartes' rule. Empty in other
+  /// dimensions, where nothing is asked.
+  std::vector<int> waves;
 
-  /// From the curve and what rounding has done.
+  /// From the curve, what rounding has done and where there are waves.
   Fair_spline(const Composite_bezier_curve<Traits, 5>& curve, const typename Traits::FT& change,
-              std::vector<int> rounded_joins)
-      : Composite_bezier_curve<Traits, 5>(curve), moved(change), rounded(std::move(rounded_joins)) {}
+              std::vector<int> rounded_joins, std::vector<int> with_waves = {})
+      : Composite_bezier_curve<Traits, 5>(curve), moved(change), rounded(std::move(rounded_joins)),
+        waves(std::move(with_waves)) {}
 };
 
 namespace internal {
 
-// Chooses tangents and curvatures, in the plane and in space the fair ones; in the order of the
-// points.
-template <int N> void choose_fair_joints(std::vector<Fair_joint<N>>& joints, bool closed) {
+// Chooses tangents and curvatures, in the plane and in space the fair ones, and returns the handles
+// of the pieces there.
+template <int N> std::vector<Fair_handles> choose_fair_joints(std::vector<Fair_joint<N>>& joints, bool closed) {
+  std::vector<Fair_handles> handles;
   const Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
   const auto in_dimension = [&](auto dimension) {
     constexpr int M = decltype(dimension)::value;
@@ -69,7 +80,7 @@ template <int N> void choose_fair_joints(std::vector<Fair_joint<N>>& joints, boo
     std::vector<Fair_joint<M>> chosen;
     for (const Fair_joint<N>& j : joints)
       chosen.push_back({column(j.point), column(j.tangent), column(j.curvature), j.given});
-    Fair_joints<M>(chosen, closed).minimise();
+    handles = Fair_joints<M>(chosen, closed).minimise();
     for (std::size_t k = 0; k < joints.size(); ++k)
       for (int i = 0; i < M; ++i) {
         joints[k].tangent[i] = chosen[k].tangent[i];
@@ -81,6 +92,7 @@ template <int N> void choose_fair_joints(std::vector<Fair_joint<N>>& joints, boo
     in_dimension(std::integral_constant<int, 2>());
   else if (joints[0].point.dimension() == 3)
     in_dimension(std::integral_constant<int, 3>());
+  return handles;
 }
 
 // The coordinates of the point number i, or of the tangent there, rounded to doubles.
@@ -101,9 +113,11 @@ Coordinate_vector<double, dimension_v<Traits>> rounded_column(const Coordinates<
 template <class Traits> struct Fair_points {
   std::vector<Coordinates<Traits>> points;
   bool closed;
-  double size = 0; // the largest coordinate
+  double size = 0;   // the largest coordinate
+  double extent = 0; // that seen from the first point
 
-  int exponent() const { return size > 0 ? std::ilogb(size) : 0; }
+  int exponent() const { return extent > 0 ? std::ilogb(extent) : 0; }
+  Coordinates<Traits> from_first(int i) const { return points[i] - points[0]; }
   int number() const { return static_cast<int>(points.size()); }
   int next(int i) const { return (i + 1) % number(); }
   int pieces() const { return closed ? number() : number() - 1; }
@@ -115,9 +129,16 @@ Fair_points<Traits> points_of_fair_spline(InputIterator first, InputIterator las
   for (; first != last; ++first) p.points.push_back(Geometric_continuity::coordinates<Traits>(*first));
   if (p.number() < (p.closed ? 3 : 2))
     throw Error(Error_code::wrong_number_of_points, "interpolate_fair: " + std::to_string(p.number()) + " points");
-  for (int i = 0; i < p.number(); ++i)
-    for (const double x : rounded_column<Traits>(p.points[i], p.points[0].dimension(), i))
-      p.size = (std::max)(p.size, std::abs(x));
+  const int dimension = p.points[0].dimension();
+  for (int i = 0; i < p.number(); ++i) {
+    for (const double x : rounded_column<Traits>(p.points[i], dimension, i)) p.size = (std::max)(p.size, std::abs(x));
+    for (const double x : rounded_column<Traits>(p.from_first(i), dimension, i))
+      p.extent = (std::max)(p.extent, std::abs(x));
+  }
+  for (int i = 0; i < p.pieces(); ++i)
+    if (p.points[i] == p.points[p.next(i)])
+      throw Error(Error_code::empty_domain, "interpolate_fair: the points " + std::to_string(i) + " and " +
+                                                std::to_string(p.next(i)) + " coincide");
   return p;
 }
 
@@ -158,7 +179,7 @@ joints_of(const Fair_points<Traits>& p, const std::vector<std::optional<typename
   std::vector<Fair_joint<dimension_v<Traits>>> joints;
   for (int i = 0; i < p.number(); ++i) {
     Work_meter::pause();
-    Column point = rounded_column<Traits>(p.points[i], dimension, i);
+    Column point = rounded_column<Traits>(p.from_first(i), dimension, i);
     for (int k = 0; k < dimension; ++k) point[k] = std::ldexp(point[k], -p.exponent());
     joints.push_back({point, Column(dimension), Column(dimension), false});
     if (tangents.empty() || !tangents[i]) continue;
@@ -181,7 +202,9 @@ std::vector<double> chord_lengths(const Fair_points<Traits>& p,
     lengths.push_back(length<dimension_v<Traits>>(joints[p.next(i)].point - joints[i].point));
     if (!(lengths.back() > 0))
       throw Error(Error_code::empty_domain, "interpolate_fair: the points " + std::to_string(i) + " and " +
-                                                std::to_string(p.next(i)) + " coincide");
+                                                std::to_string(p.next(i)) +
+                                                " coincide when they are rounded, to leave room for exact joins: "
+                                                "subtract what all points have in common, or use exact numbers");
   }
   return lengths;
 }
@@ -192,7 +215,8 @@ std::vector<double> chord_lengths(const Fair_points<Traits>& p,
 template <class Traits>
 std::vector<Coordinate_jet<typename Traits::FT, dimension_v<Traits>>>
 short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_v<Traits>>>& joints,
-           const std::vector<double>& lengths, const std::vector<std::optional<typename Traits::Vector>>& tangents) {
+           const std::vector<double>& lengths, const std::vector<std::optional<typename Traits::Vector>>& tangents,
+           std::vector<double>& speeds, std::vector<int>& digits) {
   typedef typename Traits::FT FT;
   constexpr bool rounds = std::is_floating_point_v<FT>;
   constexpr int most_digits = rounds ? (std::min)(20, std::numeric_limits<FT>::digits / 3) : 20,
@@ -203,8 +227,17 @@ short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_
     Work_meter::pause();
     const double before = i > 0 ? lengths[i - 1] : lengths.back(), after = i < p.pieces() ? lengths[i] : before,
                  h = (std::min)(p.closed || i > 0 ? before : after, after);
-    const int unit =
-        (std::max)(std::ilogb(h) - most_digits, (std::min)(unit_with_room<FT>(1, 9), std::ilogb(h) - fewest_digits));
+    // the binary digits below h that are left, and those of handles; the products of them and of
+    // the jets need room
+    const int room = rounds ? std::numeric_limits<FT>::digits - 4 + std::ilogb(h) + n - std::ilogb(p.size) : 80;
+    digits.push_back((std::min)(10, (room - 4) / 3));
+    int unit = std::ilogb(h) - (digits.back() >= 5 ? 20 : most_digits), unit_of_second = unit;
+    if (digits.back() >= 5) {
+      unit = (std::max)(unit, std::ilogb(h) - room + digits.back());
+      unit_of_second = (std::max)(unit, std::ilogb(h) - room + 2 * digits.back() + 2);
+    } else
+      unit_of_second = unit = (std::max)(unit, (std::min)(std::ilogb(p.size) - n + 9 - std::numeric_limits<FT>::digits,
+                                                          std::ilogb(h) - fewest_digits));
     const bool is_kept = !rounds && joints[i].given;
     Coordinate_jet<FT, dimension_v<Traits>> jet(dimension, 2);
     jet[0] = p.points[i];
@@ -214,7 +247,8 @@ short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_
       const Coordinate_vector<double, dimension_v<Traits>> t = rounded_column<Traits>(jet[1], dimension, i);
       speed = length(t);
     }
-    const int unit_of_bend = is_kept ? unit + 2 * (std::ilogb(speed) - std::ilogb(h)) : unit;
+    speeds.push_back(is_kept ? std::ldexp(speed, -n) : h);
+    const int unit_of_bend = is_kept ? unit + 2 * (std::ilogb(speed) - std::ilogb(h)) : unit_of_second;
     for (int k = 0; k < dimension; ++k) {
       if (!is_kept) jet[1][k] = short_number_in<FT>(std::ldexp(multiple_of_power(h * joints[i].tangent[k], unit), n));
       const double bend = multiple_of_power(speed * speed * joints[i].curvature[k], unit_of_bend),
@@ -239,6 +273,26 @@ Bezier_curve<Traits> parabola(const Coordinate_jet<typename Traits::FT, dimensio
   return Bezier_curve<Traits>(p, p + 3);
 }
 
+// Returns whether an end of a quintic has exactly the tangent and the curvature of a jet: b_1 - b_0
+// is a positive multiple r of the tangent, and b_2 - b_0 - 5/4 r^2 of the second derivative is a
+// multiple of it, too.
+template <class Traits, class Jet> bool has_jet(const Bezier_curve<Traits, 5>& curve, const Jet& jet, bool at_end) {
+  typedef typename Exact_field<typename Traits::FT>::type Exact;
+  const int dimension = jet[0].dimension();
+  const auto step = [&](int i, int k) {
+    return Exact(Exact(curve.coordinates(at_end ? 5 - i : i)[k]) - Exact(jet[0][k]));
+  };
+  int large = 0;
+  for (int k = 1; k < dimension; ++k)
+    if (std::abs(jet[1][large]) < std::abs(jet[1][k])) large = k;
+  const Exact tangent(jet[1][large]), r(step(1, large) / tangent);
+  const auto rest = [&](int k) { return Exact(step(2, k) - r * r * Exact(jet[2][k]) * Exact(5) / Exact(4)); };
+  if (!(at_end ? r < Exact(0) : Exact(0) < r)) return false;
+  for (int k = 0; k < dimension; ++k)
+    if (step(1, k) != r * Exact(jet[1][k]) || rest(k) * tangent != rest(large) * Exact(jet[1][k])) return false;
+  return true;
+}
+
 // The blend of two jets by `Fair`, with joins that rounding does not move; nothing if there is
 // none.
 template <class Traits, class Jet>
@@ -246,56 +300,154 @@ std::optional<Bezier_curve<Traits, 5>> unmoved_blend(const Jet& start, const Jet
   try {
     const Representable_blend<Traits> blend =
         representable_blend(parabola<Traits>(start, true), parabola<Traits>(end, false), Fair());
-    if (!blend.start_join.is_moved() && !blend.end_join.is_moved()) return blend;
+    if (has_jet<Traits>(blend, start, false) && has_jet<Traits>(blend, end, true)) return blend;
   } catch (const Error& e) {
     if (e.code() != Error_code::not_representable) throw;
   }
   return std::nullopt;
 }
 
-// The blends from each jet to the next one.
+// The quintic with these jets and handles; nothing where rounding would move its joins. Handles are
+// told in the lengths of the tangents, with so many binary digits behind the point that all is
+// exact.
 template <class Traits, class Jet>
-Fair_spline<Traits> blends_between(const Fair_points<Traits>& p, const std::vector<Jet>& jets,
-                                   const typename Traits::FT& moved) {
+std::optional<Bezier_curve<Traits, 5>> quintic_with_handles(const Jet& start, const Jet& end, Fair_handles handles,
+                                                            const std::array<double, 2>& speeds, int digits,
+                                                            double size) {
+  typedef typename Traits::FT FT;
+  typedef Coordinates<Traits> Column;
+  constexpr bool rounds = std::is_floating_point_v<FT>;
+  if (rounds && digits < 5) return std::nullopt;
+  const FT part = FT(FT(5) / FT(4));
+  const auto short_handle = [&](double x) {
+    return short_number_in<FT>(rounds ? multiple_of_power(x, -digits) : short_double<20>(x));
+  };
+  const auto inward = [&](int k) { // from the end: the next two points
+    const Jet& jet = k == 0 ? start : end;
+    const double least = rounds ? std::ldexp(1., -digits) : 0;
+    const FT first = short_handle((std::max)(handles.first[k] / speeds[k], least)),
+             second = short_handle(handles.second[k] / speeds[k]), sign = FT(k == 0 ? 1 : -1);
+    return std::array<Column, 2>{FT(sign * first) * jet[1],
+                                 FT(sign * second) * jet[1] + FT(part * FT(first * first)) * jet[2]};
+  };
+  const std::array<Column, 2> s = inward(0), e = inward(1);
+  const std::array<Column, 6> b = {start[0], start[0] + s[0], start[0] + s[1], end[0] + e[1], end[0] + e[0], end[0]};
+  std::vector<typename Traits::Point> points;
+  for (const Column& x : b) {
+    if constexpr (rounds)
+      for (const FT& c : x)
+        if (!(std::abs(c) < 8 * size)) return std::nullopt;
+    points.push_back(to_point<Traits>(x));
+  }
+  return Bezier_curve<Traits, 5>(points.begin(), points.end());
+}
+
+// Returns whether a piece in the plane is proved to have at most so many inflections, by the signs
+// of d1 x d2: of its coefficients, or of itself.
+template <class Traits, int Degree>
+bool has_inflections_at_most(const Bezier_curve<Traits, Degree>& piece, int inflections) {
+  typedef typename Traits::FT FT;
+  typedef std::conditional_t<std::is_floating_point_v<FT>, typename Exact_field<FT>::type, FT> Exact;
+  std::array<std::array<Exact, 5>, 2> first;
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < 5; ++i) first[k][i] = Exact(piece.coordinates(i + 1)[k]) - Exact(piece.coordinates(i)[k]);
+  const auto changes_of = [&](const auto& bend, const auto& least) {
+    int changes = 0, last = 0;
+    for (int i = 0; i <= bend.degree(); ++i) {
+      const int sign = least < bend[i] ? 1 : bend[i] < -least ? -1 : 0;
+      if (sign != 0 && last != 0 && sign != last) ++changes;
+      if (sign != 0) last = sign;
+    }
+    return changes;
+  };
+  const auto bend_of = [](const auto& x, const auto& y) { // x y' - y x'
+    typedef std::decay_t<decltype(x[0])> NT;
+    const auto slope = [](const auto& z) {
+      std::vector<NT> d;
+      for (std::size_t i = 0; i + 1 < z.size(); ++i) d.push_back(NT(z[i + 1] - z[i]));
+      return Bernstein_polynomial<NT>(std::move(d));
+    };
+    const Bernstein_polynomial<NT> p(x.begin(), x.end()), q(y.begin(), y.end());
+    return Bernstein_polynomial<NT>(p * slope(y) - q * slope(x));
+  };
+  // in floating-point numbers, where no coefficient is near 0
+  std::array<std::array<double, 5>, 2> rounded;
+  double largest = 0;
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < 5; ++i) {
+      rounded[k][i] = rounded_number(first[k][i]);
+      largest = (std::max)(largest, std::abs(rounded[k][i]));
+    }
+  const Bernstein_polynomial<double> near = bend_of(rounded[0], rounded[1]);
+  bool is_sure = true;
+  for (int i = 0; i <= near.degree(); ++i) is_sure = is_sure && std::abs(near[i]) > 1e-13 * largest * largest;
+  if (is_sure && changes_of(near, 0.) <= inflections) return true;
+  const Bernstein_polynomial<Exact> bend = bend_of(first[0], first[1]);
+  return changes_of(bend, Exact(0)) <= inflections || (inflections == 0 && sign_pattern(bend) != Sign_pattern::mixed);
+}
+
+// The pieces from each jet to the next one.
+template <class Traits, class Jet>
+Fair_spline<Traits> pieces_between(const Fair_points<Traits>& p, const std::vector<Jet>& jets,
+                                   const std::vector<Fair_joint<dimension_v<Traits>>>& joints,
+                                   const std::vector<Fair_handles>& handles, const std::vector<double>& speeds,
+                                   const std::vector<int>& digits, const typename Traits::FT& moved) {
   typedef typename Traits::FT FT;
   std::vector<typename Traits::Point> points;
   std::vector<FT> knots(1, FT(0));
   std::vector<char> is_rounded(p.number(), 0);
+  std::vector<int> waves;
+  std::optional<Fair_turns> turns;
+  if (p.points[0].dimension() == 2) turns.emplace(joints, p.closed);
   for (int i = 0; i < p.pieces(); ++i) {
     Work_meter::pause();
-    const Jet &start = jets[i], &end = jets[p.next(i)];
+    const int j = p.next(i);
+    const Jet &start = jets[i], &end = jets[j];
     std::optional<Bezier_curve<Traits, 5>> piece;
-    if constexpr (std::is_floating_point_v<FT>) {
-      piece = unmoved_blend<Traits>(start, end);
-      if (!piece) is_rounded[i] = is_rounded[p.next(i)] = 1;
-    }
+    if (!handles.empty())
+      piece = quintic_with_handles<Traits>(start, end, handles[i], {speeds[i], speeds[j]},
+                                           (std::min)(digits[i], digits[j]), p.size);
+    if constexpr (std::is_floating_point_v<FT>)
+      if (!piece) {
+        piece = unmoved_blend<Traits>(start, end);
+        if (!piece) is_rounded[i] = is_rounded[j] = 1;
+      }
     if (!piece) piece = blend(Curve_jet<Traits>(start), Curve_jet<Traits>(end), Fair());
+    if (turns && !has_inflections_at_most(*piece, turns->inflections(i))) waves.push_back(i);
     points.insert(points.end(), piece->begin() + (i == 0 ? 0 : 1), piece->end());
     knots.push_back(FT(i + 1));
   }
   std::vector<int> rounded;
   for (int i = p.closed ? 0 : 1; i < p.pieces(); ++i)
     if (is_rounded[i]) rounded.push_back(i);
-  return Fair_spline<Traits>(Composite_bezier_curve<Traits, 5>(points, std::move(knots)), moved, std::move(rounded));
+  return Fair_spline<Traits>(Composite_bezier_curve<Traits, 5>(points, std::move(knots)), moved, std::move(rounded),
+                             std::move(waves));
 }
 
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns a spline of fair quintic blends through points, with joins that are exactly \f$ G^2 \f$.
-/// Each piece is the blend by `Fair` of the tangents and curvatures at two points. These are found
-/// in floating-point numbers, in the plane and in space: from the circles through three points on,
-/// such that the variation of curvature \f$ \int |(dK/ds)^\perp|^2 ds \f$ of blends of least energy
-/// is least, one point after the other; in other dimensions they are those of the circles. Points
-/// of a circle, at equal distances, give nearly that circle.
+/// Tangents, curvatures and the handles of the pieces are found in floating-point numbers, in the
+/// plane and in space: from the circles through three points on, such that the
+/// variation of curvature \f$ \int |(dK/ds)^\perp|^2 ds \f$ is least, all together, so that the
+/// order of the points does not matter and what is symmetric stays so, up to the rounding of these
+/// numbers. In other dimensions they are those of the circles, and pieces are blends by `Fair`.
+/// Points of a circle, at equal distances, give nearly that circle.
+///
+/// In the plane the curve has no more inflections than the polygon of the points, but at the pieces
+/// in `Fair_spline::waves`: where the polygon turns to one side at both ends of a piece, this has
+/// no inflection, and one where the sides differ. Points on a line with both neighbours, which do
+/// not turn to different sides, give lines.
 ///
 /// With an exact kernel the points are met exactly, and the joins are \f$ G^2 \f$ whatever was
-/// found. With floating-point numbers, `representable_blend()` makes the pieces: then the joins are
-/// exactly \f$ G^2 \f$, too, but at the points in `Fair_spline::rounded`, of which there are few or
-/// none; and points with more binary digits than leave room for that are rounded, see
-/// `Fair_spline::moved`.
+/// found. With floating-point numbers, so few digits are taken that nothing is rounded, or
+/// `representable_blend()` makes the piece: then the joins are exactly \f$ G^2 \f$, too, but at the
+/// points in `Fair_spline::rounded`, of which there are few or none unless the points are far from
+/// the origin for their distances; and points with more binary digits than leave room for that are
+/// rounded, see `Fair_spline::moved`.
 ///
-/// \f$ O(n) \f$, at most 20 steps for each point.
+/// \f$ O(n) \f$, at most 16 steps on all points.
 /// \param first, last the points
 /// \param closure whether the curve returns to the first point, \f$ G^2 \f$ there, too
 /// \param tangents the tangents at the points, of any length, where they are given; empty: all are
@@ -304,9 +456,9 @@ Fair_spline<Traits> blends_between(const Fair_points<Traits>& p, const std::vect
 /// \tparam Traits a model of `GeometricContinuityTraits` \tparam InputIterator its value type is
 ///   `Traits::Point`
 /// \throws Error `wrong_number_of_points` for fewer than 2 points, or 3 if closed, and for another
-///   number of tangents; `empty_domain` when two consecutive points coincide; `zero_tangent` for a
-///   tangent that is zero; `dimension_mismatch`; `not_finite` also when floating-point numbers
-///   overflow
+///   number of tangents; `empty_domain` when two consecutive points coincide, also by rounding;
+///   `zero_tangent` for a tangent that is zero; `dimension_mismatch`; `not_finite` also when
+///   floating-point numbers overflow
 template <class Traits, class InputIterator>
 Fair_spline<Traits> interpolate_fair(InputIterator first, InputIterator last, Closure closure = Closure::open,
                                      const std::vector<std::optional<typename Traits::Vector>>& tangents = {}) {
@@ -317,8 +469,11 @@ Fair_spline<Traits> interpolate_fair(InputIterator first, InputIterator last, Cl
   const typename Traits::FT moved = internal::round_points(p);
   std::vector<internal::Fair_joint<dimension_v<Traits>>> joints = internal::joints_of(p, tangents);
   const std::vector<double> lengths = internal::chord_lengths(p, joints);
-  internal::choose_fair_joints(joints, p.closed);
-  return internal::blends_between(p, internal::short_jets(p, joints, lengths, tangents), moved);
+  const std::vector<internal::Fair_handles> handles = internal::choose_fair_joints(joints, p.closed);
+  std::vector<double> speeds;
+  std::vector<int> digits;
+  const auto jets = internal::short_jets(p, joints, lengths, tangents, speeds, digits);
+  return internal::pieces_between(p, jets, joints, handles, speeds, digits, moved);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -107,36 +108,45 @@ template <int N> struct Fit_polyline {
 template <int N> class Corner_finder {
   typedef Coordinate_vector<double, N> Vector;
   const std::vector<Vector>& p_;
-  const double cosine_, reach_;
+  const double cosine_, tolerance_;
   const bool closed_; // the last vertex is the first one
 
   bool turns(const Vector& u, const Vector& v) const { return dot(u, v) < cosine_ * std::sqrt(dot(u, u) * dot(v, v)); }
 
-  // The point of the polyline so far away from the vertex k, in one direction, or where it ends.
-  Vector neighbour(int k, int direction) const {
-    const int n = static_cast<int>(p_.size()) - 1;
-    double rest = reach_;
-    for (int steps = 0; steps <= n; ++steps) {
-      if (closed_ && k == (direction > 0 ? n : 0)) k = n - k;
-      if (!closed_ && k == (direction > 0 ? n : 0)) break;
-      const Vector v = p_[k + direction] - p_[k];
-      const double length = std::sqrt(dot(v, v));
-      if (rest <= length) return p_[k] + (rest / length) * v;
-      rest -= length;
-      k += direction;
+  // The way from the vertex k to where the polyline leaves the ball about it, in one direction;
+  // none if it does not. Of many segments in the ball, longer and longer parts are taken as chords.
+  std::optional<Vector> way_out(int k, int direction, double radius) const {
+    const int n = static_cast<int>(p_.size()) - 1, all = closed_ ? n : direction > 0 ? n - k : k;
+    Vector last(p_[k].dimension());
+    for (int done = 0; done < all;) {
+      done = (std::min)(done + 1 + done / 16, all);
+      const int j = k + direction * done;
+      const Vector v = p_[j < 0 ? j + n : j > n ? j - n : j] - p_[k], step = v - last;
+      const double a = dot(step, step), b = dot(last, step), c = dot(last, last) - radius * radius;
+      if (dot(v, v) >= radius * radius) return Vector(last + ((std::sqrt(b * b - a * c) - b) / a) * step);
+      last = v;
     }
-    return p_[k];
+    return std::nullopt;
+  }
+
+  // Tells whether it turns at a vertex between the points where it leaves the ball.
+  bool turns_within(int k, double radius, bool otherwise) const {
+    const std::optional<Vector> before = way_out(k, -1, radius), after = way_out(k, 1, radius);
+    return before && after ? turns(-1. * *before, *after) : otherwise;
   }
 
 public:
-  Corner_finder(const std::vector<Vector>& p, double cosine, double reach, bool closed)
-      : p_(p), cosine_(cosine), reach_(reach), closed_(closed) {}
+  Corner_finder(const std::vector<Vector>& p, double cosine, double tolerance, bool closed)
+      : p_(p), cosine_(cosine), tolerance_(tolerance), closed_(closed) {}
 
-  // At the vertex itself, and seen from as far as the tolerance lets it be seen.
+  // At the vertex itself, and seen from as far as the tolerance lets it be seen: from two
+  // tolerances away, and from four: the steps of a staircase that is near a smooth curve are not
+  // corners.
   bool operator()(int k) const {
     Work_meter::pause();
     const int n = static_cast<int>(p_.size()) - 1, before = k == 0 ? n - 1 : k - 1, after = k + 1;
-    return turns(p_[k] - p_[before], p_[after] - p_[k]) && turns(p_[k] - neighbour(k, -1), neighbour(k, 1) - p_[k]);
+    return turns(p_[k] - p_[before], p_[after] - p_[k]) && turns_within(k, 2 * tolerance_, false) &&
+           turns_within(k, 4 * tolerance_, true);
   }
 };
 
@@ -192,7 +202,7 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
   // a closed polyline starts at a corner, if it has one
   std::vector<Coordinate_vector<double, N>>& p = polyline.points;
   if (polyline.periodic) p.push_back(p.front());
-  const Corner_finder<N> is_corner(p, corner_cosine, 2 * polyline.tolerance, polyline.periodic);
+  const Corner_finder<N> is_corner(p, corner_cosine, polyline.tolerance, polyline.periodic);
   const int n = static_cast<int>(p.size()) - 1;
   polyline.stop.assign(p.size(), 0);
   for (int k = polyline.periodic ? 0 : 1; k < n; ++k) polyline.stop[k] = is_corner(k);
@@ -244,11 +254,12 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
 /// confirm; and that it is near is proved, with intervals, in both directions: see
 /// `Fitted_curve::distance`.
 ///
-/// A piece is the longest that is found from where the one before it ends: its ends are at
-/// vertices, tangents and curvatures there are those of a cubic polynomial near the polyline, in a
-/// window that is as long as the tolerance permits, and the rest is found by least squares. How
-/// many pieces there are is not proved to be the least. Where the polyline bends sharply but less
-/// than at a corner, pieces are short, and so are tangents.
+/// A piece is the longest that is found from where the one before it ends: its ends are near
+/// vertices, points, tangents and curvatures there are those of one of several cubic polynomials
+/// near the polyline, in windows of different widths, and the rest is found by least squares of the
+/// distances orthogonal to the curve. How many pieces there are is not proved to be the least.
+/// Where the polyline bends sharply but less than at a corner, pieces are short, and so are
+/// tangents.
 ///
 /// Vertices that are equal to the one before them are skipped; a closed polyline may end with its
 /// first vertex.
@@ -263,8 +274,9 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
 /// \param closure whether the polyline is closed
 /// \param order 1 for cubics with \f$ G^1 \f$ joins, 2 for quintics with \f$ G^2 \f$ joins
 /// \param corner_angle in degrees, from 0 to 180. A vertex is a corner where the polyline turns by
-///   more than that, at the vertex and between the points that are two tolerances away; also where
-///   it turns back. Corners are kept: the curve has a kink there.
+///   more than that, at the vertex and between the points where it leaves the balls of two and of
+///   four tolerances about it; also where it turns back there. Corners are kept: the curve has a
+///   kink there. Steps of a staircase that is near a smooth curve are none.
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam InputIterator its value type is `Traits::Point`
 /// \throws Error `wrong_number_of_points` for fewer than 2 different vertices, or 3 if closed

@@ -16,16 +16,22 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
 #include <vector>
 
-// Tangents and curvatures at points through which a fair spline leads, in floating-point numbers.
-// They start with those of circles through three points; then one point after the other gets those
-// with the least
+// Tangents and curvatures at points through which a fair spline leads, and the handles of the
+// quintics between them, in floating-point numbers. They start with those of circles through three
+// points; then all together get those with the least
 //
-//   sum over both neighbouring pieces of  int |(dK/ds)_perp|^2 ds,
+//   sum over the pieces of  int |(dK/ds)_perp|^2 ds
 //
-// where a piece is the quintic blend of least energy whose tangents are as long as an arc of a
-// circle with their angle, by Newton's method with differences.
+// by steps of Gauss and Newton, whose matrix couples neighbours only. In the plane a condition
+// comes first: where the polygon turns to the same side at both ends of a piece, its tangents lie
+// inside of the angles of the chords, its curvatures have the sign of the turn, and so have the
+// corners of its control polygon, as far as that is possible. Then the curve has no more
+// inflections than the polygon. Nothing depends on the order of the points.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -81,70 +87,338 @@ template <int N> void take_circles(std::vector<Fair_joint<N>>& joints, bool clos
   }
 }
 
+// How far along the tangents the control points of a piece lie, in the order in which they are: b_1
+// = A + first T, b_2 = A + second T + 5/4 first^2 K, and likewise from the end inwards.
+struct Fair_handles {
+  std::array<double, 2> first, second;
+};
+
+// The turns of a polygon in the plane.
+class Fair_turns {
+  typedef Coordinate_vector<double, 2> Vector;
+  std::vector<int> sign_; // at each point, 0 at the ends of an open polygon as well
+  std::vector<double> angle_;
+  std::vector<char> line_, free_; // pieces
+  std::vector<int> bend_;         // of each piece: its sign where it may have no inflection, or else 0
+
+public:
+  static double cross(const Vector& u, const Vector& v) { return u[0] * v[1] - u[1] * v[0]; }
+
+  // The points have two coordinates.
+  template <int N> Fair_turns(const std::vector<Fair_joint<N>>& joints, bool closed) {
+    const int n = static_cast<int>(joints.size()), pieces = closed ? n : n - 1;
+    const auto chord = [&](int i) {
+      Vector v(2);
+      for (int k = 0; k < 2; ++k) v[k] = joints[(i + 1) % n].point[k] - joints[i].point[k];
+      return v;
+    };
+    sign_.assign(n, 0);
+    angle_.assign(n, 0);
+    line_.assign(pieces, n == 2);
+    bend_.assign(pieces, 0);
+    free_.assign(pieces, 0);
+    std::vector<char> back(n, 0);
+    for (int i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i) {
+      const Vector u = chord((i + n - 1) % n), v = chord(i);
+      const double c = cross(u, v), size = std::sqrt(dot(u, u) * dot(v, v));
+      angle_[i] = std::atan2(c, dot(u, v));
+      sign_[i] = c > 1e-12 * size ? 1 : c < -1e-12 * size ? -1 : 0;
+      back[i] = sign_[i] == 0 && dot(u, v) < 0;
+    }
+    for (int i = 0; i < n; ++i) { // on a line with both neighbours, which do not turn to different sides
+      if (sign_[i] != 0 || back[i] || (!closed && (i == 0 || i == n - 1))) continue;
+      const int before = (i + n - 1) % n, after = (i + 1) % n;
+      if (sign_[before] * sign_[after] < 0) continue;
+      line_[before] = line_[i] = 1;
+    }
+    for (int i = 0; i < pieces; ++i) {
+      const int j = (i + 1) % n;
+      if (!line_[i] && !back[i] && !back[j] && sign_[i] * sign_[j] >= 0)
+        bend_[i] = sign_[i] + sign_[j] > 0 ? 1 : sign_[i] + sign_[j] < 0 ? -1 : 0;
+      free_[i] = line_[i] || (bend_[i] == 0 && sign_[i] * sign_[j] >= 0);
+    }
+  }
+
+  int sign(int i) const { return sign_[i]; }
+  int bend(int piece) const { return bend_[piece]; }
+  // Frees a piece from all conditions.
+  void release(int piece) { free_[piece] = 1; }
+  bool is_free(int piece) const { return free_[piece] != 0; }
+  // The sum of the turns at both ends of a piece.
+  double angle(int piece) const {
+    return std::abs(angle_[piece]) + std::abs(angle_[(piece + 1) % static_cast<int>(angle_.size())]);
+  }
+  bool is_line(int piece) const { return line_[piece] != 0; }
+  // The number of inflections that a piece may have.
+  int inflections(int piece) const {
+    return sign_[piece] * sign_[(piece + 1) % static_cast<int>(sign_.size())] < 0 ? 1 : 0;
+  }
+};
+
 template <int M> class Fair_joints {
   typedef Coordinate_vector<double, M> Vector;
   typedef Fair_joint<M> Joint;
-  static constexpr int most_sweeps = 20;
+  typedef Fair_family<Blend_kind::g2, M> Family;
+  typedef typename Family::Unknowns Shape; // of a piece
+  static constexpr int nodes = 12, most_steps = 16;
+  static constexpr double tolerance = 1e-3;
+  static constexpr double corner_weight = 0.1; // of a corner of a control polygon that hardly turns
+
+  // The free numbers of a joint: the angle by which the tangent turns, and the change of the
+  // curvature in units of 1/h, for each normal.
+  static constexpr int normals = M - 1, free = 2 * normals, shape_free = 4, all = 2 * free + shape_free;
+  typedef std::array<double, free> Numbers;
+  typedef std::array<Numbers, free> Block;
+
+  struct Piece {
+    double length, damping = 1e-3, value = 0;
+    Shape neutral{}, x{}, next{}; // the first one costs nothing
+    // of its expansion, as the numbers of its shape are eliminated from it
+    std::array<std::array<double, 2 * free + 1>, shape_free> solved;
+  };
 
   std::vector<Joint>& joints_;
   const bool closed_;
+  std::vector<Piece> pieces_;
+  std::vector<double> size_; // the shorter chord at each joint
+  std::optional<Fair_turns> turns_;
 
 public:
-  Fair_joints(std::vector<Joint>& joints, bool closed) : joints_(joints), closed_(closed) {}
-
-  // Goes over all points, until that helps no more.
-  void minimise() {
-    const int n = static_cast<int>(joints_.size());
-    double last = total();
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-      for (int i = 0; i < n; ++i) {
-        Work_meter::pause();
-        improve(i);
-      }
-      const double now = total();
-      if (!(now < 0.999 * last)) break;
-      last = now;
+  Fair_joints(std::vector<Joint>& joints, bool closed) : joints_(joints), closed_(closed) {
+    const int n = number();
+    for (int i = 0; i < (closed ? n : n - 1); ++i) {
+      const Vector chord = joints_[next(i)].point - joints_[i].point;
+      pieces_.push_back({});
+      pieces_.back().length = std::sqrt(dot(chord, chord));
     }
+    for (int i = 0; i < n; ++i) {
+      const double before = has_before(i) ? pieces_[before_(i)].length : pieces_[i].length;
+      size_.push_back((std::min)(before, has_after(i) ? pieces_[i].length : before));
+    }
+    if constexpr (M == 2) turns_.emplace(joints_, closed_);
+  }
+
+  // Takes steps until they help no more; returns the handles of the pieces.
+  std::vector<Fair_handles> minimise() {
+    for (int i = 0; i < number(); ++i) confine(i);
+    double last = 0;
+    int quiet = 0, failures = 0;
+    for (int i = 0; i < pieces(); ++i) {
+      Piece& p = pieces_[i];
+      for (int k = 0; k < shape_free; ++k) p.x[k] = p.neutral[k] = speed_of_arc(k, joints_[i], joints_[next(i)]);
+      begin_convex(i);
+      p.value = value(p, joints_[i], joints_[next(i)], p.x, i);
+      last += p.value;
+    }
+    for (int step = 0; step < most_steps; ++step) {
+      // about 4000 nanoseconds for each piece
+      if (Work_meter* const work = Work_meter::scope()) work->charge_products(400. * pieces(), 1);
+      std::vector<Joint> moved = proposed();
+      std::vector<double> values(pieces());
+      std::vector<char> stays(pieces(), 0);
+      std::vector<int> open(pieces());
+      for (int i = 0; i < pieces(); ++i) open[i] = i;
+      while (!open.empty()) { // where a piece gets much worse it stays, with both of its joints
+        std::vector<int> worse;
+        for (const int i : open) {
+          Work_meter::pause();
+          const Piece& p = pieces_[i];
+          const int j = next(i);
+          values[i] = value(p, moved[i], moved[j], p.next, i);
+          const double around =
+              p.value + (has_before(i) ? pieces_[before_(i)].value : 0) + (has_after(j) ? pieces_[j].value : 0);
+          if (!stays[i] && !(values[i] <= 4 * around)) worse.push_back(i);
+        }
+        open.clear();
+        for (const int i : worse) {
+          const int j = next(i);
+          stays[i] = 1;
+          pieces_[i].next = pieces_[i].x;
+          moved[i] = joints_[i];
+          moved[j] = joints_[j];
+          open.push_back(i);
+          if (has_before(i)) open.push_back(before_(i));
+          if (has_after(j)) open.push_back(j);
+        }
+      }
+      double now = 0;
+      for (const double v : values) now += v;
+      const bool better = now < last;
+      for (int i = 0; i < pieces(); ++i) {
+        Piece& p = pieces_[i];
+        if (stays[i])
+          p.damping = (std::min)(10 * p.damping, 1e6);
+        else if (better)
+          p.damping = values[i] <= p.value ? (std::max)(p.damping / 4, 1e-7) : p.damping;
+        else if (values[i] > p.value)
+          p.damping = (std::min)(10 * p.damping, 1e6);
+        if (!better) continue;
+        p.value = values[i];
+        p.x = p.next;
+      }
+      failures = better ? 0 : failures + 1;
+      if (failures == 4) break;
+      if (!better) continue;
+      joints_ = std::move(moved);
+      const bool all_move = std::find(stays.begin(), stays.end(), 1) == stays.end();
+      quiet = all_move && now > (1 - tolerance) * last ? quiet + 1 : 0;
+      last = now;
+      if (quiet == 2) break;
+    }
+    std::vector<Fair_handles> handles;
+    for (int i = 0; i < pieces(); ++i) handles.push_back(handles_of(i));
+    return handles;
   }
 
 private:
-  int pieces() const { return static_cast<int>(joints_.size()) - (closed_ ? 0 : 1); }
-  double total() const {
-    double sum = 0;
-    for (int i = 0; i < pieces(); ++i) {
-      Work_meter::pause();
-      sum += piece(joints_[i], joints_[(i + 1) % joints_.size()]);
+  int number() const { return static_cast<int>(joints_.size()); }
+  int pieces() const { return static_cast<int>(pieces_.size()); }
+  int next(int i) const { return i + 1 == number() ? 0 : i + 1; }
+  int before_(int i) const { return i == 0 ? number() - 1 : i - 1; }
+  bool has_before(int i) const { return closed_ || i > 0; }
+  bool has_after(int i) const { return closed_ || i + 1 < number(); }
+
+  static Family family(const Piece& p, const Joint& a, const Joint& b) {
+    const double h = p.length, square = h * h;
+    return {b.point - a.point, {{h * a.tangent, square * a.curvature}, 1}, {{h * b.tangent, square * b.curvature}, -1}};
+  }
+
+  // In the plane: calls f(r, gradient of r by the control points) for what keeps three control
+  // points turned to one side: those in the middle of a piece without an inflection, and otherwise
+  // the tangents and the chord. It is infinite where they are not. Returns false there.
+  template <class Function>
+  bool for_corners(const Piece& p, const typename Family::Points& points, int i, Function f) const {
+    if constexpr (M == 2) {
+      struct Corner {
+        std::array<int, 3> at;
+        int sign;
+        double size;
+      };
+      const int bend = turns_->bend(i), start = turns_->sign(i), end = turns_->sign(next(i));
+      if (turns_->is_free(i)) return true;
+      const std::array<Corner, 2> corners =
+          bend != 0 ? std::array<Corner, 2>{{{{1, 2, 3}, bend, 0.04}, {{2, 3, 4}, bend, 0.04}}}
+                    : std::array<Corner, 2>{{{{0, 1, 5}, start, 0.2}, {{0, 4, 5}, end, 0.2}}};
+      for (const auto& [at, sign, size] : corners) {
+        const auto point = [&](int k) -> Vector { return k == 0 ? Vector(2) : points[k - 1]; };
+        const Vector u = point(at[1]) - point(at[0]), v = point(at[2]) - point(at[1]);
+        const double scale = sign * 25 / (p.length * p.length), enough = size * turns_->angle(i),
+                     c = scale * Fair_turns::cross(u, v);
+        if (!(c > 1e-3 * enough)) return false;
+        const double missing = enough / c - 1;
+        if (!(missing > 0)) continue;
+        const auto turned = [](const Vector& w) { // the gradient of cross(w, x) by x
+          Vector r(2);
+          r[0] = -w[1];
+          r[1] = w[0];
+          return r;
+        };
+        const double slope = -enough / (c * c) * scale;
+        const Vector by_v = slope * turned(u), by_u = -slope * turned(v);
+        std::array<Vector, 6> g; // by b_0 to b_5
+        g.fill(Vector(2));
+        g[at[0]] -= by_u;
+        g[at[1]] += by_u - by_v;
+        g[at[2]] += by_v;
+        f(missing, g);
+      }
+    } else
+      (void)p, (void)points, (void)i, (void)f;
+    return true;
+  }
+
+  // In the plane the sign of the curvature at a joint, where it is known: then it is multiplied.
+  int sign(int i) const {
+    if constexpr (M == 2) {
+      if (on_line(i)) return 0;
+      return has_before(i) && has_after(i) ? turns_->sign(i) : turns_->bend(has_before(i) ? before_(i) : i);
+    } else
+      return i * 0;
+  }
+  bool on_line(int i) const {
+    if constexpr (M == 2)
+      return (has_before(i) && turns_->is_line(before_(i))) || (has_after(i) && turns_->is_line(i));
+    else
+      return i < 0;
+  }
+
+  // Makes the curvature at a joint no larger than those of the arcs with the tangent and the
+  // chords, and not much smaller than the larger one.
+  void soften(int i) {
+    if constexpr (M == 2) {
+      Joint& joint = joints_[i];
+      double least = std::numeric_limits<double>::infinity();
+      for (const int piece : {has_before(i) ? before_(i) : -1, has_after(i) ? i : -1}) {
+        if (piece < 0) continue;
+        const Vector chord = joints_[next(piece)].point - joints_[piece].point;
+        const double angle = std::abs(std::atan2(Fair_turns::cross(joint.tangent, chord), dot(joint.tangent, chord)));
+        least = (std::min)(least, 2 * angle / pieces_[piece].length);
+      }
+      const Vector normal = frame(joint.tangent)[0];
+      const double size = sign(i) * dot(joint.curvature, normal);
+      joint.curvature = (sign(i) * (std::min)((std::max)(size, 0.1 * least), least)) * normal;
+    } else
+      (void)i;
+  }
+
+  // A shape with which the control polygon turns to one side only, for these joints: handles that
+  // are parts of the sides of the triangle of the tangents. Otherwise the piece may turn as it
+  // likes.
+  void begin_convex(int i) {
+    if constexpr (M == 2) {
+      if (turns_->is_free(i)) return;
+      Piece& p = pieces_[i];
+      const Joint &a = joints_[i], &b = joints_[next(i)];
+      const auto is_convex = [&] { return for_corners(p, family(p, a, b).points(p.x), i, [](double, const auto&) {}); };
+      if (is_convex()) return;
+      if (turns_->bend(i) == 0) {
+        turns_->release(i);
+        return;
+      }
+      const Vector chord = b.point - a.point;
+      const double whole = Fair_turns::cross(a.tangent, b.tangent);
+      std::array<double, 2> side = {Fair_turns::cross(chord, b.tangent) / whole,
+                                    Fair_turns::cross(a.tangent, chord) / whole};
+      for (double part = 0.24; part > 0.02; part *= 0.8) {
+        for (const int k : {0, 1}) {
+          // short ones where the tangents do not meet, since the piece turns by 180 degrees or more
+          const double s = side[k] > 0 && side[1 - k] > 0 ? (std::min)(side[k], p.length) : 0.5 * p.length,
+                       first = part * s, second = (0.35 + part) * s;
+          // first = h e^x / 5, second = first (2 + y / 4), with another sign at the end
+          p.x[2 * k] = std::log(5 * first / p.length);
+          p.x[2 * k + 1] = (k == 0 ? 4 : -4) * (second / first - 2);
+        }
+        if (is_convex()) return;
+      }
+      p.x = p.neutral;
+      turns_->release(i);
+    } else
+      (void)i;
+  }
+
+  double weight_of_corners(const Piece& p) const { return corner_weight / (p.length * p.length * p.length); }
+  static double weight_of_shape(const Piece& p, int k) {
+    return (k % 2 == 0 ? 1e-2 : 1e-3) / (p.length * p.length * p.length);
+  }
+  // Where the shape begins: with the speed of an arc of a circle.
+  static double speed_of_arc(int k, const Joint& a, const Joint& b) {
+    const double half = std::sqrt((std::max)(0., (1 - dot(a.tangent, b.tangent)) / 2));
+    return k % 2 == 0 && half > 1e-6 ? std::log(std::asin((std::min)(half, 1.)) / half) : 0;
+  }
+
+  double value(const Piece& p, const Joint& a, const Joint& b, const Shape& x, int i) const {
+    const Family f = family(p, a, b);
+    Fairness_quadrature<Blend_kind::g2, M, nodes> quadrature(f);
+    if (!std::isfinite(quadrature.value(x))) return std::numeric_limits<double>::infinity();
+    double sum = quadrature.integral();
+    for (int k = 0; k < shape_free; ++k) {
+      const double y = x[k] - p.neutral[k];
+      sum += weight_of_shape(p, k) * y * y;
     }
-    return sum;
+    const bool is_convex = for_corners(
+        p, f.points(x), i, [&](double missing, const auto&) { sum += weight_of_corners(p) * missing * missing; });
+    return is_convex ? sum : std::numeric_limits<double>::infinity();
   }
-
-  static double piece(const Joint& a, const Joint& b) {
-    typedef Fair_family<Blend_kind::g2, M> Family;
-    const Vector chord = b.point - a.point;
-    // of half the angle of an arc
-    const double sine = std::sqrt((std::max)(0., (1 - dot(a.tangent, b.tangent)) / 2)),
-                 size = std::sqrt(dot(chord, chord)) * (sine > 1e-6 ? std::asin((std::min)(sine, 1.)) / sine : 1),
-                 square = size * size;
-    const Family family{
-        chord, {{size * a.tangent, square * a.curvature}, 1}, {{size * b.tangent, square * b.curvature}, -1}};
-    Fairness_quadrature<Blend_kind::g2, M, 24> quadrature(family);
-    const double e = quadrature.value(least_energy(family));
-    return std::isfinite(e) ? quadrature.integral() : e;
-  }
-
-  // Returns the variation of the pieces at a point.
-  double value(int i, const Joint& joint) const {
-    const int n = static_cast<int>(joints_.size());
-    double sum = 0;
-    if (closed_ || i > 0) sum += piece(joints_[(i + n - 1) % n], joint);
-    if (closed_ || i + 1 < n) sum += piece(joint, joints_[(i + 1) % n]);
-    return sum;
-  }
-
-  // The free numbers: the angle by which the tangent turns, and the change of the curvature in
-  // units of 1/h, for each normal.
-  static constexpr int normals = M - 1, unknowns = 2 * normals;
-  typedef std::array<double, unknowns> Numbers;
 
   static std::array<Vector, normals> frame(const Vector& t) {
     std::array<Vector, normals> e;
@@ -165,77 +439,254 @@ private:
     return e;
   }
 
-  static Joint changed(const Joint& joint, const std::array<Vector, normals>& e, double h, const Numbers& x) {
+  Joint changed(const Joint& joint, const Numbers& x, int i) const {
+    const std::array<Vector, normals> e = frame(joint.tangent);
+    double longest = 0;
+    for (const double y : x) longest = (std::max)(longest, std::abs(y));
+    const double part = longest > 1 ? 1 / longest : 1;
     Joint r = joint;
-    for (int k = 0; k < normals; ++k) {
-      if (!joint.given) r.tangent += x[k] * e[k];
-      r.curvature += (x[normals + k] / h) * e[k];
-    }
+    for (int k = 0; k < normals; ++k)
+      if (!joint.given) r.tangent += (part * x[k]) * e[k];
     r.tangent /= std::sqrt(dot(r.tangent, r.tangent));
-    r.curvature -= dot(r.curvature, r.tangent) * r.tangent;
+    if (sign(i) != 0)
+      r.curvature = (std::exp(part * x[normals]) * dot(joint.curvature, e[0])) * frame(r.tangent)[0];
+    else {
+      for (int k = 0; k < normals; ++k) r.curvature += (part * x[normals + k] / size_[i]) * e[k];
+      r.curvature -= dot(r.curvature, r.tangent) * r.tangent;
+    }
     return r;
   }
 
-  void improve(int i) {
-    const int n = static_cast<int>(joints_.size());
-    const Joint start = joints_[i];
-    double h = 0; // the shorter chord
-    for (const int j : {i + n - 1, i + 1}) {
-      // equivalent [== -> !=, 2]: the unit of curvatures in a search
-      if (!closed_ && (j == n || (i == 0 && j == n - 1))) continue;
-      const Vector chord = joints_[j % n].point - start.point;
-      const double length = std::sqrt(dot(chord, chord));
-      h = h == 0 ? length : (std::min)(h, length);
-    }
-    const std::array<Vector, normals> e = frame(start.tangent);
-    const auto at = [&](const Numbers& x) { return value(i, changed(start, e, h, x)); };
-    constexpr double step = 1e-3;
-    const double f = at({});
-    if (!std::isfinite(f)) return;
-    std::array<Numbers, unknowns> matrix;
-    Numbers gradient, ahead;
-    for (int k = 0; k < unknowns; ++k) {
-      Numbers x{}, y{};
-      x[k] = step;
-      y[k] = -step;
-      ahead[k] = at(x);
-      const double behind = at(y);
-      gradient[k] = (ahead[k] - behind) / (2 * step);
-      matrix[k][k] = (ahead[k] - 2 * f + behind) / (step * step);
-      for (int l = 0; l < k; ++l) {
-        Numbers z = x;
-        z[l] = step;
-        matrix[k][l] = matrix[l][k] = (at(z) - ahead[k] - ahead[l] + f) / (step * step);
+  // Puts a tangent inside of the angle of the chords, with a curvature of the sign of the turn; on
+  // a line both are those of the line.
+  void confine(int i) {
+    if constexpr (M == 2) {
+      Joint& joint = joints_[i];
+      const auto direction = [&](int piece) -> Vector {
+        return (joints_[next(piece)].point - joints_[piece].point) / pieces_[piece].length;
+      };
+      const bool before = has_before(i), after = has_after(i);
+      if (on_line(i)) {
+        if (!joint.given) joint.tangent = direction(before && turns_->is_line(before_(i)) ? before_(i) : i);
+        joint.curvature = Vector(2);
+        return;
       }
-    }
-    double largest = 0;
-    for (int k = 0; k < unknowns; ++k) largest = (std::max)(largest, std::abs(matrix[k][k]));
-    if (!(largest > 0)) return;
-    for (double damping = 1e-6; damping < 100; damping *= 100) {
-      std::array<Numbers, unknowns> a = matrix;
-      Numbers b;
-      for (int k = 0; k < unknowns; ++k) {
-        a[k][k] += damping * largest;
-        b[k] = -gradient[k];
-      }
-      if (start.given) // the tangent stays
-        for (int k = 0; k < normals; ++k) {
-          a[k] = {};
-          for (int l = 0; l < unknowns; ++l) a[l][k] = 0;
-          a[k][k] = largest;
-          b[k] = 0;
-        }
-      const Numbers x = solve_positive_definite(a, b);
-      double size = 0;
-      for (const double y : x) size = (std::max)(size, std::abs(y));
-      if (size < 1) {
-        const Joint next = changed(start, e, h, x);
-        if (value(i, next) < f) {
-          joints_[i] = next;
-          return;
+      if (has_no_curvature(i)) joint.curvature = Vector(2);
+      const int s = sign(i);
+      if (s == 0) return;
+      if (!joint.given) {
+        // the angle from the chord before, and that of both chords
+        const Vector u = before ? direction(before_(i)) : direction(i), v = after ? direction(i) : u;
+        const double whole = s * std::atan2(Fair_turns::cross(u, v), dot(u, v)),
+                     low = !before  ? -1.4
+                           : !after ? 1e-3
+                                    : 0.02 * whole,
+                     high = !before  ? -1e-3
+                            : !after ? 1.4
+                                     : 0.98 * whole;
+        double angle = s * std::atan2(Fair_turns::cross(u, joint.tangent), dot(u, joint.tangent));
+        if (!(low <= angle && angle <= high)) {
+          angle = s * (std::min)((std::max)(angle, low), high);
+          const double size = std::sqrt(dot(joint.curvature, joint.curvature));
+          joint.tangent[0] = std::cos(angle) * u[0] - std::sin(angle) * u[1];
+          joint.tangent[1] = std::sin(angle) * u[0] + std::cos(angle) * u[1];
+          joint.curvature = (s * size) * frame(joint.tangent)[0];
         }
       }
+      soften(i);
+    } else
+      (void)i;
+  }
+
+  // In the plane, between turns to different sides.
+  bool has_no_curvature(int i) const {
+    if constexpr (M == 2)
+      return has_before(i) && has_after(i) && turns_->sign(i) == 0 && turns_->bend(before_(i)) * turns_->bend(i) < 0;
+    else
+      return i < 0;
+  }
+
+  // The numbers of a joint that do not change.
+  bool is_fixed(int i, int k) const { return on_line(i) || (k < normals ? joints_[i].given : has_no_curvature(i)); }
+
+  // Adds the expansion of a piece, without the numbers of its shape, to the equations of its
+  // joints.
+  void expand(int i, std::array<Block*, 3> blocks, std::array<Numbers*, 2> sides) {
+    Piece& p = pieces_[i];
+    const Family f = family(p, joints_[i], joints_[next(i)]);
+    Fairness_quadrature<Blend_kind::g2, M, nodes> quadrature(f);
+    quadrature.value(p.x);
+    const double h = p.length;
+    std::array<typename Family::End::Points, all> motions; // of the two control points at an end
+    for (const int end : {0, 1}) {
+      const Joint& joint = joints_[end == 0 ? i : next(i)];
+      const auto& side = end == 0 ? f.start : f.end;
+      const std::array<double, 2> x = {p.x[2 * end], p.x[2 * end + 1]};
+      const std::array<Vector, normals> e = frame(joint.tangent);
+      const double speed = std::exp(x[0]);
+      const double unit = size_[end == 0 ? i : next(i)];
+      for (int k = 0; k < normals; ++k) {
+        const Vector u = (speed * h) * e[k],
+                     turned = (-speed * speed * h * h * dot(joint.curvature, e[k])) * joint.tangent,
+                     bent = speed * speed * h * h * (sign(end == 0 ? i : next(i)) != 0 ? joint.curvature : e[k] / unit);
+        motions[end * free + k] = side.points({u, turned + x[1] * u});
+        motions[end * free + normals + k] = side.points({Vector(M), bent});
+      }
+      const auto shape = side.tangents(x);
+      for (int k = 0; k < 2; ++k) motions[2 * free + 2 * end + k] = shape[k];
     }
+    std::array<std::array<double, all>, all> a{};
+    std::array<double, all> g{};
+    const auto at_start = [](int k) { return k < free || (k >= 2 * free && k < 2 * free + 2); };
+    quadrature.template products<all>(motions, at_start, a, g);
+    for (int k = 0; k < shape_free; ++k) {
+      a[2 * free + k][2 * free + k] += weight_of_shape(p, k);
+      g[2 * free + k] += weight_of_shape(p, k) * (p.x[k] - p.neutral[k]);
+    }
+    for_corners(p, f.points(p.x), i, [&](double missing, const std::array<Vector, 6>& gradient) {
+      std::array<double, all> r;
+      for (int k = 0; k < all; ++k)
+        r[k] = at_start(k) ? -dot(gradient[1], motions[k][0]) - dot(gradient[2], motions[k][1])
+                           : -dot(gradient[4], motions[k][0]) - dot(gradient[3], motions[k][1]);
+      for (int k = 0; k < all; ++k) {
+        g[k] += weight_of_corners(p) * missing * r[k];
+        for (int l = 0; l < all; ++l) a[k][l] += weight_of_corners(p) * r[k] * r[l];
+      }
+    });
+    for (int k = 0; k < all; ++k) a[k][k] += p.damping * a[k][k] + 1e-9 * weight_of_shape(p, 1);
+    for (const int end : {0, 1})
+      for (int k = 0; k < free; ++k)
+        if (is_fixed(end == 0 ? i : next(i), k)) {
+          const int l = end * free + k;
+          for (int m = 0; m < all; ++m) a[l][m] = a[m][l] = 0;
+          a[l][l] = 1;
+          g[l] = 0;
+        }
+    // the numbers of the shape, as those of the joints make them: x = -solved (joints, 1)
+    std::array<std::array<double, shape_free>, shape_free> shape;
+    for (int k = 0; k < shape_free; ++k)
+      for (int l = 0; l < shape_free; ++l) shape[k][l] = a[2 * free + k][2 * free + l];
+    for (int c = 0; c <= 2 * free; ++c) {
+      std::array<double, shape_free> side;
+      for (int k = 0; k < shape_free; ++k) side[k] = c < 2 * free ? a[2 * free + k][c] : g[2 * free + k];
+      side = solve_positive_definite(shape, side);
+      for (int k = 0; k < shape_free; ++k) p.solved[k][c] = side[k];
+    }
+    for (int k = 0; k < 2 * free; ++k) {
+      double rest = -g[k];
+      for (int m = 0; m < shape_free; ++m) rest += a[k][2 * free + m] * p.solved[m][2 * free];
+      (*sides[k / free])[k % free] += rest;
+      for (int l = 0; l < 2 * free; ++l) {
+        double sum = a[k][l];
+        for (int m = 0; m < shape_free; ++m) sum -= a[k][2 * free + m] * p.solved[m][l];
+        if (k < free && l < free)
+          (*blocks[0])[k][l] += sum;
+        else if (k >= free && l >= free)
+          (*blocks[2])[k - free][l - free] += sum;
+        else if (k < free)
+          (*blocks[1])[k][l - free] += sum;
+      }
+    }
+  }
+
+  static Numbers times(const Block& a, const Numbers& x) {
+    Numbers y{};
+    for (int k = 0; k < free; ++k)
+      for (int l = 0; l < free; ++l) y[k] += a[k][l] * x[l];
+    return y;
+  }
+  static Numbers times_transposed(const Block& a, const Numbers& x) {
+    Numbers y{};
+    for (int k = 0; k < free; ++k)
+      for (int l = 0; l < free; ++l) y[k] += a[l][k] * x[l];
+    return y;
+  }
+
+  // The joints after a step, and the shapes of the pieces. The matrix has blocks on its diagonal
+  // and beside it; the joint 0, which closes the curve, comes last.
+  std::vector<Joint> proposed() {
+    const int n = number();
+    std::vector<Block> diagonal(n, Block{}), beside(n, Block{}); // the latter from each joint to the next one
+    std::vector<Numbers> right(n, Numbers{});
+    for (int i = 0; i < pieces(); ++i) {
+      Work_meter::pause();
+      const int j = next(i);
+      expand(i, {&diagonal[i], &beside[i], &diagonal[j]}, {&right[i], &right[j]});
+    }
+    // columns: the right side, and the joint 0
+    std::vector<std::array<Numbers, free + 1>> column(n);
+    for (int i = 1; i < n; ++i) {
+      column[i] = {};
+      column[i][free] = right[i];
+      for (int c = 0; c < free; ++c)
+        for (int k = 0; k < free; ++k) {
+          if (i == 1) column[i][c][k] += beside[0][c][k];
+          if (i == n - 1 && closed_) column[i][c][k] += beside[i][k][c];
+        }
+    }
+    for (int i = 1; i < n; ++i) {
+      if (i > 1) // eliminates the joint before
+        for (int k = 0; k < free; ++k) {
+          Numbers row;
+          for (int l = 0; l < free; ++l) row[l] = beside[i - 1][l][k];
+          row = solve_positive_definite(diagonal[i - 1], row);
+          for (int l = 0; l < free; ++l)
+            for (int m = 0; m < free; ++m) diagonal[i][k][l] -= row[m] * beside[i - 1][m][l];
+          for (int c = 0; c <= free; ++c)
+            for (int m = 0; m < free; ++m) column[i][c][k] -= row[m] * column[i - 1][c][m];
+        }
+    }
+    for (int i = n - 1; i > 0; --i)
+      for (int c = 0; c <= free; ++c) {
+        Numbers& x = column[i][c];
+        if (i < n - 1) {
+          const Numbers y = times(beside[i], column[i + 1][c]);
+          for (int k = 0; k < free; ++k) x[k] -= y[k];
+        }
+        x = solve_positive_definite(diagonal[i], x);
+      }
+    const auto touching = [&](int c) { // what the others do to the joint 0
+      Numbers y = times(beside[0], column[1][c]);
+      if (closed_) {
+        const Numbers z = times_transposed(beside[n - 1], column[n - 1][c]);
+        for (int k = 0; k < free; ++k) y[k] += z[k];
+      }
+      return y;
+    };
+    Numbers first = right[0];
+    const Numbers of_right = touching(free);
+    for (int k = 0; k < free; ++k) first[k] -= of_right[k];
+    for (int c = 0; c < free; ++c) {
+      const Numbers y = touching(c);
+      for (int k = 0; k < free; ++k) diagonal[0][k][c] -= y[k];
+    }
+    std::vector<Numbers> x(n);
+    x[0] = solve_positive_definite(diagonal[0], first);
+    for (int i = 1; i < n; ++i)
+      for (int k = 0; k < free; ++k) {
+        x[i][k] = column[i][free][k];
+        for (int c = 0; c < free; ++c) x[i][k] -= column[i][c][k] * x[0][c];
+      }
+    std::vector<Joint> moved;
+    for (int i = 0; i < n; ++i) moved.push_back(changed(joints_[i], x[i], i));
+    for (int i = 0; i < pieces(); ++i) {
+      Piece& p = pieces_[i];
+      const int j = next(i);
+      for (int k = 0; k < shape_free; ++k) {
+        double change = -p.solved[k][2 * free];
+        for (int l = 0; l < free; ++l) change -= p.solved[k][l] * x[i][l] + p.solved[k][free + l] * x[j][l];
+        const double most = k % 2 == 0 ? 0.5 : 4, bound = k % 2 == 0 ? 1.5 : 30;
+        change = (std::min)((std::max)(change, -most), most);
+        p.next[k] = (std::min)((std::max)(p.x[k] + change, (std::min)(p.x[k], -bound)), (std::max)(p.x[k], bound));
+      }
+    }
+    return moved;
+  }
+
+  Fair_handles handles_of(int i) const {
+    const Piece& p = pieces_[i];
+    const double a = p.length * std::exp(p.x[0]), b = p.length * std::exp(p.x[2]);
+    return {{a / 5, b / 5}, {a * (0.4 + p.x[1] / 20), b * (0.4 - p.x[3] / 20)}};
   }
 };
 

@@ -148,6 +148,19 @@ public:
     return r;
   }
 
+  // Finds half of the gradient of the integral, and the matrix of the products of the derivatives
+  // of f, when the control points at one end move by h; at the x of the last call of value().
+  template <int number, class At_start>
+  void products(const std::array<typename End::Points, number>& h, At_start at_start,
+                std::array<std::array<double, number>, number>& matrix, std::array<double, number>& gradient) const {
+    std::array<Rows, number> derivatives;
+    for (int k = 0; k < number; ++k) {
+      differentiate(h[k], at_start(k), derivatives[k]);
+      gradient[k] = dot(derivatives[k], f_);
+      for (int l = 0; l <= k; ++l) matrix[k][l] = matrix[l][k] = dot(derivatives[k], derivatives[l]);
+    }
+  }
+
 private:
   static double sum(const Row& x) {
     std::array<double, 4> lanes{};

@@ -11,7 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 // A polyline to which curves are fitted, by arc length, and the joints of these curves: points,
@@ -34,6 +35,7 @@ public:
 private:
   typedef Fit_joint<N> Joint;
   typedef Fit_side Side;
+  static constexpr std::size_t most_joints = 6;
 
   const std::vector<Vector>& p_;  // no two neighbours are equal
   const std::vector<char>& stop_; // whether there is a corner or an end
@@ -68,16 +70,18 @@ public:
   Vector point_at(double s) const {
     if (periodic_) s -= std::floor(s / s_.back()) * s_.back();
     const int k = static_cast<int>(std::upper_bound(s_.begin() + 1, s_.end() - 1, s) - s_.begin()) - 1;
-    const double t = (std::min)((std::max)((s - s_[k]) / (s_[k + 1] - s_[k]), 0.), 1.);
+    const double h = s_[k + 1] - s_[k], t = h > 0 ? (std::min)((std::max)((s - s_[k]) / h, 0.), 1.) : 0;
     return p_[k] + t * (p_[k + 1] - p_[k]);
   }
 
-  // The joint at a vertex: of the cubic polynomial on the largest window, of those that are
-  // doubled, in which it is near. The second difference is that of a curve of this degree.
-  Joint joint(int k, Side side, int degree) const {
+  // Joints at a vertex, the most trusted one first: of the cubic polynomials on windows, each twice
+  // as wide as the one before it, that are near. Those with the smallest residual for their width
+  // are the surest of the tangent. The second difference is that of a curve of this degree.
+  std::vector<Joint> joints(int k, Side side, int degree) const {
     const int n = segments(), before = k == 0 && periodic_ ? n : k;
-    const double length_before = before > 0 ? s_[before] - s_[before - 1] : 0,
-                 length_after = k < n ? s_[k + 1] - s_[k] : 0;
+    // differences of arc lengths may be rounded to zero
+    const double length_before = before > 0 ? length(p_[before] - p_[before - 1]) : 0,
+                 length_after = k < n ? length(p_[k + 1] - p_[k]) : 0;
     double w = side == Side::before  ? length_before
                : side == Side::after ? length_after
                                      : (std::min)(length_before, length_after),
@@ -88,23 +92,26 @@ public:
                                          //   seen
                                          : (std::min)(s_[k] - s_[stop_before_[k]], s_[stop_after_[k]] - s_[k]);
     if (periodic_) limit = s_.back() / 2;
-    std::optional<Window> best;
-    double width = w;
-    for (w = (std::min)(w, limit);; w = (std::min)(2 * w, limit)) {
+    std::vector<std::pair<double, Joint>> found; // by the error of the tangent
+    for (w = (std::min)((std::max)(w, tolerance_ / 4), limit);; w = (std::min)(2 * w, limit)) {
       const Window next = window(k, w, side);
-      if (!(next.residual <= tolerance_ / 4)) break;
-      best = next;
-      width = w;
+      // equivalent [16 -> 17, 1]: wider windows are still farther
+      if (!(next.residual <= 16 * tolerance_)) break;
+      const double speed = length(next.c[1]), difference = (std::max)(w / 4096, 64.);
+      if (next.residual <= 0.75 * tolerance_ && speed > w / 16) {
+        const Vector normal = next.c[2] - (dot(next.c[2], next.c[1]) / (speed * speed)) * next.c[1];
+        const double curvature = 2 * difference * difference / (speed * speed) * degree / (degree - 1);
+        found.emplace_back(
+            (next.residual + tolerance_ / 20) / w,
+            Joint{rounded(p_[k] + next.c[0]), rounded((difference / speed) * next.c[1]), rounded(curvature * normal)});
+      }
       if (w == limit) break;
     }
-    if (best) {
-      const double speed = length(best->c[1]), difference = (std::max)(width / 4096, 64.);
-      if (speed > width / 16) {
-        const Vector normal = best->c[2] - (dot(best->c[2], best->c[1]) / (speed * speed)) * best->c[1];
-        const double curvature = 2 * difference * difference / (speed * speed) * degree / (degree - 1);
-        return {rounded(p_[k] + best->c[0]), rounded((difference / speed) * best->c[1]), rounded(curvature * normal)};
-      }
-    }
+    std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Joint> result;
+    for (const auto& [error, joint] : found)
+      if (result.size() < most_joints) result.push_back(joint);
+    if (!result.empty()) return result;
     // in a zigzag, or where the polyline turns back
     Vector direction(p_[k].dimension());
     // unreachable: at an end the first window is a segment, which does not turn back
@@ -117,7 +124,8 @@ public:
       direction = p_[before] - p_[before - 1];
       d = length_before;
     }
-    return {rounded(p_[k]), rounded((difference / d) * direction), Vector(p_[k].dimension())};
+    result.push_back({rounded(p_[k]), rounded((difference / d) * direction), Vector(p_[k].dimension())});
+    return result;
   }
 
 private:

@@ -53,7 +53,8 @@ private:
   typedef Fit_piece<N, degree> Piece;
   typedef Fit_side Side;
   static constexpr int free_points = (degree - 1) / 2, unknowns = 2 * free_points;
-  static constexpr int most_samples = 24;
+  static constexpr int most_samples = 24, most_steps = 12;
+  typedef std::array<double, unknowns> Handles;
 
   const Fit_path<N> path_;
   const std::vector<Vector>& p_; // its vertices
@@ -65,44 +66,56 @@ public:
                double largest)
       : path_(p, stop, tolerance, periodic), p_(p), tolerance_(tolerance), largest_(largest) {}
 
-  // Takes the longest piece that is found, again and again. Rounds to nearest.
+  // Takes the longest piece that is found, again and again. Rounds to nearest. Short pieces may
+  // fail where long ones succeed: the search goes from long ones to short ones.
   std::vector<Piece> pieces(std::vector<int>& vertices) const {
     const int n = path_.segments();
     std::vector<Piece> result;
     vertices.assign(1, 0);
-    const Joint first = joint(0, path_.is_periodic() ? Side::both : Side::after);
-    Joint start = first;
-    for (int i = 0, steps = 1; i < n;) {
-      const int target = path_.stop_after(i);
+    std::vector<Joint> first = joints(0, path_.is_periodic() ? Side::both : Side::after);
+    if (path_.is_periodic()) first.resize(1);
+    std::vector<Joint> starts = first;
+    for (int i = 0, steps = 8; i < n;) {
+      const int longest = path_.stop_after(i) - i;
       std::optional<Piece> best;
       Joint best_end;
       const auto succeeds = [&](int count) {
         Work_meter::pause();
         const int j = i + count;
-        const Joint end = j < target            ? joint(j, Side::both)
-                          : path_.is_periodic() ? first // without a corner before
-                                                : joint(j, Side::before);
-        std::optional<Piece> piece = fitted(i, j, start, end);
-        if (!piece && count == 1) piece = short_piece(i, start, end);
-        if (!piece) return false;
-        best = std::move(piece);
-        best_end = end;
-        return true;
+        const std::vector<Joint> ends = count < longest       ? joints(j, Side::both)
+                                        : path_.is_periodic() ? first // without a corner before
+                                                              : joints(j, Side::before);
+        for (const Joint& start : starts)
+          for (const Joint& end : ends) {
+            std::optional<Piece> piece = fitted(i, j, start, end);
+            if (!piece && count == 1) piece = short_piece(i, start, end);
+            if (!piece) continue;
+            best = std::move(piece);
+            best_end = end;
+            return true;
+          }
+        return false;
       };
-      int good = 0, bad = target - i + 1; // numbers of segments
-      for (int count = (std::min)(steps, target - i); good < bad - 1;) {
+      int good = 0, bad = longest + 1; // numbers of segments
+      const int top = (std::min)(8 * steps, longest);
+      for (int count = top; good == 0 && count > 0; count /= 2) (succeeds(count) ? good : bad) = count;
+      for (int count = top; good == 0 && count < longest;) { // where all of them fail
+        count = (std::min)(2 * count, longest);
+        if (!succeeds(count)) continue;
+        good = count;
+        bad = longest + 1;
+      }
+      // unreachable: no tolerance that is taken is too small for one segment, but it is not proved
+      if (good == 0) throw Error(Error_code::unreachable_tolerance, "fit: near the vertex " + std::to_string(i));
+      while (good < longest && bad - good > 1 + good / 64) {
+        const int count = bad > longest ? (std::min)(2 * good, longest) : (good + bad) / 2;
         (succeeds(count) ? good : bad) = count;
-        // unreachable: no tolerance that is taken is too small for one segment, but it is not
-        //   proved
-        if (bad == 1) throw Error(Error_code::unreachable_tolerance, "fit: near the vertex " + std::to_string(i));
-        if (bad <= target - i && good > 0 && bad - good <= 1 + good / 64) break;
-        count = good == 0 ? bad / 2 : bad > target - i ? (std::min)(2 * good, target - i) : (good + bad) / 2;
       }
       steps = good;
       i += good;
       vertices.push_back(i);
       result.push_back(std::move(*best));
-      start = i < n && path_.stops(i) ? joint(i, Side::after) : best_end;
+      if (i < n) starts = path_.stops(i) ? joints(i, Side::after) : std::vector<Joint>{best_end};
     }
     return result;
   }
@@ -132,12 +145,12 @@ public:
   }
 
 private:
-  Joint joint(int k, Side side) const { return path_.joint(k, side, degree); }
+  std::vector<Joint> joints(int k, Side side) const { return path_.joints(k, side, degree); }
 
   static double length(const Vector& v) { return Fit_path<N>::length(v); }
 
   // The control points for multiples of the differences, b f at the start and at the end.
-  void set_points(Piece& piece, const Joint& start, const Joint& end, const std::array<double, unknowns>& x) const {
+  void set_points(Piece& piece, const Joint& start, const Joint& end, const Handles& x) const {
     const double b = x[0], a = x[free_points];
     piece.points[0] = start.point;
     piece.points[1] = start.point + b * start.difference;
@@ -149,7 +162,7 @@ private:
     }
   }
   // Returns whether nothing in that was rounded, for integers.
-  bool is_exact(const Piece& piece, const Joint& start, const Joint& end, const std::array<double, unknowns>& x) const {
+  bool is_exact(const Piece& piece, const Joint& start, const Joint& end, const Handles& x) const {
     const auto is_small = [&](double factor, const Vector& v) {
       return std::all_of(v.begin(), v.end(), [&](double c) { return std::abs(factor * c) < largest_; });
     };
@@ -173,6 +186,7 @@ private:
     // equivalent [- -> +, 1]: at how many points a search looks; what it finds is proved
     const int samples = (std::min)((std::max)(4 * (j - i), 8), most_samples);
     const double total = path_.arc_length(j) - path_.arc_length(i);
+    if (!(total > 0)) return std::nullopt; // by rounding
     std::array<Vector, most_samples + 1> x;
     std::array<double, most_samples + 1> u;
     for (int k = 0; k <= samples; ++k) {
@@ -180,14 +194,18 @@ private:
       x[k] = path_.point_at(path_.arc_length(i) + u[k] * total);
     }
     const std::array<double, 2> lengths = {length(start.difference), length(end.difference)};
-    std::array<double, unknowns> handles; // where the search starts
+    Handles handles; // where the search starts
     for (int k = 0; k < unknowns; ++k) handles[k] = (1 + k % free_points) * total / degree / lengths[k / free_points];
-    const std::array<double, unknowns> natural = handles;
+    const Handles natural = handles;
     Piece piece;
-    for (int repetition = 0; repetition < 5; ++repetition) {
-      solve(start, end, x, u, samples, natural, handles);
-      set_points(piece, start, end, handles);
-      for (int k = 1; k < samples; ++k) u[k] = (std::min)((std::max)(piece.projected(u[k], x[k]), u[k - 1]), 1.);
+    set_points(piece, start, end, handles);
+    double worst = 0;
+    for (int repetition = 0; repetition < most_steps; ++repetition) {
+      const double last = worst;
+      worst = improve(piece, start, end, x, u, samples, natural, handles);
+      if (repetition <= 3) continue;
+      if (worst > 4 * tolerance_ && worst > last / 2) return std::nullopt;
+      if (worst > 0.9 * last) break;
     }
     for (int k = 0; k < unknowns; ++k) {
       handles[k] = std::nearbyint(handles[k]);
@@ -207,22 +225,35 @@ private:
       const double place = (path_.arc_length(k) - path_.arc_length(i)) / total * samples;
       const int cell = (std::min)(static_cast<int>(place), samples - 1);
       const double guess = u[cell] + (place - cell) * (u[cell + 1] - u[cell]);
-      t.push_back((std::min)((std::max)(piece.projected(guess, p_[k]), t.back()), 1.));
+      t.push_back(piece.projected(guess, p_[k]));
     }
     t.push_back(1);
+    make_monotone(t.begin(), t.end());
     if (!near(piece, i)) return std::nullopt;
     return piece;
   }
 
-  // One step of least squares: the multiples of the differences, with the curvature of those
-  // before.
-  void solve(const Joint& start, const Joint& end, const std::array<Vector, most_samples + 1>& x,
-             const std::array<double, most_samples + 1>& u, int samples, const std::array<double, unknowns>& natural,
-             std::array<double, unknowns>& handles) const {
-    std::array<std::array<double, unknowns>, unknowns> a{};
-    std::array<double, unknowns> r{};
-    const double start_square = dot(start.difference, start.difference),
-                 end_square = dot(end.difference, end.difference), product = dot(start.difference, end.difference);
+  // Makes numbers from 0 to 1 increase: the mean of the largest one before and the least one after.
+  template <class Iterator> static void make_monotone(Iterator first, Iterator last) {
+    std::vector<double> largest;
+    largest.reserve(last - first);
+    for (Iterator t = first; t != last; ++t)
+      largest.push_back((std::max)((std::min)(*t, 1.), largest.empty() ? 0. : largest.back()));
+    double least = 1;
+    for (Iterator t = last; t != first; largest.pop_back()) {
+      --t;
+      least = (std::min)((std::max)(*t, 0.), least);
+      *t = (least + largest.back()) / 2;
+    }
+  }
+
+  // Makes one step of Gauss and Newton for the distances from the points x, orthogonal to the
+  // curve: first of the multiples of the differences, then of the parameters u of these points.
+  // Returns the largest distance.
+  double improve(Piece& piece, const Joint& start, const Joint& end, const std::array<Vector, most_samples + 1>& x,
+                 std::array<double, most_samples + 1>& u, int samples, const Handles& natural, Handles& handles) const {
+    std::array<Handles, unknowns> a{};
+    Handles r{};
     for (int k = 1; k < samples; ++k) {
       const double t = u[k], s = 1 - t;
       std::array<double, degree + 1> b; // Bernstein polynomials
@@ -231,42 +262,59 @@ private:
       else
         b = {s * s * s * s * s,      5 * s * s * s * s * t, 10 * s * s * s * t * t,
              10 * s * s * t * t * t, 5 * s * t * t * t * t, t * t * t * t * t};
-      double at_start = 0, at_end = 0;
-      for (int i = 0; i <= free_points; ++i) {
-        at_start += b[i];
-        at_end += b[degree - i];
-      }
-      Vector rest = x[k] - at_start * start.point - at_end * end.point;
-      if constexpr (free_points == 2)
-        rest -= (b[2] * handles[0] * handles[0]) * start.second_difference +
-                (b[3] * handles[2] * handles[2]) * end.second_difference;
-      const double with_start = dot(rest, start.difference), with_end = dot(rest, end.difference);
+      const std::array<Vector, 2> offset = piece.offset(t, x[k]);
+      const double square = dot(offset[1], offset[1]);
+      const auto across = [&](const Vector& v) -> Vector {
+        // unreachable: protects a division: a piece stops by chance only
+        return square > 0 ? v - (dot(v, offset[1]) / square) * offset[1] : v;
+      };
+      std::array<Vector, unknowns> derivative;
       for (int i = 0; i < free_points; ++i) {
-        r[i] += b[1 + i] * with_start;
-        r[free_points + i] -= b[degree - 1 - i] * with_end;
-        for (int j = 0; j < free_points; ++j) {
-          a[i][j] += b[1 + i] * b[1 + j] * start_square;
-          a[free_points + i][free_points + j] += b[degree - 1 - i] * b[degree - 1 - j] * end_square;
-          a[i][free_points + j] -= b[1 + i] * b[degree - 1 - j] * product;
-        }
+        derivative[i] = b[1 + i] * start.difference;
+        derivative[free_points + i] = -b[degree - 1 - i] * end.difference;
+      }
+      if constexpr (free_points == 2) {
+        derivative[0] += (2 * b[2] * handles[0]) * start.second_difference;
+        derivative[2] += (2 * b[3] * handles[2]) * end.second_difference;
+      }
+      const Vector rest = across(offset[0]);
+      for (Vector& v : derivative) v = across(v);
+      for (int i = 0; i < unknowns; ++i) {
+        r[i] -= dot(derivative[i], rest);
+        for (int j = 0; j <= i; ++j) a[i][j] += dot(derivative[i], derivative[j]);
       }
     }
     // a little towards the natural ones: then it is never singular
+    double size = 0;
+    for (int i = 0; i < unknowns; ++i) size = (std::max)(size, a[i][i] * natural[i] * natural[i]);
     for (int i = 0; i < unknowns; ++i) {
-      for (int j = 0; j < i; ++j) a[i][j] = a[j][i];
-      const double weight = 1e-4 * samples * (i < free_points ? start_square : end_square);
+      for (int j = 0; j < i; ++j) a[j][i] = a[i][j];
+      const double weight = (1e-6 * size + 1e-4 * tolerance_ * tolerance_) / (natural[i] * natural[i]);
       a[i][i] += weight;
-      r[i] += weight * natural[i];
+      r[i] += weight * (natural[i] - handles[i]);
     }
-    handles = solve_positive_definite(a, r);
-    for (int i = 0; i < unknowns; i += free_points)
-      if (!(handles[i] > 0 && handles[i] < 4 * degree * natural[i])) handles[i] = natural[i] / 4;
+    const Handles step = solve_positive_definite(a, r);
+    for (int i = 0; i < unknowns; ++i) {
+      const double change = (std::min)((std::max)(step[i], -natural[i]), natural[i]);
+      handles[i] += change;
+      if (i % free_points == 0)
+        handles[i] = (std::min)((std::max)(handles[i], natural[i] / 8), 4 * degree * natural[i]);
+    }
+    set_points(piece, start, end, handles);
+    for (int k = 1; k < samples; ++k) u[k] = piece.projected(u[k], x[k]);
+    make_monotone(u.begin(), u.begin() + samples + 1);
+    double worst = 0;
+    for (int k = 1; k < samples; ++k) {
+      const Vector d = piece.offset(u[k], x[k])[0];
+      worst = (std::max)(worst, dot(d, d));
+    }
+    return std::sqrt(worst);
   }
 
   // A piece along one segment, with handles that are so short that it is near.
   std::optional<Piece> short_piece(int i, const Joint& start, const Joint& end) const {
     const Vector chord = p_[i + 1] - p_[i];
-    const double total = path_.arc_length(i + 1) - path_.arc_length(i);
+    const double total = length(chord);
     const auto multiple = [&](const Joint& j) {
       const double difference = length(j.difference), cosine = dot(j.difference, chord) / (difference * total),
                    sine = cosine < 0 ? 1 : std::sqrt((std::max)(1 - cosine * cosine, 0.)),
@@ -277,7 +325,7 @@ private:
       if (bend > 0) h = (std::min)(h, std::sqrt(tolerance_ / 8) / bend);
       return (std::max)(std::floor(h / free_points), 1.);
     };
-    std::array<double, unknowns> handles;
+    Handles handles;
     for (int k = 0; k < unknowns; ++k) handles[k] = (1 + k % free_points) * multiple(k < free_points ? start : end);
     Piece piece;
     set_points(piece, start, end, handles);
