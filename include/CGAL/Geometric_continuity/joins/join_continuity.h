@@ -109,8 +109,8 @@ Join_continuity<Predicate_FT<typename Left::Traits>> continuity_of_curves(const 
 /// the start of the next, up to order `max_order >= 0` or as far as both jets go. The decision is
 /// division-free and exact on the numbers of the jets with every exact kernel and with
 /// `Exact_predicates_inexact_constructions_kernel`; it is plain floating point, not certified, with
-/// `Simple_cartesian<double>`, where the jets are scaled by powers of two, so that the units do not
-/// matter.
+/// `Simple_cartesian<double>` and `Simple_cartesian<float>`, where the jets are scaled by powers of
+/// two, so that the units do not matter.
 ///
 /// \f$ C^k \f$: equal derivatives. \f$ G^k \f$: equal arc-length derivatives, i.e. the chain rule
 /// (Faà di Bruno) with \f$ \beta_1 > 0 \f$. \f$ F^k \f$: continuous Frenet frame and curvatures,
@@ -147,7 +147,9 @@ Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, 
 ///
 /// With `Exact_predicates_inexact_constructions_kernel` the control points are read as given, so
 /// that the answer is exact; in the plane and in space, up to order 3, it costs little more than a
-/// few predicates of join_predicates.h. With `Simple_cartesian<double>` it is plain floating point.
+/// few predicates of join_predicates.h. With `Simple_cartesian<double>` and
+/// `Simple_cartesian<float>` it is plain floating point, which may miss an order that holds and
+/// report one that does not; those predicates are exact with every kernel.
 ///
 /// \tparam Left, Right models of `ParametricCurve` with one traits class, or types for which
 ///   `Curve_ends` is specialised
