@@ -37,10 +37,10 @@ int main() {
       int smooth = 0;
       for (const auto& join : curve.joins()) // decided exactly on the coordinates
         smooth += continuity(curve.segment(join.left), curve.segment(join.right), 2).g_order >= 2 ? 1 : 0;
-      const bool fairer = GC::fairness(curve) < GC::fairness(cubic) / 2;
+      const bool fairer = GC::fairness(curve) < GC::fairness(cubic);
       std::cout << to_string(closure) << (tangents[2] ? ", one tangent given: " : ", tangents free: ") << smooth
                 << " of " << curve.number_of_joins() << " joins are G2, the curvature varies "
-                << (fairer ? "less" : "not less") << " than half as much as that of the cubic spline\n";
+                << (fairer ? "less" : "not less") << " than that of the cubic spline\n";
       as_expected = as_expected && smooth == curve.number_of_joins() && fairer && curve.moved == 0;
       if (!tangents[2])
         for (const auto& piece : curve.segments()) panel.add(piece, fair_style).join();
