@@ -22,7 +22,8 @@ _PLOT = "evaluate(curve, numpy.linspace(0, 1, 200)) returns the points that matp
 # Verbs, which count more than what follows them in a name.
 _VERBS = {"read": _READ, "load": _READ, "open": _READ, "import": _READ, "parse": _READ, "svg": _READ, "write": _WRITE, "save": _WRITE,
           "export": _WRITE, "plot": _PLOT, "draw": _PLOT, "show": _PLOT,
-          "verify": "chain_joins(curves) and failing_joins(curves, \"G2\") decide the joins of a spline or a list of curves, verify(file) those of files"}
+          "verify": "chain_joins(curves) and failing_joins(curves, \"G2\") decide the joins of a spline or a list, "
+                    "verify(file) those of files"}
 
 # Names that other libraries have, and the call here.
 _GUESSED = {

@@ -59,8 +59,8 @@ def _error(text: str, place: str) -> Error:
 
 def _name(file) -> str:
     if not isinstance(file, (str, bytes, os.PathLike)):
-        raise TypeError(f"{type(file).__name__!r} object is no file: verify() takes files; chain_joins(curve) decides the joins of a spline or a list "
-                        "of curves")
+        raise TypeError(f"{type(file).__name__!r} object is no file: verify() takes files; chain_joins(curve) "
+                        "decides the joins of a spline or a list of curves")
     return os.fsdecode(file)
 
 
