@@ -85,7 +85,8 @@ def verify(*files: Path, timeout: Optional[float] = None, **options) -> dict:
     names = [_name(f) for f in files]
     # a name that begins with - is no option
     arguments = [os.path.join(".", n) if n.startswith("-") and n != "-" else n for n in names]
-    command = [program(), "verify", "--json"] + [a for name, value in options.items() for a in _argument(name, value)] + arguments
+    given = [a for name, value in options.items() for a in _argument(name, value)]
+    command = [program(), "verify", "--json"] + given + arguments
     place = ", ".join(names)
     try:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=timeout)
