@@ -25,7 +25,7 @@ from .curves import (STRATEGIES, Blend, Fair_spline, Fitted_curve, Representable
                      interpolate, interpolate_fair, representable_blend, round_corner)
 from .errors import Error
 from .evaluation import curvature, curvature_vector, evaluate
-from .hints import missing_in_module, missing_member
+from .hints import missing_in_module, missing_member, no_truth
 from .joins import (align_handle, align_handles, chain_joins, continuity, deviation, edge_continuity, failing_joins, kink_size,
                     order_within, visual_class)
 from .program import file_record, program, verify
@@ -40,6 +40,8 @@ __all__ = [
 
 for _class in (Edge_continuity, Enclosure, Join_continuity, Join_deviation, Kink_size, Order_up_to_rounding, Order_within):
     setattr(_class, "__getattr__", missing_member)
+for _class, _member in ((Join_continuity, "g_order"), (Order_within, "proved_order"), (Edge_continuity, "g_order")):
+    setattr(_class, "__bool__", no_truth(_member))
 
 
 def __getattr__(name):

@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from math import comb, factorial
-from typing import Any, List, Optional, Tuple
+from typing import Any, Iterator, List, Optional, Tuple
 
 import numpy
 
@@ -137,6 +137,11 @@ class Spline(Curve):
         if (knots[1:] < knots[:-1]).any() or not knots[self.degree] < knots[n]:
             raise Error("empty_domain", "Spline", "the knots do not increase")
 
+    @property
+    def domain(self) -> Tuple[Any, Any]:
+        """The parameters of the ends."""
+        return self.knots[self.degree], self.knots[len(self.points)]
+
 
 def _take_arrays(curve) -> None:
     points = points_of(curve.points)
@@ -158,11 +163,25 @@ def _take_arrays(curve) -> None:
 @dataclass(frozen=True)
 class Segmented_curve(Curve):
     """Bezier curves of one degree m, each of which starts where the one before it ends: points of shape (m k + 1, dimension) of k
-    curves, and k + 1 knots."""
+    curves, and k + 1 knots. Its length, its items and its iteration are those of `segments`."""
 
     degree: int
     points: numpy.ndarray
     knots: numpy.ndarray
+
+    def __len__(self) -> int:
+        return len(self.segments)
+
+    def __iter__(self) -> Iterator[numpy.ndarray]:
+        return iter(self.segments)
+
+    def __getitem__(self, number) -> numpy.ndarray:
+        return self.segments[number]
+
+    @property
+    def domain(self) -> Tuple[Any, Any]:
+        """The parameters of the ends."""
+        return self.knots[0], self.knots[-1]
 
     @property
     def segments(self) -> numpy.ndarray:

@@ -19,10 +19,13 @@ import numpy
 from . import _native
 from .curve_types import Curve, Segmented_curve, Spline, bezier_points, points_of, sides
 from .errors import Error
-from .hints import check_name, missing_member
+from .hints import check_flag, check_name, keywords, missing_member
 
 STRATEGIES = _native.strategies
 """The names of the strategies of `blend`: to "fair" of degree 5, from "c3" on of degree 7."""
+
+_G3 = [name for name in STRATEGIES if name == "c3" or name.endswith("_g3")]
+_BLEND_ORDERS = f"G2 is the default; strategies of G3 are {', '.join(_G3)}"
 
 
 @dataclass(frozen=True)
@@ -80,6 +83,7 @@ class Fitted_curve(Segmented_curve):
     distance: float  #: a proved bound of the distance of curve and polyline, both ways
 
 
+@keywords(order=_BLEND_ORDERS)
 def blend(left, right, strategy: str = "energy3", *, beta=None, eta=None, parameters: Sequence = (),
           exact: Optional[bool] = None) -> Blend:
     """Returns the blend from the end of `left` to the start of `right`: a Bezier curve on [0, 1] of degree 5 with G2 joins, or of degree
@@ -95,6 +99,8 @@ def blend(left, right, strategy: str = "energy3", *, beta=None, eta=None, parame
     Raises Error: `zero_tangent`, `nonpositive_beta`, `dimension_mismatch`, `wrong_number_of_points`, `not_finite`,
     `parameter_outside_domain` for another strategy.
     """
+    if str(strategy).lower() in ("g1", "g2", "g3", "1", "2", "3"):
+        raise Error("parameter_outside_domain", "blend", f"{strategy!r} is no strategy: {_BLEND_ORDERS}")
     check_name("blend", "strategy", strategy, STRATEGIES)
     a, b = sides(left, right, "blend")
     return Blend(**_native.blend(a.points, b.points, strategy, beta, eta, tuple(parameters), a.exact(b.exact(exact))))
@@ -152,14 +158,19 @@ def fairness(curve) -> float:
 
 def interpolate(points, closed: bool = False, parametrisation: str = "chordal", parameters: Sequence = (), *,
                 exact: Optional[bool] = None) -> Spline:
-    """Returns the cubic spline through points, C2 inside: a natural one, or a closed one over periodic knots.
+    """Returns the cubic spline through points, C2 inside: a natural one, or a closed one over periodic knots. Its parameter runs over the
+    chord length, from 0 to the sum of the distances between the points, and not over [0, 1]: `spline.domain` tells.
 
     points: an array of shape (n, dimension), at least 2 points, or 3 if closed.
-    parametrisation: "uniform", "chordal" or "centripetal"; the latter two round distances to floats, exactly reproducible.
+    closed: a bool; whether the curve goes back to the first point.
+    parametrisation: "chordal", "uniform" (the points have the parameters 0, 1, 2, ...) or "centripetal" (square roots of distances); those
+        of distances round these to floats, exactly reproducible.
     parameters: one for each point, increasing, for a closed curve one more; then the parametrisation does not matter.
 
-    Raises Error: `wrong_number_of_points`, `empty_domain` unless parameters increase, `dimension_mismatch`, `not_finite`, `work_limit`.
+    Raises Error: `wrong_number_of_points`, `empty_domain` unless parameters increase, `dimension_mismatch`, `not_finite`, `work_limit`,
+    `parameter_outside_domain` where `closed` is no bool.
     """
+    check_flag("interpolate", "closed", closed, "the degree is always 3; interpolate_fair(points) has the degree 5")
     check_name("interpolate", "parametrisation", parametrisation, ("uniform", "chordal", "centripetal"))
     return Spline(**_native.interpolate(points_of(points), closed, parametrisation, tuple(parameters), exact))
 
@@ -169,8 +180,10 @@ def interpolate_fair(points, closed: bool = False, *, exact: Optional[bool] = No
 
     points: an array of shape (n, dimension), at least 2 points, or 3 if closed.
 
-    Raises Error: `wrong_number_of_points`, `empty_domain` where consecutive points coincide, `not_finite`.
+    Raises Error: `wrong_number_of_points`, `empty_domain` where consecutive points coincide, `not_finite`,
+    `parameter_outside_domain` where `closed` is no bool.
     """
+    check_flag("interpolate_fair", "closed", closed, "the degree is always 5; interpolate(points) has the degree 3")
     return Fair_spline(**_native.interpolate_fair(points_of(points), closed, exact))
 
 
@@ -185,4 +198,5 @@ def fit(points, tolerance, order: int = 1, closed: bool = False, corner_angle: f
 
     Raises Error: `wrong_number_of_points`, `parameter_outside_domain`, `unreachable_tolerance`, `not_finite`.
     """
+    check_flag("fit", "closed", closed, "call fit(points, tolerance, order=1, closed=False, corner_angle=45)")
     return Fitted_curve(**_native.fit(points_of(points), tolerance, order, closed, corner_angle, exact))

@@ -13,11 +13,13 @@ from . import _native
 from ._native import Edge_continuity, Join_continuity, Join_deviation, Kink_size, Order_within, Visual_class
 from .curve_types import Segmented_curve, chain, is_array, points_of, sides
 from .errors import Error
-from .hints import check_name
+from .hints import check_flag, check_name, keywords
 
 _ORDERS = [kind + number for kind in "CGF" for number in "0123"]
 
 
+@keywords(order="max_order=3 is the highest order that is decided; the result has .g_order", tolerance="order_within(left, right, tolerance) "
+          "decides within tolerances; continuity decides exactly")
 def continuity(left, right=None, max_order: int = 3) -> Join_continuity:
     """Decides the continuity of the join between the end of `left` and the start of `right`, up to `max_order`, exactly on the
     numbers as given.
@@ -43,8 +45,9 @@ def chain_joins(curves, closed: bool = False) -> List[Join_continuity]:
         (n, degree + 1, dimension).
     closed: whether the last curve and the first one have a join, which is the last of the result.
 
-    Raises Error: as `continuity`.
+    Raises Error: as `continuity`, and `parameter_outside_domain` where `closed` is no bool.
     """
+    check_flag("chain_joins", "closed", closed, "every join is decided up to order 3: chain_joins(curves)[0].g_order")
     found = chain(curves, "chain_joins")
     return [continuity(a, b) for a, b in zip(found, found[1:] + (found[:1] if closed else []))]
 
@@ -137,9 +140,12 @@ def failing_joins(points, order: str = "G2", closed: bool = False, parallel: boo
 
     The lock of the interpreter is released meanwhile, and signals such as that of Ctrl-C are seen.
 
-    Raises Error: `wrong_number_of_points` for another shape, `parameter_outside_domain` for another order, `not_finite`.
+    Raises Error: `wrong_number_of_points` for another shape, `parameter_outside_domain` for another order
+        and flags that are no bool, `not_finite`.
     """
     check_name("failing_joins", "order", order, _ORDERS)
+    for name, flag in (("closed", closed), ("parallel", parallel)):
+        check_flag("failing_joins", name, flag, "call failing_joins(points, \"G2\", closed=True, parallel=True)")
     if isinstance(points, Segmented_curve) and order[0] != "C":
         points = points.segments
     points = points_of(points)

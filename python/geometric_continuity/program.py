@@ -13,6 +13,7 @@ import sys
 from typing import Optional, Union
 
 from .errors import Error
+from .hints import check_flag, keywords
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -38,6 +39,8 @@ def program() -> str:
 
 
 def _argument(name: str, value) -> list:
+    if name == "closed" and value is not None:
+        check_flag("verify", name, value, "call verify(file, closed=True)")
     option = "--" + name.rstrip("_").replace("_", "-")
     if value is None or value is False:
         return []
@@ -54,6 +57,17 @@ def _error(text: str, place: str) -> Error:
     return Error("bad_input", place, message)
 
 
+def _name(file) -> str:
+    if not isinstance(file, (str, bytes, os.PathLike)):
+        raise TypeError(f"{type(file).__name__!r} object is no file: verify() takes files; chain_joins(curve) "
+                        "decides the joins of a spline or a list of curves")
+    return os.fsdecode(file)
+
+
+_OPTIONS = {"order": 'require="G1" asks for an order', "tolerance": 'within="0.01,1deg,5%" has tolerances of gap, angle and curvature jump'}
+
+
+@keywords(**_OPTIONS)
 def verify(*files: Path, timeout: Optional[float] = None, **options) -> dict:
     """Decides every join or edge of files, and returns the record that the program writes with --json, as a dict.
 
@@ -66,12 +80,13 @@ def verify(*files: Path, timeout: Optional[float] = None, **options) -> dict:
     A requirement that is not met is no exception: record["met"] says so. The call can be interrupted; the program is ended then.
 
     Raises Error for bad input, with its code, place and reason: `malformed_input`, `cannot_read_file`, ..., `bad_input` for options that
-    do not fit and where there is nothing to decide, `time_limit` after the timeout.
+    do not fit and where there is nothing to decide, `time_limit` after the timeout; TypeError for what is no path.
     """
-    names = [os.fspath(f) for f in files]
+    names = [_name(f) for f in files]
     # a name that begins with - is no option
     arguments = [os.path.join(".", n) if n.startswith("-") and n != "-" else n for n in names]
-    command = [program(), "verify", "--json"] + [a for name, value in options.items() for a in _argument(name, value)] + arguments
+    given = [a for name, value in options.items() for a in _argument(name, value)]
+    command = [program(), "verify", "--json"] + given + arguments
     place = ", ".join(names)
     try:
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=timeout)
@@ -82,6 +97,7 @@ def verify(*files: Path, timeout: Optional[float] = None, **options) -> dict:
     return json.loads(done.stdout)
 
 
+@keywords(**_OPTIONS)
 def file_record(file: Path, *, time_limit: float = 60, memory_limit: float = 4096, **options) -> dict:
     """Verifies one file and returns the record that `geometric_continuity verify --jsonl` writes of it, as a dict: `file`, `exit_code`, and
     `claims` and `report`, or `error` with `code` and `message`; and `name_bytes` where the name is no UTF-8, `asked`, `version`, `size` and
@@ -94,7 +110,7 @@ def file_record(file: Path, *, time_limit: float = 60, memory_limit: float = 409
 
     Raises Error `bad_input` for options or a name that the program refuses.
     """
-    name = os.fspath(file)
+    name = _name(file)
     limits = {"time_limit": time_limit, "memory_limit": memory_limit, "jobs": 1}
     command = [program(), "verify", "--jsonl", "-"] + [a for n, v in {**limits, **options}.items() for a in _argument(n, v)]
     done = subprocess.run(command, input=os.fsencode(name) + b"\n", stdout=subprocess.PIPE, stderr=subprocess.PIPE)

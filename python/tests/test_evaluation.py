@@ -192,6 +192,10 @@ class Joins(unittest.TestCase):
             gc.order_within(line, line, gap=-1)
 
 
+def evaluated_ends(curve):
+    return [gc.evaluate(curve, u).tolist() for u in curve.domain]
+
+
 class Sentences(unittest.TestCase):
     """What fails says the call that works."""
 
@@ -214,6 +218,22 @@ class Sentences(unittest.TestCase):
         self.says("did you mean continuity?", lambda: gc.check_continuity, AttributeError)
         self.says("call evaluate(curve, parameters, 1)", lambda: gc.tangent_vector, AttributeError)
         self.says("call curvature(...) of geometric_continuity with it", lambda: gc.blend(LEFT, RIGHT).curvature, AttributeError)
+        self.says("call interpolate(points) for the spline through points", lambda: gc.spline, AttributeError)
+        self.says("Spline(degree, points, knots) for one that is known", lambda: gc.spline_curve, AttributeError)
+        self.says("call interpolate(points) for the cubic spline", lambda: gc.cubic_spline, AttributeError)
+        self.says("fit(points, tolerance) leads curves near it", lambda: gc.Polyline, AttributeError)
+        self.says("help(geometric_continuity) lists", lambda: gc.outline, AttributeError)  # no line
+        self.says("chain_joins(curves) and failing_joins", lambda: gc.verify_chain, AttributeError)
+        for name in ("knot_continuity", "is_curvature_continuous", "continuous"):
+            self.says("chain_joins(spline)", lambda: getattr(gc, name), AttributeError)
+        self.says("a curve has .points", lambda: gc.control_points, AttributeError)
+        for name in ("connect", "bridge_curves"):
+            self.says("call blend(left, right)", lambda: getattr(gc, name), AttributeError)
+        self.says("verify(file) reads drawings", lambda: gc.read_curve, AttributeError)
+        self.says("numpy.savetxt", lambda: gc.save, AttributeError)
+        self.says("matplotlib", lambda: gc.plot_curvature, AttributeError)
+        self.says("deviation(left, right).torsion_jump", lambda: gc.torsion, AttributeError)
+        self.says("did you mean segments?", lambda: gc.fit(LEFT, 0.1).curves, AttributeError)
         self.says("did you mean tangent_angle? It has curvature_jump, gap,", lambda: gc.deviation(LEFT, RIGHT).angle, AttributeError)
         self.says("it has blend, left, left_cut, right, right_cut", lambda: gc.round_corner([(0, 0), (4, 0)], [(4, 0), (4, 4)], 1).points, AttributeError)
 
@@ -229,6 +249,55 @@ class Sentences(unittest.TestCase):
         self.says("zero_weight: Bezier_curve", lambda: gc.Bezier_curve(LEFT, [1, 0, 1, 1]))
         self.says("the degree 3 needs at least 4 points, and 4 knots more than there are points", lambda: gc.Spline(3, LEFT, [0, 1]))
         self.says("not_finite", lambda: gc.evaluate([(0, 0), (1, float("inf"))], 0.5))
+
+    def test_arguments(self):
+        spline = gc.interpolate(LEFT)
+        self.says("interpolate: closed is True or False, not 3; the degree is always 3", lambda: gc.interpolate(LEFT, 3))
+        self.says("interpolate_fair: closed is True or False, not 0;", lambda: gc.interpolate_fair(LEFT, 0))
+        self.says("fit: closed is True or False, not 45; call fit(points, tolerance, order=1,", lambda: gc.fit(LEFT, 0.1, 1, 45))
+        self.says("chain_joins: closed is True or False, not 2; every join is decided", lambda: gc.chain_joins(spline, 2))
+        self.says("failing_joins: closed is True or False, not 1;", lambda: gc.failing_joins([LEFT], "G2", 1))
+        self.says("failing_joins: parallel is True or False, not 2;", lambda: gc.failing_joins([LEFT], "G2", True, 2))
+        self.says("verify: closed is True or False, not 2;", lambda: gc.verify("x.g2", closed=2))
+        self.assertEqual(gc.chain_joins([LEFT, RIGHT], numpy.True_)[1].g_order, -1)
+
+        default = "G2 is the default; strategies of G3 are c3, seq_g3, joint_g3,"
+        for strategy in ("G2", "g3", 2):
+            self.says(f"blend: {strategy!r} is no strategy: {default}", lambda: gc.blend(LEFT, RIGHT, strategy))
+        self.says(f"blend() has no argument 'order': {default}", lambda: gc.blend(LEFT, RIGHT, order=2), TypeError)
+        try:
+            gc.blend(LEFT, RIGHT, 3)
+        except gc.Error as error:
+            for strategy in error.reason.partition("of G3 are ")[2].split(", "):
+                gamma = gc.blend(LEFT, RIGHT, strategy)
+                self.assertEqual([gc.continuity(LEFT, gamma).g_order, gc.continuity(gamma, RIGHT).g_order], [3, 3], strategy)
+        self.says("max_order=3", lambda: gc.continuity(LEFT, RIGHT, order=2), TypeError)
+        self.says("order_within(left, right, tolerance)", lambda: gc.continuity(LEFT, RIGHT, tolerance=1e-3), TypeError)
+        self.says("unexpected keyword argument 'colour'", lambda: gc.blend(LEFT, RIGHT, colour=2), TypeError)
+        for function in (gc.verify, gc.file_record):
+            self.says('require="G1"', lambda: function("x.g2", order=1), TypeError)
+            self.says('within="', lambda: function("x.g2", tolerance=0.1), TypeError)
+            for thing in (spline, [LEFT, RIGHT], LEFT):
+                self.says("verify() takes files; chain_joins(curve) decides the joins", lambda: function(thing), TypeError)
+
+    def test_results(self):
+        """What has an order is neither true nor false; the segments of a curve are its items; splines tell their domain."""
+        self.says("ask `.g_order >= 1`", lambda: bool(gc.continuity(LEFT, RIGHT)), TypeError)
+        self.says("ask `.g_order >= 1`", lambda: any(gc.chain_joins([LEFT, RIGHT])), TypeError)
+        self.says("ask `.proved_order >= 1`", lambda: not gc.order_within(LEFT, RIGHT, 1), TypeError)
+        net = [[(0, 0, 0), (0, 1, 0)], [(1, 0, 0), (1, 1, 0)]]
+        self.says("ask `.g_order >= 1`", lambda: bool(gc.edge_continuity(net, "u1", net, "u0")), TypeError)
+        for curve in (gc.fit([(0, 0), (1, 2), (2, 0), (5, 5)], 0.1), gc.interpolate_fair(LEFT)):
+            self.assertEqual(len(curve), 3)
+            self.assertEqual([c.tolist() for c in curve], curve.segments.tolist())
+            self.assertEqual((curve[-1].tolist(), curve[1:].tolist()), (curve.segments[2].tolist(), curve.segments[1:].tolist()))
+            self.assertEqual(evaluated_ends(curve), [curve[0][0].tolist(), curve[-1][-1].tolist()])
+            with self.assertRaises(IndexError):
+                curve[3]
+        corner = [(0, 0), (3, 4), (3, 9)]
+        self.assertEqual(gc.interpolate(corner).domain, (0, 10))  # chord length
+        self.assertEqual(gc.interpolate(corner[:2] + [(6, 0)], closed=True).domain, (0, 16))
+        self.assertEqual(evaluated_ends(gc.interpolate(corner)), [[0, 0], [3, 9]])
 
     def test_version(self):
         with open(os.path.join(TOP, "CMakeLists.txt"), encoding="utf-8") as file:
