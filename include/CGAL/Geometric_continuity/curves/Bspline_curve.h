@@ -256,8 +256,8 @@ public:
   /// `Bspline_curve<Traits>(2, {0, 0, 0, 1, 1, 1}, {p, q, r})`.
   /// \throws Error as the constructor from iterators, and as that of `Knot_vector`
   template <class Number = FT>
-  Bspline_curve(int degree, const std::vector<Number>& knots, std::vector<Point> points)
-      : Bspline_curve(std::move(points), Knot_vector<FT>(degree, knots)) {}
+  Bspline_curve(int given_degree, const std::vector<Number>& knots, std::vector<Point> points)
+      : Bspline_curve(std::move(points), Knot_vector<FT>(given_degree, knots)) {}
 
   // These refuse the same in other orders, and what lacks knots or the degree.
   template <class Number = FT>
