@@ -22,9 +22,6 @@ template <class Traits> class Surface_model {
   std::vector<GC::Rational_bspline_surface<Traits>> rational_;
 
 public:
-  Surface_model() = default;
-  explicit Surface_model(std::vector<GC::Bspline_surface<Traits>> surfaces) : polynomial_(std::move(surfaces)) {}
-
   std::size_t size() const { return polynomial_.size() + rational_.size(); }
 
   void push_back(GC::Bspline_surface<Traits> surface) {
