@@ -6,8 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_H
 
 /// \file Geometric_continuity.h
-/// Everything but input and output, edges of CAD models (cad/cad_edge_continuity.h, ...) and what
-/// needs Boost.Odeint (curves/curve_from_curvatures.h).
+/// Everything but edges of CAD models (cad/cad_edge_continuity.h, ...), what needs Boost.Odeint
+/// (curves/curve_from_curvatures.h), and input and output other than in the format .g2.
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>
@@ -94,5 +94,181 @@
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/round_edges.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
+
+#include <CGAL/Geometric_continuity/IO/g2.h>
+
+#include <algorithm>
+#include <ostream>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \cond SKIP_IN_MANUAL
+
+// Names that other packages, and people who have not read the manual, give to what this package has.
+// Some are other names of the same thing: they work, and the compiler warns with the name here. The
+// others do not compile, and the first error is the sentence that tells the call.
+
+// Classes
+template <class Traits> using B_spline_curve [[deprecated("the class is Bspline_curve")]] = Bspline_curve<Traits>;
+template <class Traits> using BSpline_curve [[deprecated("the class is Bspline_curve")]] = Bspline_curve<Traits>;
+template <class Traits>
+using NURBS_curve [[deprecated("the class is Rational_bspline_curve")]] = Rational_bspline_curve<Traits>;
+template <class Traits>
+using Nurbs_curve [[deprecated("the class is Rational_bspline_curve")]] = Rational_bspline_curve<Traits>;
+template <class Traits>
+using Rational_B_spline_curve [[deprecated("the class is Rational_bspline_curve")]] = Rational_bspline_curve<Traits>;
+template <class Traits> using Bezier_surface [[deprecated("the class is Bezier_patch")]] = Bezier_patch<Traits>;
+template <class Traits>
+using Rational_bezier_surface [[deprecated("the class is Rational_bezier_patch")]] = Rational_bezier_patch<Traits>;
+template <class Traits> using B_spline_surface [[deprecated("the class is Bspline_surface")]] = Bspline_surface<Traits>;
+template <class Traits> using BSpline_surface [[deprecated("the class is Bspline_surface")]] = Bspline_surface<Traits>;
+template <class Traits>
+using NURBS_surface [[deprecated("the class is Rational_bspline_surface")]] = Rational_bspline_surface<Traits>;
+template <class Traits>
+using Nurbs_surface [[deprecated("the class is Rational_bspline_surface")]] = Rational_bspline_surface<Traits>;
+template <class Traits>
+using Piecewise_bezier_curve [[deprecated("the class is Composite_bezier_curve")]] = Composite_bezier_curve<Traits>;
+template <class Traits>
+using Bezier_spline [[deprecated("the class is Composite_bezier_curve")]] = Composite_bezier_curve<Traits>;
+
+namespace internal {
+
+// Tells whether an order up to 3 holds: of two curves at their join, of two surfaces along their common
+// edge, of a spline at its knots, of a chain of curves at all joins.
+template <int order> struct Has_order {
+  template <class A, class B> bool operator()(const A& a, const B& b) const {
+    if constexpr (is_surface<A>)
+      return edge_continuity(a, b).g_order >= order;
+    else if constexpr (order == 1)
+      return is_g1_join(a, b);
+    else if constexpr (order == 2)
+      return is_g2_join(a, b);
+    else
+      return is_g3_join(a, b);
+  }
+
+  template <class Chain> bool operator()(const Chain& chain) const {
+    if constexpr (Has_traits<Chain>::value) {
+      const auto knots = knot_continuities(chain, order);
+      return std::all_of(knots.begin(), knots.end(), [](const auto& knot) { return knot.join.g_order >= order; });
+    } else
+      return failing_joins(chain, *this).empty();
+  }
+};
+
+template <class...> constexpr bool never = false;
+
+// The result of a function that does not exist: it fits everywhere, so that there is one error.
+struct No_result {
+  template <class T> operator T() const;
+  friend std::ostream& operator<<(std::ostream& os, No_result) { return os; }
+};
+
+} // namespace internal
+
+// Predicates, in the spelling of the orders
+[[deprecated("call is_g1_join(a, b) for curves, is_g1_edge(a, b) for surfaces, knot_continuities(c) for a "
+             "spline")]] inline constexpr internal::Has_order<1>
+    is_G1{}, is_g1{};
+[[deprecated("call is_g2_join(a, b) for curves, is_g2_edge(a, b) for surfaces, knot_continuities(c) for a "
+             "spline")]] inline constexpr internal::Has_order<2>
+    is_G2{}, is_g2{};
+[[deprecated("call is_g3_join(a, b) for curves, is_g3_edge(a, b) for surfaces, knot_continuities(c) for a "
+             "spline")]] inline constexpr internal::Has_order<3>
+    is_G3{}, is_g3{};
+
+// A spline in the place of a chain: its joins are its knots.
+template <class Traits>
+[[deprecated("the joins of a spline are its knots: call knot_continuities(c)")]] std::vector<Knot_continuity<Traits>>
+chain_joins(const Bspline_curve<Traits>& c, int max_order = 3) {
+  return knot_continuities(c, max_order);
+}
+template <class Traits>
+[[deprecated("the joins of a spline are its knots: call knot_continuities(c)")]] std::vector<Knot_continuity<Traits>>
+chain_joins(const Rational_bspline_curve<Traits>& c, int max_order = 3) {
+  return knot_continuities(c, max_order);
+}
+template <class Traits>
+[[deprecated("the joins of a spline are its knots: call knot_continuities(c)")]] std::vector<Knot_continuity<Traits>>
+continuity(const Bspline_curve<Traits>& c, int max_order = 3) {
+  return knot_continuities(c, max_order);
+}
+template <class Traits>
+[[deprecated("the joins of a spline are its knots: call knot_continuities(c)")]] std::vector<Knot_continuity<Traits>>
+continuity(const Rational_bspline_curve<Traits>& c, int max_order = 3) {
+  return knot_continuities(c, max_order);
+}
+
+// A function that does not exist, with the sentence that is the first error of the compiler where
+// it is called.
+#define CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(name, sentence)                                                          \
+  namespace internal {                                                                                                 \
+  template <class... Given> struct No_##name {                                                                         \
+    static_assert(never<Given...>, sentence);                                                                          \
+    typedef No_result type;                                                                                            \
+  };                                                                                                                   \
+  }                                                                                                                    \
+  template <class... Given> typename internal::No_##name<Given...>::type name(const Given&...) { return {}; }
+
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN                                                                             \
+  "continuity(a, b) decides the join of two curves: .g_order, .c_order, .f_order, .betas(); is_g2_join(a, b) is "      \
+  "true or false; order_within(a, b, 1e-6) allows a tolerance; edge_continuity(a, b) is of two surfaces"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_join, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_smooth, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(geometric_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(join_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(continuity_order, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(order_of_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN
+
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN                                                                            \
+  "failing_joins(curves, is_g2_join) lists the joins of a chain that fail; chain_joins(curves) has one "               \
+  "Join_continuity for each; chain_continuity(curves) counts them; knot_continuities(spline) is of a spline"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_chain, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_chain, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN
+
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE                                                                             \
+  "edge_continuity(a, b) decides two surfaces along their common edge: .g_order; is_g2_edge(a, b) is true or false; "  \
+  "edge_deviation(a, Patch_edge::v1, b, Patch_edge::v0) measures the distance from smoothness"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(surface_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(patch_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE
+
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(blend_curves, "blend(a, b) joins two curves with G2; blend(a, b, Fair_g3()) G3")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(make_blend, "blend(a, b) joins two curves with G2; blend(a, b, Fair_g3()) G3")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
+    blend_surfaces, "blend(a, Patch_edge::v1, b, Patch_edge::v0) joins two surfaces by a surface that is G2 along both "
+                    "edges")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fillet, "round_corners(points_or_curves, distance) rounds the corners of a "
+                                              "polyline or a chain, round_corner(a, b, distance) one of them, "
+                                              "round_edge() the edge between two surfaces")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_curve, "fit(points, tolerance) fits a smooth curve to a polyline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_polyline, "fit(points, tolerance) fits a smooth curve to a polyline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate, "fit(points, tolerance) fits a smooth curve to a polyline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_points, "interpolate(points) leads a C2 spline through points, "
+                                                          "interpolate_fair(points) a fair curve")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_g2,
+                                      "read_g2_curves<Traits>(in) returns Bezier curves, read_g2_bsplines<Traits>(in) "
+                                      "for B-spline curves, read_g2_surfaces<Traits>(in) for patches")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
+    write_svg, "pictures are beside the package: include <Geometric_continuity_figures/Svg_figure.h>; write_g2(os, "
+               "curve) of <CGAL/Geometric_continuity/IO/g2.h> writes what the program plots")
+
+#undef CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION
+
+/// \endcond
+
+} // namespace Geometric_continuity
+} // namespace CGAL
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_H

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Names of the release before compile, with a warning, and mean what they meant.
+// Names of the release before, and of other packages, compile with a warning and mean what they
+// meant.
 
 #include <CGAL/Geometric_continuity.h>
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
@@ -36,3 +37,17 @@ std::vector<GC::Near_edges> near(const std::vector<Patch>& model, const GC::Edge
 GC::Bezier_curve<Patch::Traits> edge(const Patch& p) { return GC::boundary_curve(p, GC::Patch_edge::u0); }
 std::vector<std::size_t> failing(const std::vector<Curve>& chain) { return GC::failing_joins(chain, GC::is_g2_join); }
 GC::Svg_figure picture(const Curve& c) { return GC::Svg_figure().add(GC::Svg_panel().add(c)); }
+
+// of other packages
+GC::B_spline_curve<Plane> spline(const GC::NURBS_curve<Plane>&);
+GC::Bezier_surface<Patch::Traits> same(const Patch& p) { return p; }
+bool smooth(const GC::Bspline_curve<Plane>& c, const Patch& p, const std::vector<Curve>& chain) {
+  return GC::is_G2(c) && GC::is_g1(p, p) && GC::is_G3(chain) && GC::chain_joins(c).empty() && GC::continuity(c).empty();
+}
+
+#ifdef OTHER_CALL // a name that there is not, and the sentence about it
+GC::Bezier_curve<Plane> curve;
+Patch patch;
+std::vector<Plane::Point> points;
+void call() { GC::OTHER_CALL; }
+#endif

@@ -137,6 +137,7 @@ BOOST_AUTO_TEST_CASE(parameters) {
     const Curve<Exact> c = GC::interpolate<Traits>(p.begin(), p.end(), q);
     check_points(c, parameters(q), p);
     const Curve<Exact> d = GC::interpolate<Traits>(p.begin(), p.end(), q, Closure::closed);
+    if (q == GC::Parametrisation::chordal) BOOST_CHECK(GC::interpolate<Traits>(p.begin(), p.end()) == c);
     BOOST_CHECK(GC::interpolate<Traits>(p, q) == c && GC::interpolate<Traits>(p, q, Closure::closed) == d);
     check_points(d, parameters(q, Closure::closed), p);
     check_joins(d, true);

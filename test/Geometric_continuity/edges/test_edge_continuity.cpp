@@ -187,6 +187,10 @@ BOOST_AUTO_TEST_CASE(common_edges_are_found) {
   BOOST_CHECK_EQUAL(GC::edge_continuity(strip, strip).g_order, 2);
   CHECK_ERROR(GC::edge_continuity(a, Square(a)), several_common_edges);
   CHECK_ERROR(GC::edge_continuity(a, a), curves_do_not_meet);
+  BOOST_CHECK(GC::is_g0_edge(a, b) && !GC::is_g1_edge(a, b));
+  BOOST_CHECK(GC::is_g1_edge(a, half) && GC::is_g2_edge(a, half));
+  BOOST_CHECK(GC::is_g3_edge(a, square(1, 1, 0)) && !GC::is_g0_edge(a, square(2, 1, 0)));
+  CHECK_ERROR(GC::is_g2_edge(a, Square(a)), several_common_edges);
   // edges that are one point do not count
   const Square pole{{Point(0, 0, 0), Point(0, 0, 0)}, {Point(1, 0, 0), Point(0, 1, 0)}},
       opposite{{Point(0, 0, 0), Point(0, 0, 0)}, {Point(-1, 0, 0), Point(0, -1, 0)}};

@@ -8,6 +8,20 @@
 
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 
+// At a parameter of a curve: (t, t^2, t^3) at 1 has 2 sqrt(19)/14^(3/2) and 3/19.
+BOOST_AUTO_TEST_CASE(curvature_of_a_curve) {
+  typedef CGAL::Exact_rational Q;
+  typedef GC::Bezier_curve<Traits<Q>> Curve;
+  typedef Curve::Point Point;
+  const Curve cubic{Point(0, 0, 0), Point(Q(1) / 3, 0, 0), Point(Q(2) / 3, Q(1) / 3, 0), Point(1, 1, 1)};
+  BOOST_CHECK(GC::torsion(cubic, 1) == Q(3) / 19);
+  BOOST_CHECK_CLOSE_FRACTION(GC::curvature(cubic, 1), std::sqrt(19. / 686), 1e-15);
+  const Curve line{Point(0, 0, 0), Point(1, 0, 0)}, point{Point(0, 0, 0), Point(0, 0, 0)};
+  BOOST_CHECK(GC::curvature(line, 0) == 0);
+  CHECK_ERROR(GC::torsion(line, 0), nonpositive_curvature);
+  CHECK_ERROR(GC::curvature(point, 0), zero_tangent);
+}
+
 BOOST_AUTO_TEST_CASE(curvatures) {
   const int n = 5000; // several blocks, where there are several cores
   GC::Jet_arrays<double, 3, 3> jets(n);

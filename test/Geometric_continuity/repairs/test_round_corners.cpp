@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
+#include <CGAL/Polygon_2.h>
 
 BOOST_AUTO_TEST_SUITE(round_corners)
 
@@ -102,6 +103,8 @@ BOOST_AUTO_TEST_CASE(polygons) {
   check(GC::round_corners(corners, 2), closed);
   check(GC::round_corners(corners, 2, GC::Closure::closed), closed);
   check(GC::round_corners(square, 2), closed);
+  check(GC::round_corners(CGAL::Polygon_2<Traits::Kernel>(corners.begin(), corners.end() - 1), 2), closed);
+  BOOST_CHECK(closed.size() == 8 && &closed[7] == &closed.curves[7] && &*closed.begin() == &closed.curves[0]);
   CHECK_ERROR(GC::round_corners(std::vector<Point>(1, Point(0, 0)), 2), wrong_number_of_points);
 }
 

@@ -37,6 +37,7 @@
 #include <CGAL/Geometric_continuity/IO/internal/g2_text.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
@@ -45,6 +46,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <istream>
+#include <iterator>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -422,6 +424,23 @@ template <class Traits> void write_g2(std::ostream& os, const Rational_bspline_s
 /// \throws Error as `write_number()` does
 template <class Traits> void write_g2(std::ostream& os, const Rational_bezier_patch<Traits>& patch) {
   write_g2(os, Rational_bspline_surface<Traits>(patch));
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes the curves or surfaces of a range, such as a `std::vector` or a `Rounded_chain`, one
+/// after the other. Those before one that throws are written.
+/// \throws Error as for one of them
+template <class Range, class = typename std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>::Traits>
+void write_g2(std::ostream& os, const Range& range) {
+  for (const auto& object : range) write_g2(os, object);
+}
+
+/// \ingroup PkgGeometricContinuityIO
+/// Writes the segments of a segmented Bézier curve, such as a `Fitted_curve`, one after the other.
+/// \throws Error as for a Bézier curve
+template <class Traits, int Degree>
+void write_g2(std::ostream& os, const Composite_bezier_curve<Traits, Degree>& curve) {
+  for (const auto& segment : curve.segments()) write_g2(os, segment);
 }
 
 } // namespace Geometric_continuity

@@ -167,7 +167,7 @@ CGAL_GC_FORCEINLINE auto blend_of_jets(const Coordinate_jet<typename Traits::FT,
   else { // asked only now, so that a quintic strategy may be a generic lambda
     constexpr bool is_strategy = is_septic_strategy_v<Strategy, Traits>;
     static_assert(is_strategy, "the third argument of blend() is a strategy, a model of BlendStrategy such as Fair() "
-                               "or Fair_g3()");
+                               "(G2, as blend(phi, psi) is without a third argument) or Fair_g3()");
     if constexpr (is_strategy)
       return blend_of_jets<Septic_blend<Traits>, Septic_ends>(phi, psi, strategy, shape...);
     else // so that there is one error
@@ -181,8 +181,14 @@ auto blend_of_curves(const Left& phi, const Right& psi, const Strategy& strategy
   typedef typename Left::Traits Traits;
   typedef typename Traits::FT FT;
   static_assert(std::is_same_v<Traits, typename Right::Traits>, "both curves must have the same traits class");
+  static_assert(!is_surface<Left>, "blend(phi, psi) is of two curves; of two surfaces, name the edges, as in "
+                                   "blend(a, Patch_edge::v1, b, Patch_edge::v0)");
   constexpr int order = is_quintic_strategy_v<Strategy, Traits> ? 2 : 3;
-  return blend_of_jets<Traits>(end_jet<FT>(phi, order), start_jet<FT>(psi, order), strategy, shape...);
+  if constexpr (is_surface<Left>) // so that there is one error
+    return blend_of_jets<Traits>(Coordinate_jet<FT, dimension_v<Traits>>(), Coordinate_jet<FT, dimension_v<Traits>>(),
+                                 strategy, shape...);
+  else
+    return blend_of_jets<Traits>(end_jet<FT>(phi, order), start_jet<FT>(psi, order), strategy, shape...);
 }
 
 } // namespace internal

@@ -62,6 +62,12 @@ public:
 
   /// Returns the number of segments, `k + 1`.
   int number_of_segments() const { return static_cast<int>(knots_.size()) - 1; }
+  // This refuses a number that could be that of the points or of the segments.
+  template <class Given = Traits> std::size_t size() const {
+    static_assert(!std::is_same_v<Given, Given>, "number_of_segments() is the number of the Bezier curves, which "
+                                                 "segments() returns; control_points() has the points");
+    return 0;
+  }
 
   /// Returns the control points \f$ b_0, \dots, b_{m(k+1)} \f$.
   const std::vector<Point>& control_points() const { return points_; }

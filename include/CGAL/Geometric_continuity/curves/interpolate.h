@@ -342,7 +342,8 @@ interpolate(InputIterator first, InputIterator last, const std::vector<typename 
 /// `interpolation_parameters()`. \f$ O(n) \f$
 /// \throws Error as for given parameters, and as `interpolation_parameters()`
 template <class Traits, class InputIterator>
-Bspline_curve<Traits> interpolate(InputIterator first, InputIterator last, Parametrisation parametrisation,
+Bspline_curve<Traits> interpolate(InputIterator first, InputIterator last,
+                                  Parametrisation parametrisation = Parametrisation::chordal,
                                   Closure closure = Closure::open) {
   const std::vector<typename Traits::Point> p(first, last);
   if (p.size() < (closure == Closure::closed ? 3 : 2))
@@ -389,6 +390,16 @@ Bspline_curve<Traits_of<Point>> interpolate(const std::vector<Point>& points,
                                             Parametrisation parametrisation = Parametrisation::chordal,
                                             Closure closure = Closure::open) {
   return interpolate<Traits_of<Point>>(points.begin(), points.end(), parametrisation, closure);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the natural cubic spline through points of a \cgal kernel, with chordal parameters.
+/// \throws Error as for a vector of points
+template <class InputIterator>
+Bspline_curve<Traits_of<typename std::iterator_traits<InputIterator>::value_type>> interpolate(InputIterator first,
+                                                                                               InputIterator last) {
+  typedef Traits_of<typename std::iterator_traits<InputIterator>::value_type> Traits;
+  return interpolate<Traits>(first, last, Parametrisation::chordal);
 }
 
 } // namespace Geometric_continuity

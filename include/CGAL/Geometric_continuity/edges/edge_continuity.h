@@ -241,6 +241,22 @@ verdicts_on_common_edges(const Surface_a& a, const Surface_b& b, bool whole, std
   return verdicts;
 }
 
+// The verdict on the one edge that two surfaces have in common, if there is one.
+template <class Surface_a, class Surface_b>
+std::optional<Spline_edge_continuity<Edge_field<typename Surface_a::Traits>>>
+verdict_on_common_edge(const Surface_a& a, const Surface_b& b) {
+  for (bool whole : {true, false}) {
+    std::string names;
+    auto verdicts = verdicts_on_common_edges(a, b, whole, names);
+    if (verdicts.size() == 1) return std::move(verdicts[0]);
+    if (verdicts.size() > 1)
+      throw Error(Error_code::several_common_edges, "edge_continuity: " + names +
+                                                        "; name one pair, as in edge_continuity(a, Patch_edge::u1, b, "
+                                                        "Patch_edge::u0)");
+  }
+  return std::nullopt;
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -255,19 +271,21 @@ verdicts_on_common_edges(const Surface_a& a, const Surface_b& b, bool whole, std
 template <class Surface_a, class Surface_b>
 auto edge_continuity(const Surface_a& a, const Surface_b& b)
     -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
-  for (bool whole : {true, false}) {
-    std::string names;
-    auto verdicts = internal::verdicts_on_common_edges(a, b, whole, names);
-    if (verdicts.size() == 1) return std::move(verdicts[0]);
-    if (verdicts.size() > 1)
-      throw Error(Error_code::several_common_edges, "edge_continuity: " + names +
-                                                        "; name one pair, as in edge_continuity(a, Patch_edge::u1, b, "
-                                                        "Patch_edge::u0)");
-  }
+  if (auto verdict = internal::verdict_on_common_edge(a, b)) return *std::move(verdict);
   throw Error(Error_code::curves_do_not_meet,
               "edge_continuity: no edge of one surface is an edge of the other, or a part of it, exactly; deviation() "
               "of two named edges tells how far apart they are");
 }
+
+namespace internal {
+
+template <class Surface_a, class Surface_b>
+bool common_edge_has_order(const Surface_a& a, const Surface_b& b, int order) {
+  const auto verdict = verdict_on_common_edge(a, b);
+  return verdict && verdict->g_order >= order;
+}
+
+} // namespace internal
 
 /// \ingroup PkgGeometricContinuitySurfaces
 /// Returns whether the edges are the same curve, whole, with the same parametrisation up to an
@@ -279,6 +297,14 @@ auto edge_continuity(const Surface_a& a, const Surface_b& b)
 template <class Surface_a, class Surface_b>
 bool is_g0_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
   return internal::edge_has_order<0>(a, edge_a, b, edge_b);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns whether the surfaces are \f$ G^0 \f$ along the edge that they have in common, as
+/// `edge_continuity(a, b)` finds it; false where they have none.
+/// \throws Error `several_common_edges` with their names, and as for given edges
+template <class Surface_a, class Surface_b> bool is_g0_edge(const Surface_a& a, const Surface_b& b) {
+  return internal::common_edge_has_order(a, b, 0);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -294,6 +320,14 @@ bool is_g1_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
+/// Returns whether the surfaces are \f$ G^1 \f$ along the edge that they have in common, as
+/// `edge_continuity(a, b)` finds it; false where they have none.
+/// \throws Error `several_common_edges` with their names, and as for given edges
+template <class Surface_a, class Surface_b> bool is_g1_edge(const Surface_a& a, const Surface_b& b) {
+  return internal::common_edge_has_order(a, b, 1);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
 /// Returns whether the surfaces are \f$ G^1 \f$ along the edges, see `is_g1_edge()`, and their
 /// curvatures agree, see `Edge_conditions`. Decides whether a form of degree 7 vanishes.
 /// \tparam Surface_a, Surface_b `Bezier_patch`, `Bspline_surface`, `Rational_bezier_patch` or
@@ -302,6 +336,14 @@ bool is_g1_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 template <class Surface_a, class Surface_b>
 bool is_g2_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
   return internal::edge_has_order<2>(a, edge_a, b, edge_b);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns whether the surfaces are \f$ G^2 \f$ along the edge that they have in common, as
+/// `edge_continuity(a, b)` finds it; false where they have none.
+/// \throws Error `several_common_edges` with their names, and as for given edges
+template <class Surface_a, class Surface_b> bool is_g2_edge(const Surface_a& a, const Surface_b& b) {
+  return internal::common_edge_has_order(a, b, 2);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -315,6 +357,14 @@ bool is_g2_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 template <class Surface_a, class Surface_b>
 bool is_g3_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
   return internal::edge_has_order<3>(a, edge_a, b, edge_b);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns whether the surfaces are \f$ G^3 \f$ along the edge that they have in common, as
+/// `edge_continuity(a, b)` finds it; false where they have none.
+/// \throws Error `several_common_edges` with their names, and as for given edges
+template <class Surface_a, class Surface_b> bool is_g3_edge(const Surface_a& a, const Surface_b& b) {
+  return internal::common_edge_has_order(a, b, 3);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces

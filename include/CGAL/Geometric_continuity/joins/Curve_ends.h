@@ -262,7 +262,8 @@ Coordinate_jet<Field, dimension_v<typename Curve::Traits>> jet_at(const Curve& c
     return jet_of_polygon<Field, which>(Curve_end_view<Curve, which>(curve), k);
   else {
     static_assert(readable, "the ends of this curve cannot be read: it is no model of ParametricCurve (domain(), "
-                            "jet(u, k)), and Curve_ends is not specialised for it");
+                            "jet(u, k)), and Curve_ends is not specialised for it; of two surfaces, is_g2_edge(a, b) "
+                            "tells");
     if constexpr (readable && which == Curve_end::end)
       return end_jet<Field>(curve, k);
     else if constexpr (readable)

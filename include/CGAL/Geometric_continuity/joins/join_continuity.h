@@ -88,6 +88,17 @@ Join_continuity<Predicate_FT<typename Left::Traits>> decide_continuity(const Lef
   }
 }
 
+// The decision about two curves, and no type for other arguments.
+template <class Left, class Right>
+using Curve_join = std::enable_if_t<!is_surface<Left>, Join_continuity<Predicate_FT<typename Left::Traits>>>;
+
+// Refuses surfaces by one error of the compiler.
+template <class Surface> struct Not_of_surfaces {
+  static_assert(!is_surface<Surface>, "continuity(a, b) is of two curves; of two surfaces, edge_continuity(a, b) "
+                                      "decides their common edge, and is_g2_edge(a, b) is true or false");
+  typedef int type;
+};
+
 // Returns the result, with the data that up_to_rounding() needs.
 template <class Left, class Right, class Order>
 Join_continuity<Predicate_FT<typename Left::Traits>> continuity_of_curves(const Left& left, const Right& right,
@@ -157,7 +168,7 @@ Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, 
 ///   differ, `not_finite` when derivatives overflow, `work_limit`: with exact numbers, high orders
 ///   are forms of high degree
 template <class Left, class Right>
-Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right, int max_order) {
+internal::Curve_join<Left, Right> continuity(const Left& left, const Right& right, int max_order) {
   return internal::continuity_of_curves(left, right, max_order);
 }
 
@@ -168,8 +179,14 @@ Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left
 /// \tparam Left, Right as above
 /// \throws Error as above
 template <class Left, class Right>
-Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right) {
+internal::Curve_join<Left, Right> continuity(const Left& left, const Right& right) {
   return internal::continuity_of_curves(left, right, internal::Order_3());
+}
+
+// This refuses surfaces.
+template <class Left, class Right, class... Order, class = std::enable_if_t<internal::is_surface<Left>>>
+typename internal::Not_of_surfaces<Left>::type continuity(const Left&, const Right&, const Order&...) {
+  return -1;
 }
 
 } // namespace Geometric_continuity

@@ -159,6 +159,18 @@ template <class FT, int N> std::optional<Signed_square<FT>> signed_curvature(con
 }
 
 /// \ingroup PkgGeometricContinuityLocal
+/// Returns the curvature \f$ \kappa \ge 0 \f$ of a curve at `u`, rounded to `double`;
+/// `curvature_squared(curve.jet(u, 2))` is its square in the field of the curve.
+/// \tparam Curve a model of `ParametricCurve`
+/// \throws Error `zero_tangent` where the tangent is zero, and as `Curve::jet()` and
+///   `curvature_squared()` do
+template <class Curve> double curvature(const Curve& curve, const typename Curve::FT& u) {
+  const std::optional<typename Curve::FT> square = curvature_squared(curve.jet(u, 2));
+  if (!square) throw Error(Error_code::zero_tangent, "curvature: the curve has no curvature where its tangent is zero");
+  return std::sqrt(CGAL::to_double(*square));
+}
+
+/// \ingroup PkgGeometricContinuityLocal
 /// Returns the torsion \f$ \tau = \det(d_1, d_2, d_3) / |d_1 \times d_2|^2 \f$ of a space curve.
 /// Empty where the curvature is zero or undefined. Hagen (1.12).
 /// \throws Error `jet_order_too_low` with fewer than 3 derivatives, `dimension_mismatch` unless in
@@ -172,6 +184,18 @@ template <class FT, int N> std::optional<FT> torsion(const Coordinate_jet<FT, N>
   if (g2 == FT(0)) return std::nullopt;
   return internal::times_power_of_two(FT(dot(normal, *d3) / g2), d3.exponent() - d1.exponent() - d2.exponent(),
                                       "torsion");
+}
+
+/// \ingroup PkgGeometricContinuityLocal
+/// Returns the torsion of a space curve at `u`.
+/// \tparam Curve a model of `ParametricCurve`
+/// \throws Error `nonpositive_curvature` where the curvature is zero or undefined, and as
+///   `Curve::jet()` and `torsion()` of a jet do
+template <class Curve> typename Curve::FT torsion(const Curve& curve, const typename Curve::FT& u) {
+  const std::optional<typename Curve::FT> t = torsion(curve.jet(u, 3));
+  if (!t)
+    throw Error(Error_code::nonpositive_curvature, "torsion: the curve has no torsion where its curvature is zero");
+  return *t;
 }
 
 /// \ingroup PkgGeometricContinuityLocal

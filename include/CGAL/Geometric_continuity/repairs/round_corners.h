@@ -33,6 +33,9 @@
 /// put in its place: one corner, or all corners of a chain of curves or of a closed outline.
 
 namespace CGAL {
+
+template <class Kernel, class Container> class Polygon_2;
+
 namespace Geometric_continuity {
 
 /// \ingroup PkgGeometricContinuityExtensions
@@ -183,6 +186,11 @@ template <class Curve> struct Rounded_chain {
   std::vector<Curve> curves;
   /// the corners that were rounded, in their order
   std::vector<Rounded_join<typename Curve::FT>> corners;
+
+  auto begin() const { return curves.begin(); }                      ///< iterates over the curves
+  auto end() const { return curves.end(); }                          ///< the end of the curves
+  std::size_t size() const { return curves.size(); }                 ///< the number of curves
+  const Curve& operator[](std::size_t i) const { return curves[i]; } ///< the `i`-th curve
 };
 
 namespace internal {
@@ -386,6 +394,16 @@ template <class Curve_or_point, class Number>
 auto round_corners(const std::vector<Curve_or_point>& chain, const Number& distance)
     -> decltype(round_corners(chain, distance, Closure::open)) {
   return round_corners(chain, distance, internal::closure_of(chain));
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Rounds all corners of a `CGAL::Polygon_2`, which is closed.
+/// \throws Error as for a vector of points
+template <class Kernel, class Container, class Number>
+Rounded_chain<Bezier_curve<Traits_2<Kernel>>> round_corners(const CGAL::Polygon_2<Kernel, Container>& polygon,
+                                                            const Number& distance) {
+  const std::vector<typename Kernel::Point_2> vertices(polygon.vertices_begin(), polygon.vertices_end());
+  return round_corners(vertices, distance, Closure::closed);
 }
 
 } // namespace Geometric_continuity
