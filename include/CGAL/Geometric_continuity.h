@@ -107,9 +107,9 @@ namespace Geometric_continuity {
 
 /// \cond SKIP_IN_MANUAL
 
-// Names that other packages, and people who have not read the manual, give to what this package has.
-// Some are other names of the same thing: they work, and the compiler warns with the name here. The
-// others do not compile, and the first error is the sentence that tells the call.
+// Names that other packages, and people who have not read the manual, give to what this package
+// has. Some are other names of the same thing: they work, and the compiler warns with the name
+// here. The others do not compile, and the first error is the sentence that tells the call.
 
 // Classes
 template <class Traits> using B_spline_curve [[deprecated("the class is Bspline_curve")]] = Bspline_curve<Traits>;
@@ -136,8 +136,8 @@ using Bezier_spline [[deprecated("the class is Composite_bezier_curve")]] = Comp
 
 namespace internal {
 
-// Tells whether an order up to 3 holds: of two curves at their join, of two surfaces along their common
-// edge, of a spline at its knots, of a chain of curves at all joins.
+// Tells whether an order up to 3 holds: of two curves at their join, of two surfaces along their
+// common edge, of a spline at its knots, of a chain of curves at all joins.
 template <int order> struct Has_order {
   template <class A, class B> bool operator()(const A& a, const B& b) const {
     if constexpr (is_surface<A>)
@@ -205,13 +205,10 @@ continuity(const Rational_bspline_curve<Traits>& c, int max_order = 3) {
 // A function that does not exist, with the sentence that is the first error of the compiler where
 // it is called.
 #define CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(name, sentence)                                                          \
-  namespace internal {                                                                                                 \
-  template <class... Given> struct No_##name {                                                                         \
-    static_assert(never<Given...>, sentence);                                                                          \
-    typedef No_result type;                                                                                            \
-  };                                                                                                                   \
-  }                                                                                                                    \
-  template <class... Given> typename internal::No_##name<Given...>::type name(const Given&...) { return {}; }
+  template <class... Given> auto name(const Given&...) {                                                               \
+    static_assert(internal::never<Given...>, sentence);                                                                \
+    return internal::No_result();                                                                                      \
+  }
 
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN                                                                             \
   "continuity(a, b) decides the join of two curves: .g_order, .c_order, .f_order, .betas(); is_g2_join(a, b) is "      \

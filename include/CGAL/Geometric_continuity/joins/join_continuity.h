@@ -92,13 +92,6 @@ Join_continuity<Predicate_FT<typename Left::Traits>> decide_continuity(const Lef
 template <class Left, class Right>
 using Curve_join = std::enable_if_t<!is_surface<Left>, Join_continuity<Predicate_FT<typename Left::Traits>>>;
 
-// Refuses surfaces by one error of the compiler.
-template <class Surface> struct Not_of_surfaces {
-  static_assert(!is_surface<Surface>, "continuity(a, b) is of two curves; of two surfaces, edge_continuity(a, b) "
-                                      "decides their common edge, and is_g2_edge(a, b) is true or false");
-  typedef int type;
-};
-
 // Returns the result, with the data that up_to_rounding() needs.
 template <class Left, class Right, class Order>
 Join_continuity<Predicate_FT<typename Left::Traits>> continuity_of_curves(const Left& left, const Right& right,
@@ -178,14 +171,15 @@ internal::Curve_join<Left, Right> continuity(const Left& left, const Right& righ
 /// orders that are known at run time.
 /// \tparam Left, Right as above
 /// \throws Error as above
-template <class Left, class Right>
-internal::Curve_join<Left, Right> continuity(const Left& left, const Right& right) {
+template <class Left, class Right> internal::Curve_join<Left, Right> continuity(const Left& left, const Right& right) {
   return internal::continuity_of_curves(left, right, internal::Order_3());
 }
 
-// This refuses surfaces.
+// This refuses surfaces by one error of the compiler.
 template <class Left, class Right, class... Order, class = std::enable_if_t<internal::is_surface<Left>>>
-typename internal::Not_of_surfaces<Left>::type continuity(const Left&, const Right&, const Order&...) {
+auto continuity(const Left&, const Right&, const Order&...) {
+  static_assert(!internal::is_surface<Left>, "continuity(a, b) is of two curves; of two surfaces, edge_continuity(a, "
+                                             "b) decides their common edge, and is_g2_edge(a, b) is true or false");
   return -1;
 }
 
