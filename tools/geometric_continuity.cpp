@@ -33,8 +33,9 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
   fit POINTS                make few smooth curves near a polyline, and prove
                             their distance
   verify FILE.g2...         decide the continuity of every join of a chain, of a
-                            drawing (.svg) or of a font, exactly, and enclose
-                            that of every edge of a CAD model (.step, .iges)
+                            drawing (.svg), a toolpath (.ngc) or a font,
+                            exactly, and enclose that of every edge of a CAD
+                            model (.step, .iges)
   merge RECORDS...          add up what verify --jsonl has written of many files
   repair FILE -o FILE       make kinks of a drawing, a chain or a font exactly
                             smooth, on its own grid

@@ -27,6 +27,7 @@
 #include "formats/font/Font_face.cpp"
 #include "formats/font/Glyph_selection.cpp"
 #include "formats/font/font_files.cpp"
+#include "formats/gcode/toolpath.cpp"
 #include "formats/svg/Drawing_document.cpp"
 #include "formats/svg/svg_drawing.cpp"
 #include "reports/Conclusion.cpp"

@@ -61,30 +61,30 @@ foreign() { # FILE TEXT...: no command reads it
   done
 }
 mkdir formats && cd formats
-: >part.dxf && : >part.DXF && : >part.gcode && : >Font.glyphs && : >Part.FCStd && : >part.stl && : >data.json && : >part.step.gz && : >a.ufoz
+: >part.dxf && : >part.DXF && : >Font.glyphs && : >Part.FCStd && : >part.stl && : >data.json && : >part.step.gz && : >a.ufoz
 : >A.designspace && : >picture.png && : >page.pdf && : >part.sldprt && mkdir Font.ufo Font.glyphspackage
 foreign part.dxf DXF "export it as SVG" "spline_pieces() reads the splines of ezdxf"
 foreign Part.FCStd FreeCAD "export it as STEP"
 foreign part.step.gz "a packed CAD model" gunzip
 foreign Font.ufo "a UFO" "fontmake -u" "adapters.sources"
-for file in "part.DXF DXF" "part.gcode G-code" "Font.glyphs fontmake -g" "Font.glyphspackage fontmake -g" "part.stl triangles have no curvature" \
+for file in "part.DXF DXF" "Font.glyphs fontmake -g" "Font.glyphspackage fontmake -g" "part.stl triangles have no curvature" \
   "data.json JSON" "a.ufoz UFO" "A.designspace --all-instances" "picture.png pixels" "page.pdf export it as SVG" "part.sldprt export it as STEP"; do
   refused "${file%% *}" verify "${file#* }" "which is not read" "verify reads curves and surfaces (.g2), drawings (.svg, .svgz), fonts (" \
     "CAD models (.step, .stp, .iges, .igs, .brep, .brp)"
 done
 # by content, also of standard input
-printf '  0\r\nSECTION\r\n  2\r\nHEADER\r\n' >dxf && printf '; made by a slicer\n(comment)\n%%\nG21\nG1 X0 Y1\n' >gcode && printf ' {"a":1}' >json
+printf '  0\r\nSECTION\r\n  2\r\nHEADER\r\n' >dxf && printf ' {"a":1}' >json
 printf '{\n.appVersion = "3208";\n' >glyphs && printf 'solid part\n facet normal 0 0 1\n' >stl && printf 'PK\3\4....Document.xml' >freecad
 printf '<?xml version="1.0"?>\n<glyph name="a" format="2">\n' >glif && printf '<?xml version="1.0"?>\n<designspace format="4.1">' >designspace
 printf 'ISO-10303-21;\nHEADER;\n' >step && gzip -c step >packed && printf '100 1 0 0\n' | gzip -c >packed_curves
 printf '%72sS      1\n%72sG      1\n' '' '' >iges && printf '\nCASCADE Topology V1, (c) Matra-Datavision\n' >brep
-for file in "dxf DXF" "gcode G-code" "json JSON" "glyphs Glyphs" "stl mesh" "freecad FreeCAD" "glif UFO" "designspace designspace" \
+for file in "dxf DXF" "json JSON" "glyphs Glyphs" "stl mesh" "freecad FreeCAD" "glif UFO" "designspace designspace" \
   "packed packed CAD model" "packed_curves packed" "step call it *.step" "iges call it *.iges" "brep call it *.brep"; do
   refused "${file%% *}" verify "${file#* }" "verify reads "
 done
 code=0
-"$program" verify - <gcode >out 2>err || code=$?
-holds [ $code -eq 2 ] && says err "standard input: G-code, which is not read"
+"$program" verify - <dxf >out 2>err || code=$?
+holds [ $code -eq 2 ] && says err "standard input: DXF, which is not read"
 echo hello >words.txt && refused words.txt verify "no format that is read; verify reads"
 # a folder of sources, and none of fonts
 mkdir -p sources/Bold.ufo && refused sources verify "sources/Bold.ufo: a UFO"

@@ -3,13 +3,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/command_line.h"
+#include "commands/drawings/read_drawing.h"
 #include "commands/kink_options.h"
 #include "commands/report_inputs.h"
 #include "commands/surfaces_hint.h"
 #include "files/output.h"
 #include "formats/cad/read_cad.h"
 #include "formats/font/font_files.h"
-#include "formats/svg/svg_drawing.h"
 
 #include <algorithm>
 #include <iostream>
@@ -19,14 +19,15 @@
 namespace {
 
 const char* const report_usage = R"(usage: geometric_continuity report FILE.g2... | DRAWING.svg... | FONT...
-       | MODEL.step... -o REPORT.html [OPTIONS]
+       | MODEL.step... | TOOLPATH.ngc... -o REPORT.html [OPTIONS]
 
-Decides the joins of a chain, of drawings or of fonts, the edges of CAD models
-within --within, or with --surfaces those of a model, as verify does, and writes
-a page that shows them: the worst first, each drawn large with its curvature
-comb, its handles and the numbers, which are guaranteed bounds; or with its two
-faces, and the whole model to be turned. The page filters and sorts. It is one
-file, and needs no network. Several CAD models are drawn beside each other.
+Decides the joins of a chain, of drawings, toolpaths or fonts, the edges of CAD
+models within --within, or with --surfaces those of a model, as verify does, and
+writes a page that shows them: the worst first, each drawn large with its
+curvature comb, its handles and the numbers, which are guaranteed bounds; or
+with its two faces, and the whole model to be turned. The page filters and
+sorts. It is one file, and needs no network. Several CAD models are drawn beside
+each other.
   gap     the ends are apart
   kink    the tangents differ, by at most --kink-angle
   fading corner  of CAD models: by more in places only, which may not be meant
@@ -124,11 +125,11 @@ int run_report(const Command_line& line) {
     return written(page, output);
   }
   line.refuse({"within", "sew", "time-limit"}, "only for CAD models");
-  const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
+  const auto drawings = std::count_if(files.begin(), files.end(), is_drawing_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
-      throw std::invalid_argument("drawings (.svg) and curves (.g2) are not shown on one page");
-    line.refuse({"surfaces", "closed"}, "not for drawings");
+      throw std::invalid_argument("drawings (.svg), toolpaths (.ngc) and curves (.g2) are not shown on one page");
+    line.refuse({"surfaces", "closed"}, "not for drawings and toolpaths");
     report_drawings(files, demand, page);
   } else if (line.has("surfaces")) {
     line.refuse({"closed", "page"}, "not with --surfaces");

@@ -6,6 +6,7 @@
 #include "commands/cad/verify_cad.h"
 #include "commands/chains/verify_chain.h"
 #include "commands/command_line.h"
+#include "commands/drawings/read_drawing.h"
 #include "commands/drawings/verify_drawings.h"
 #include "commands/fonts/verify_fonts.h"
 #include "commands/fonts/verify_instances.h"
@@ -16,7 +17,6 @@
 #include "files/output.h"
 #include "formats/cad/read_cad.h"
 #include "formats/font/font_files.h"
-#include "formats/svg/svg_drawing.h"
 #include "reports/Baseline.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ namespace {
 
 const char* const verify_usage =
     R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT...
-       | MODEL.step... [OPTIONS]
+       | MODEL.step... | TOOLPATH.ngc... [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -47,7 +47,8 @@ B-spline surfaces. For SVG drawings it decides the joins of every path and
 basic shape, and names the element and the commands. It tells what they look
 like: a corner, a kink, which is an angle of at most --kink-angle degrees, G1
 or G2. Corners are meant, and need not meet --require G1, G2, ... Segments of no
-length are left out.
+length are left out. Of programs in G-code (.ngc, .nc, .gcode, ...) the joins of
+feed moves in a plane are decided in the same way, and named by their lines.
 
 Of fonts (TrueType, OpenType, Type 1, WOFF; folders with all that is in them) it
 grades the joins of each glyph, on the integers of the font:
@@ -321,11 +322,13 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
     return verify_cad(files, mode, cad_demand(line, required),
                       {Cad_drawing::none, line.length("sew"), line.seconds("time-limit", 60)});
   line.refuse({"sew", "time-limit"}, "only for CAD models");
-  const auto drawings = std::count_if(files.begin(), files.end(), is_svg_file);
+  const auto drawings = std::count_if(files.begin(), files.end(), is_drawing_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
-      throw std::invalid_argument("drawings (.svg) and curves (.g2) cannot be verified together");
-    line.refuse({"surfaces", "closed", "within", "kernel"}, "not for drawings");
+      throw std::invalid_argument("drawings (.svg), toolpaths (.ngc) and curves (.g2) cannot be verified together");
+    line.refuse({"surfaces", "closed", "within", "kernel"}, "not for drawings and toolpaths");
+    if (certificate != nullptr && std::any_of(files.begin(), files.end(), is_toolpath_file))
+      throw std::invalid_argument("--certificate: not for toolpaths");
   }
   if (line.has("surfaces")) {
     line.refuse({"closed", "max-order", "kernel", "kink-angle"}, "not with --surfaces");

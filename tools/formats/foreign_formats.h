@@ -28,10 +28,6 @@ constexpr Foreign_format
                     ".step.bz2 .stp.bz2 .stpxz ",
                     "unpack it first, e.g. with gunzip"},
     packed = {"a packed file", ".xz .bz2 .zst .zip .7z .tar .tgz .rar ", "unpack it first"},
-    gcode =
-        {"G-code", ".gcode .gco .nc .ngc .cnc ",
-         "take the drawing or the model of which it was made; lines, arcs and cubics can be written as a path of an "
-         "SVG drawing"},
     dxf = {"DXF", ".dxf ",
            "export it as SVG, or take the Python module: geometric_continuity.adapters.drawings.spline_pieces() reads "
            "the splines of ezdxf"},

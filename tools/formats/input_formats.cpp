@@ -8,6 +8,7 @@
 #include "formats/cad/cad_file.h"
 #include "formats/font/font_files.h"
 #include "formats/foreign_formats.h"
+#include "formats/gcode/toolpath.h"
 #include "formats/svg/Unpacked_bytes.h"
 #include "formats/svg/svg_drawing.h"
 
@@ -28,13 +29,13 @@ namespace {
 namespace fs = std::filesystem;
 
 // The kinds of files that commands read.
-enum Kind : unsigned { curves = 1, drawings = 2, fonts = 4, models = 8, points = 16 };
+enum Kind : unsigned { curves = 1, drawings = 2, fonts = 4, models = 8, points = 16, toolpaths = 32 };
 
 struct Reader {
   std::string_view command;
   unsigned kinds;
 };
-constexpr unsigned everything = curves | drawings | fonts | models;
+constexpr unsigned everything = curves | drawings | fonts | models | toolpaths;
 constexpr Reader readers[] = {{"verify", everything}, {"report", everything}, {"repair", curves | drawings | fonts},
                               {"blend", curves},      {"connect", curves},    {"extend", curves},
                               {"plot", curves},       {"tessellate", curves}, {"round-edges", curves},
@@ -47,6 +48,7 @@ constexpr struct {
                   {drawings, "a drawing", "drawings (.svg, .svgz)"},
                   {fonts, "a font", "fonts (.ttf, .otf, .ttc, .woff, .woff2, .pfb and others, and folders with fonts)"},
                   {models, "a CAD model", "CAD models (.step, .stp, .iges, .igs, .brep, .brp)"},
+                  {toolpaths, "a toolpath", "toolpaths (.ngc, .nc, .gcode, .gco, .cnc, .tap)"},
                   {points, "points", "points (a text, a line for each)"}};
 
 // E.g. "drawings (.svg, .svgz) and fonts".
@@ -92,9 +94,9 @@ bool has_ending(const Foreign_format& format, const std::string& ending) {
 
 const Foreign_format* foreign_by_name(const std::string& file) {
   using namespace foreign;
-  static constexpr const Foreign_format* formats[] = {
-      &packed_model, &packed,      &gcode,   &dxf,  &dwg,        &json,  &glyphs, &ufo,
-      &designspace,  &font_source, &freecad, &mesh, &cad_system, &print, &image,  &table};
+  static constexpr const Foreign_format* formats[] = {&packed_model, &packed,     &dxf,         &dwg,         &json,
+                                                      &glyphs,       &ufo,        &designspace, &font_source, &freecad,
+                                                      &mesh,         &cad_system, &print,       &image,       &table};
   for (const std::string& ending : endings(file))
     for (const Foreign_format* format : formats)
       if (has_ending(*format, ending)) return format;
@@ -103,27 +105,6 @@ const Foreign_format* foreign_by_name(const std::string& file) {
 
 bool begins_with(std::string_view text, std::string_view begin) { return text.substr(0, begin.size()) == begin; }
 bool has(std::string_view text, std::string_view word) { return text.find(word) != std::string_view::npos; }
-
-// The first word of a text behind blanks, lines of comments of G-code and the sign before its
-// lines.
-std::string_view first_word_of_gcode(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const char c = text[i];
-    if (c == ';' || c == '(' || c == '%')
-      i = (std::min)(text.find('\n', i), text.size());
-    else if (c == ' ' || c == '\t' || c == '\r' || c == '\n')
-      ++i;
-    else
-      return text.substr(i, (std::min)(text.find_first_of(" \t\r\n;(", i), text.size()) - i);
-  }
-  return {};
-}
-
-bool is_gcode(std::string_view text) {
-  const std::string_view word = first_word_of_gcode(text);
-  return word.size() > 1 && std::string_view("GMTNO").find(word[0]) != std::string_view::npos && '0' <= word[1] &&
-         word[1] <= '9';
-}
 
 // Numbers and nothing else, as the formats .g2 and of points have them, may begin so.
 bool may_be_numbers(std::string_view text) {
@@ -204,7 +185,6 @@ const Foreign_format* foreign_by_content(const std::string& bytes) {
   if (begins_with(text, "solid") && has(text, "facet")) return &mesh;
   if (begins_with(text, "0") && has(text.substr(0, 40), "SECTION")) return &dxf;
   if (begins_with(text, "999") && has(text, "SECTION")) return &dxf;
-  if (is_gcode(text)) return &gcode;
   return nullptr;
 }
 
@@ -259,6 +239,7 @@ class Input_check {
     }
     if (is_font_file(file_)) return check(fonts);
     if (is_svg_file(file_)) return check(drawings);
+    if (is_toolpath_file(file_)) return check(toolpaths);
     const bool is_named = endings(file_).empty() || endings(file_).back() == ".g2" || is_standard_input(file_);
     if (!is_named && !may_be_numbers(bytes)) refuse("no format that is read");
   }
@@ -281,6 +262,7 @@ public:
     const std::vector<std::string> all = endings(file_);
     const std::string ending = all.empty() ? "" : all.back();
     if (ending == ".svg" || ending == ".svgz") return check(drawings);
+    if (!ending.empty() && is_toolpath_file(file_)) return check(toolpaths);
     if (reader_.kinds == points && ending == ".g2") return check(curves);
     if (is_standard_input(file_) || fs::is_regular_file(file_, error)) check_content();
   }

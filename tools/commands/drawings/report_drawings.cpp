@@ -4,6 +4,7 @@
 
 #include "commands/chains/join_report.h"
 #include "commands/drawings/Subpath_joins.h"
+#include "commands/drawings/read_drawing.h"
 #include "commands/work_limit.h"
 #include "files/input.h"
 #include "files/progress.h"
@@ -29,8 +30,6 @@ class Drawing_page : public Drawing_handler {
   std::function<void()> show_progress_ = [] {};
   double part_of_drawing_ = 0; // that has been measured
 
-  static std::string command(const Segment& s) { return std::to_string(s.command) + ' ' + s.letter; }
-
 public:
   Drawing_page(const Report_demand& demand, Report_page& page, bool several)
       : demand_(demand), page_(page), several_(several) {}
@@ -38,11 +37,13 @@ public:
   void read(const Arguments& files) {
     const Reading_position position(files);
     for (std::size_t i = 0; i < files.size(); ++i) {
+      const bool is_toolpath = is_toolpath_file(files[i]);
+      page_.down = !is_toolpath;
       Input input(files[i]);
       part_of_drawing_ = 0;
       show_progress_ = [&] { progress_.step(page_.total(), [&] { return position.part(i, part_of_drawing_); }); };
       input.after_each_block(show_progress_);
-      read_svg_drawing(input, input_name(files[i]), *this);
+      read_drawing(files[i], is_toolpath, input, *this);
       show_progress_ = [] {};
     }
     page_.summary = counted(page_.total(), "join") + " in " + counted(subpaths_, "subpath");
@@ -64,13 +65,14 @@ public:
     looked_through_ += joins.rounding();
     joins.for_each([&](std::size_t i, std::size_t right_number, std::size_t looked_through, const Segment& right) {
       const Segment& left = path.segments[i];
-      Report_item item = within_work_limit([&] { return "commands " + command(left) + " and " + command(right); },
-                                           [&] { return measured_join(left, right, demand_); });
+      Report_item item = within_work_limit(
+          [&] { return command_words(left) + (' ' + command_text(left)) + " and " + command_text(right); },
+          [&] { return measured_join(left, right, demand_); });
       show_progress_();
       if (!page_.count(item.grade, item.severity)) return;
       item.number = page_.total();
       item.place = (several_ ? element.file + ": " : "") + element.text() + ", subpath " + std::to_string(number) +
-                   ", commands " + command(left) + " - " + command(right);
+                   ", " + command_words(left) + ' ' + command_text(left) + " - " + command_text(right);
       if (looked_through != 0) item.marks.push_back("rounding looked through");
       if (!outline && n <= most_curves_of_outline) {
         for (std::size_t j = 0; j < n; ++j) drawing(j);
@@ -92,7 +94,6 @@ public:
 } // namespace
 
 void report_drawings(const Arguments& files, const Report_demand& demand, Report_page& page) {
-  page.down = true;
   Drawing_page drawing(demand, page, files.size() > 1);
   drawing.read(files);
   page.finish();

@@ -7,6 +7,7 @@
 #include "commands/drawings/Subpath_joins.h"
 #include "commands/drawings/drawing_kink.h"
 #include "commands/drawings/drawing_remark.h"
+#include "commands/drawings/read_drawing.h"
 #include "commands/work_limit.h"
 #include "files/input.h"
 #include "files/progress.h"
@@ -41,8 +42,7 @@ std::string json_element(const Drawing_element& element) {
 
 // Where a join is, e.g. ", subpath 1, commands 2 c - 3 s".
 void append_place(std::string& s, int number, const Segment& left, const Segment& right) {
-  append(s, ", subpath ", number, ", commands ", left.command, ' ', left.letter, " - ", right.command, ' ',
-         right.letter);
+  append(s, ", subpath ", number, ", ", command_words(left), ' ', command_text(left), " - ", command_text(right));
 }
 
 // E.g. " at (1, 2)".
@@ -139,8 +139,8 @@ class Drawing_report : public Drawing_handler {
     else
       s << "\"left\":" << left_number << ",\"right\":" << right_number
         << ",\"c_order\":null,\"g_order\":null,\"f_order\":null,\"betas\":[],\"undecided\":" << json_text(too_near);
-    s << ",\"left_command\":" << left.command << ",\"left_letter\":\"" << left.letter
-      << "\",\"right_command\":" << right.command << ",\"right_letter\":\"" << right.letter << '"';
+    s << ",\"left_command\":" << left.command << ",\"left_letter\":\"" << letter_text(left)
+      << "\",\"right_command\":" << right.command << ",\"right_letter\":\"" << letter_text(right) << '"';
     if (looked_through != 0) s << ",\"looked_through\":" << looked_through;
     write_drawing_kink(s, left, right, grade);
     return s.str();
@@ -160,12 +160,13 @@ public:
   void read(const Arguments& files) {
     const Reading_position position(files);
     for (std::size_t i = 0; i < files.size(); ++i) {
+      const bool is_toolpath = is_toolpath_file(files[i]);
       Input input(files[i]);
       report_.begin_file(input_name(files[i]));
       part_of_drawing_ = 0;
       show_progress_ = [&] { progress_.step(joins_, [&] { return position.part(i, part_of_drawing_); }); };
       input.after_each_block(show_progress_); // a path may be large
-      read_svg_drawing(input, input_name(files[i]), *this);
+      read_drawing(files[i], is_toolpath, input, *this);
       show_progress_ = [] {};
     }
     progress_.clear();
@@ -223,8 +224,8 @@ private:
   Decision decide(const Drawing_join& join) const {
     return within_work_limit(
         [&] {
-          return "commands " + std::to_string(segment(join.left()).command) + " and " +
-                 std::to_string(segment(join.right()).command);
+          return std::string(command_words(segment(join.left()))) + ' ' + command_text(segment(join.left())) + " and " +
+                 command_text(segment(join.right()));
         },
         [&] { return GC::continuity(join, max_order_); });
   }

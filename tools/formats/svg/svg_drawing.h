@@ -44,8 +44,10 @@ struct Drawing_element {
   // use "u" (line 20).
   std::string text() const;
 
-  // Returns the line on which a command of the path begins; that of the element for shapes.
+  // Returns the line on which a command of the path, or of a program, begins; that of the element
+  // for shapes.
   long long line_of(const GC::Svg_segment<Drawing_traits>& segment) const {
+    if ('0' <= segment.letter && segment.letter <= '9') return segment.command;
     return lines == nullptr ? line : (*lines)[segment.place];
   }
 };

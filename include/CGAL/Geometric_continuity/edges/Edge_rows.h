@@ -413,6 +413,13 @@ template <class FT> struct Spline_edge_continuity : Edge_continuity<FT> {
   bool whole_a = false;                   ///< the common part is all of the first edge
   bool whole_b = false;                   ///< the common part is all of the second edge
 
+  // This refuses the verdict in the place of a number.
+  template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>> operator Number() const {
+    static_assert(!std::is_same_v<Number, Number>, "the order along an edge is .g_order; is_g2_edge(a, b) is true or "
+                                                   "false");
+    return Number();
+  }
+
   /// Writes the whole, then the place of the worst of several spans, and the part if it is not all
   /// of both edges; e.g. `G1 (curvature), worst of 3 spans on [0, 1/2]` or
   /// `G2, a part of the second edge`.

@@ -88,22 +88,25 @@ Join_continuity<Predicate_FT<typename Left::Traits>> decide_continuity(const Lef
   }
 }
 
-// The decision about two curves, and no type for other arguments.
-template <class Left, class Right>
-using Curve_join = std::enable_if_t<!is_surface<Left>, Join_continuity<Predicate_FT<typename Left::Traits>>>;
-
 // Returns the result, with the data that up_to_rounding() needs.
 template <class Left, class Right, class Order>
 Join_continuity<Predicate_FT<typename Left::Traits>> continuity_of_curves(const Left& left, const Right& right,
                                                                           Order max_order) {
-  Join_continuity<Predicate_FT<typename Left::Traits>> join = decide_continuity(left, right, max_order, false);
-  constexpr int N = dimension_v<typename Left::Traits>;
-  if constexpr (std::is_floating_point_v<typename Left::Traits::FT> && (N == 2 || N == 3))
-    if (join.g_order < 2 && join.g_order < max_order)
-      with_end_points<Curve_end::end>(left, [&](const auto& p) {
-        with_end_points<Curve_end::start>(right, [&](const auto& q) { join.points.template set<N>(p, q, max_order); });
-      });
-  return join;
+  static_assert(!is_surface<Left>, "continuity(a, b) is of two curves; of two surfaces, edge_continuity(a, b) decides "
+                                   "their common edge, and is_g2_edge(a, b) is true or false");
+  if constexpr (is_surface<Left>) // so that there is one error
+    return {};
+  else {
+    Join_continuity<Predicate_FT<typename Left::Traits>> join = decide_continuity(left, right, max_order, false);
+    constexpr int N = dimension_v<typename Left::Traits>;
+    if constexpr (std::is_floating_point_v<typename Left::Traits::FT> && (N == 2 || N == 3))
+      if (join.g_order < 2 && join.g_order < max_order)
+        with_end_points<Curve_end::end>(left, [&](const auto& p) {
+          with_end_points<Curve_end::start>(right,
+                                            [&](const auto& q) { join.points.template set<N>(p, q, max_order); });
+        });
+    return join;
+  }
 }
 
 } // namespace internal
@@ -161,7 +164,7 @@ Join_continuity<Predicate_FT<Traits>> continuity(const Curve_jet<Traits>& left, 
 ///   differ, `not_finite` when derivatives overflow, `work_limit`: with exact numbers, high orders
 ///   are forms of high degree
 template <class Left, class Right>
-internal::Curve_join<Left, Right> continuity(const Left& left, const Right& right, int max_order) {
+Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right, int max_order) {
   return internal::continuity_of_curves(left, right, max_order);
 }
 
@@ -171,16 +174,9 @@ internal::Curve_join<Left, Right> continuity(const Left& left, const Right& righ
 /// orders that are known at run time.
 /// \tparam Left, Right as above
 /// \throws Error as above
-template <class Left, class Right> internal::Curve_join<Left, Right> continuity(const Left& left, const Right& right) {
+template <class Left, class Right>
+Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right) {
   return internal::continuity_of_curves(left, right, internal::Order_3());
-}
-
-// This refuses surfaces by one error of the compiler.
-template <class Left, class Right, class... Order, class = std::enable_if_t<internal::is_surface<Left>>>
-auto continuity(const Left&, const Right&, const Order&...) {
-  static_assert(!internal::is_surface<Left>, "continuity(a, b) is of two curves; of two surfaces, edge_continuity(a, "
-                                             "b) decides their common edge, and is_g2_edge(a, b) is true or false");
-  return -1;
 }
 
 } // namespace Geometric_continuity

@@ -286,6 +286,13 @@ template <class FT> struct Join_continuity {
   /// numbers of the curves are floating-point numbers, in the plane or in space.
   std::optional<Order_up_to_rounding> up_to_rounding() const { return points.order_up_to_rounding(g_order); }
 
+  // This refuses a join in the place of a number.
+  template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>> operator Number() const {
+    static_assert(!std::is_same_v<Number, Number>, "a join has several orders: join.g_order, join.c_order and "
+                                                   "join.f_order; is_g2_join(a, b) is true or false");
+    return Number();
+  }
+
   /// Writes the orders and the shape parameters, e.g. `C1 G2 F2, beta = (1, 3/4)`, and by how much
   /// a greater order is missed if that is no more than rounding, e.g.
   /// `C0 G0 F0; G2 but for 1.5 units in the last place`.
