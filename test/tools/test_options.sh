@@ -67,7 +67,7 @@ refused "--replace 0: $L has 1 curve; at least 3 are needed" blend "$L" --replac
 refused "--order: 4 is not from 2 to 3" blend "$L" "$R" --order 4
 
 # names
-for name in no.svg no.OFF no.stl no.json; do
+for name in no.pdf no.OFF no.stl no.html; do
   refused "--output: $name: the format is .g2" blend "$L" "$R" -o $name
   refused "--output: $name: the format is .g2" extend "$L" --order tangent -o $name
 done
@@ -79,7 +79,7 @@ for ending in ttf OTF woff2 pfb ttc ufo step gz; do
   refused "--output: no.$ending: the format is .svg, not .$lower" repair "$data/leaf_inkscape.svg" -o no.$ending
   refused "--output: no.$ending: the format is .g2, not .$lower" repair "$S" --closed -o no.$ending
 done
-for name in no.ttf no.step no.pdf no.html no.svg no.json no.zip; do
+for name in no.ttf no.igs no.pdf no.html no.csv no.zip; do
   refused "--output: $name: the format is .g2, not" blend "$L" "$R" -o $name
   refused "--output: $name: the format is .g2, not" fit points.txt --tolerance 1 -o $name
   refused "--output: $name: the format is .g2, not" interpolate points.txt -o $name

@@ -77,7 +77,7 @@ for command in interpolate "fit --tolerance 1"; do
   run 2 $command one.txt && says err "one.txt: "
   run 2 $command none.txt && says err "none.txt: wrong_number_of_points"
   run 2 $command missing.txt && says err "missing.txt: No such file or directory"
-  run 2 $command five.txt -o no.svg && holds [ ! -e no.svg ]
+  run 2 $command five.txt -o no.pdf && holds [ ! -e no.pdf ]
 done
 awk 'BEGIN { srand(1); for (i = 0; i < 3000; ++i) print int(1e9 * rand()) "/" 1 + int(1e9 * rand()), i }' >long.txt
 run 2 interpolate long.txt --max-work 1000000 && says err "long.txt: work_limit" "--max-work N allows N steps"

@@ -92,10 +92,8 @@ inline bool lead_to_one_file(const std::string& a, const std::string& b) {
   return std::filesystem::equivalent(a, b, error) || behind_links(a) == behind_links(b);
 }
 
-// Checks the names that --output gives to curves or surfaces, and --plot to their picture, as far
-// as they are given.
+// Checks the names of --plot, a picture, and --output, as far as they are given.
 inline void check_outputs(const Command_line& line) {
-  if (line.has("output")) check_output_name(line, "output", {".g2"});
   if (line.has("plot")) check_picture_name(line, "plot");
   if (line.has("output") && line.has("plot") && lead_to_one_file(line.text("output"), line.text("plot")))
     throw std::invalid_argument("--output and --plot: both are written to " + line.text("plot"));

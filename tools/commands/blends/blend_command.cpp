@@ -10,6 +10,7 @@
 #include "commands/command_line.h"
 #include "commands/work_limit.h"
 #include "files/output.h"
+#include "formats/shapes/write_shapes.h"
 
 #include <Geometric_continuity_figures/Svg_figure.h>
 
@@ -268,7 +269,7 @@ template <class FT> int blend(const Command_line& line) {
   std::optional<GC::Svg_figure> figure;
   if (line.has("plot")) figure = picture(line.text("title"), scene, results, reports, phi, psi);
   if (line.has("output"))
-    write_output(line.text("output"), [&](std::ostream& os) {
+    write_shapes(line, [&](std::ostream& os) {
       if (chain)
         for (const Program_curve<FT>& c : scene.before) GC::write_g2(os, c);
       for (const Blend_result<FT>& r : results)
@@ -304,13 +305,13 @@ void describe_blend(po::options_description_easy_init add) {
   add("representable", "control points that are doubles, joins that are exactly G2");
   add("json", "print the report as JSON");
   add("max-work", po::value<std::string>(), "the steps of work that are allowed for each blend");
-  add("output,o", po::value<std::string>(), "write the result, .g2");
+  add_shape_output(add, "the result");
   add("plot", po::value<std::string>(), "draw the result, .svg");
   add("title", po::value<std::string>(), "title of the picture");
 }
 
 int run_blend(const Command_line& line) {
-  check_outputs(line);
+  check_shape_output(line);
   if (!line.has("plot")) line.refuse({"title"}, "only with --plot");
   if (line.has("corner") || line.has("corners")) {
     line.refuse({"max-work"}, "not with --corner or --corners");

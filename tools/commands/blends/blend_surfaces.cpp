@@ -6,6 +6,7 @@
 #include "commands/blends/blend_strategies.h"
 #include "commands/models/exact_models.h"
 #include "files/output.h"
+#include "formats/shapes/write_shapes.h"
 
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
@@ -163,7 +164,7 @@ Exit_code blend_representably(const Command_line& line) {
   const Exit_code code = report_order(report, 2, at_a && at_b);
   warn_of_fold(report, r->blend); // doubles are cut faster than fractions
   if (line.has("output"))
-    write_output(line.text("output"), [&](std::ostream& os) {
+    write_shapes(line, [&](std::ostream& os) {
       for (const Exact_surface* x : {&first, &s, &second}) GC::write_g2(os, *x);
     });
   return code;
@@ -188,7 +189,7 @@ Exit_code blend_with_shape(const Command_line& line, const Surface& a, const Sur
   report << '\n';
   const Exit_code code = report_order(report, order, at_a && at_b);
   warn_of_fold(report, s);
-  if (line.has("output")) write_output(line.text("output"), [&](std::ostream& os) { GC::write_g2(os, s); });
+  if (line.has("output")) write_shapes(line, [&](std::ostream& os) { GC::write_g2(os, s); });
   return code;
 }
 

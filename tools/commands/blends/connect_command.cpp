@@ -6,6 +6,7 @@
 #include "commands/work_limit.h"
 #include "files/input.h"
 #include "files/output.h"
+#include "formats/shapes/write_shapes.h"
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
@@ -65,7 +66,7 @@ int connect(const Command_line& line) {
     g1 = g1 && continuity[i].g_order >= 1;
   }
   report << (g1 ? "G1 along the whole edge, proved exactly\n" : "not G1 along the whole edge\n");
-  write_output(line.text("output"), [&](std::ostream& os) {
+  write_shapes(line, [&](std::ostream& os) {
     GC::write_g2(os, ribbon.side1);
     GC::write_g2(os, ribbon.side2);
   });
@@ -75,13 +76,13 @@ int connect(const Command_line& line) {
 void describe_connect(po::options_description_easy_init add) {
   add("bulge", po::value<std::string>(), "R, bends the surfaces: beta becomes quartic (default 0)");
   add("max-work", po::value<std::string>(), "the steps of work that are allowed");
-  add("output,o", po::value<std::string>(), "write both surfaces, .g2");
+  add_shape_output(add, "both surfaces");
 }
 
 int run_connect(const Command_line& line) {
   if (line.files().size() != 3) throw std::invalid_argument("connect: three files are needed; see --help");
   if (!line.has("output")) throw std::invalid_argument("connect: -o RIBBON.g2 is needed");
-  check_outputs(line);
+  check_shape_output(line);
   const GC::Work_scope each(line.work_limit());
   return within_work_limit([&] { return input_name(line.files()[0]) + ", ..."; }, [&] { return connect(line); });
 }

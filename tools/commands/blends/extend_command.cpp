@@ -7,6 +7,7 @@
 #include "commands/command_line.h"
 #include "commands/work_limit.h"
 #include "files/output.h"
+#include "formats/shapes/write_shapes.h"
 
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 #include <Geometric_continuity_figures/Svg_figure.h>
@@ -97,7 +98,7 @@ template <class FT> int extend(const Command_line& line) {
     for (const Program_curve<FT>& c : curves) panel.add(c, &c == &last ? neighbour : given);
     panel.join(orders(join)).add(next, added);
   }
-  write_output(line.text("output"), [&](std::ostream& os) {
+  write_shapes(line, [&](std::ostream& os) {
     for (const Program_curve<FT>& c : curves) GC::write_g2(os, c);
     GC::write_g2(os, next);
   });
@@ -116,7 +117,7 @@ void describe_extend(po::options_description_easy_init add) {
   add("kernel", po::value<std::string>()->default_value("exact"),
       "exact: construct in exact numbers; double: in floating-point numbers");
   add("max-work", po::value<std::string>(), "the steps of work that are allowed");
-  add("output,o", po::value<std::string>(), "write all curves of A and the new one, .g2");
+  add_shape_output(add, "all curves of A and the new one");
   add("plot", po::value<std::string>(), "draw the result, .svg");
 }
 
@@ -124,7 +125,7 @@ int run_extend(const Command_line& line) {
   if (line.files().size() != 1) throw std::invalid_argument("extend: one file is needed; see --help");
   if (!line.has("order")) throw std::invalid_argument("extend: --order is needed; see --help");
   if (!line.has("output")) throw std::invalid_argument("extend: -o OUT.g2 is needed");
-  check_outputs(line);
+  check_shape_output(line);
   const GC::Work_scope each(line.work_limit());
   return within_work_limit(
       [&] { return input_name(line.files()[0]); },

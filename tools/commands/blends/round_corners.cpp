@@ -8,6 +8,7 @@
 #include "commands/chains/join_report.h"
 #include "files/output.h"
 #include "formats/g2_text/curves.h"
+#include "formats/shapes/write_shapes.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
@@ -181,7 +182,7 @@ template <class FT> Exit_code round_corners(const Command_line& line) {
   else
     write_text(report_stream(line), report);
   if (line.has("output"))
-    write_output(line.text("output"), [&](std::ostream& os) {
+    write_shapes(line, [&](std::ostream& os) {
       for (const Program_curve<FT>& c : result.curves) GC::write_g2(os, c);
     });
   if (figure) write_output(line.text("plot"), [&](std::ostream& os) { figure->write(os); });

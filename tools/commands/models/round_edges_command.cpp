@@ -7,6 +7,7 @@
 #include "commands/models/model_json.h"
 #include "commands/work_limit.h"
 #include "files/output.h"
+#include "formats/shapes/write_shapes.h"
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/IO/g2.h>
@@ -138,7 +139,7 @@ int round_edges(const Command_line& line, const std::vector<Surface>& surfaces, 
   std::vector<Surface> all = model.surfaces;
   for (const auto& b : model.blends) all.push_back(b.surface);
   if (line.has("output"))
-    write_output(line.text("output"), [&](std::ostream& os) {
+    write_shapes(line, [&](std::ostream& os) {
       for (const Surface& s : all) GC::write_g2(os, s);
     });
   if (line.has("plot"))
@@ -154,7 +155,7 @@ void describe_round_edges(po::options_description_easy_init add) {
   add("max-kink", po::value<std::string>(), "edges of a greater angle are meant and stay, in degrees (default 180)");
   add("json", "print the report as JSON");
   add("max-work", po::value<std::string>(), "the steps of work that are allowed for each edge");
-  add("output,o", po::value<std::string>(), "write the model with rounded edges, .g2");
+  add_shape_output(add, "the model with rounded edges");
   add("plot", po::value<std::string>(), "draw it with isophotes, .svg");
 }
 
@@ -163,7 +164,7 @@ int run_round_edges(const Command_line& line) {
   const std::optional<double> set_back = line.length("set-back");
   if (!set_back) throw std::invalid_argument("round-edges: --set-back R is needed; see --help");
   const GC::Rounding_of_edges rounding{*set_back, angle(line, "min-kink", 5), angle(line, "max-kink", 180)};
-  check_outputs(line);
+  check_shape_output(line);
   const GC::Work_scope each(line.work_limit());
   return within_work_limit([&] { return input_name(line.files()[0]); },
                            [&] {

@@ -106,7 +106,7 @@ void describe_fit(po::options_description_easy_init add) {
   add("closed", "the last point leads back to the first");
   add("corner", po::value<std::string>(), "A, from how many degrees on a corner is kept (default 45)");
   add("json", "print the report as JSON");
-  add("output,o", po::value<std::string>(), "write the curves, .g2");
+  add_shape_output(add, "the curves");
   add("plot", po::value<std::string>(), "draw the polyline and the curves, .svg");
 }
 

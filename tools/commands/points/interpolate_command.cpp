@@ -134,7 +134,7 @@ void describe_interpolate(po::options_description_easy_init add) {
       "exact: construct in exact numbers; double: in floating-point numbers");
   add("max-work", po::value<std::string>(), "the steps of work that are allowed");
   add("json", "print the report as JSON");
-  add("output,o", po::value<std::string>(), "write the curve, .g2");
+  add_shape_output(add, "the curve");
   add("plot", po::value<std::string>(), "draw the points and the curve, .svg");
 }
 

@@ -9,6 +9,7 @@
 #include "commands/command_line.h"
 #include "commands/points/read_points.h"
 #include "files/output.h"
+#include "formats/shapes/write_shapes.h"
 
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <Geometric_continuity_figures/Svg_figure.h>
@@ -29,7 +30,7 @@
 // Refuses any other number of files, and outputs that cannot be written.
 inline void check_points_arguments(const Command_line& line, const std::string& command) {
   if (line.files().size() != 1) throw std::invalid_argument(command + ": one file of points is needed; see --help");
-  check_outputs(line);
+  check_shape_output(line);
 }
 
 inline GC::Closure closure_of(const Command_line& line) {
@@ -58,7 +59,7 @@ template <class Work> auto with_name(const Command_line& line, Work work) {
 template <class Traits>
 void write_curves(const Command_line& line, const std::string& text, std::vector<typename Traits::Point> points,
                   const std::string& name) {
-  if (line.has("output")) write_output(line.text("output"), [&](std::ostream& os) { os << text; });
+  if (line.has("output")) write_shapes(line, [&](std::ostream& os) { os << text; });
   if (!line.has("plot")) return;
   GC::Svg_panel panel;
   if (closure_of(line) == GC::Closure::closed) points.push_back(points.front());

@@ -14,8 +14,9 @@
 // model or a reason. It is called as
 //   geometric_continuity_cad FILE READING MEMORY
 // with the bytes of a `Cad_reading` in hexadecimal digits, and the bytes of memory that it may
-// take. Its standard input is a pipe, the other end of which is open as long as anybody waits for
-// the answer.
+// take. When the file is one of Spline_numbers, .shapes, it writes them to the model of this name
+// in the place of the reading, and answers with the model of no bytes. Its standard input is a
+// pipe, the other end of which is open as long as anybody waits for the answer.
 constexpr std::string_view cad_build = GEOMETRIC_CONTINUITY_CAD_BUILD;
 
 enum class Cad_answer : char { model = 'M', bad_file = 'B', no_memory = 'N' };

@@ -40,9 +40,10 @@ std::string reader_program() {
     const std::filesystem::path program = folder / place / "geometric_continuity_cad";
     if (::access(program.c_str(), X_OK) == 0) return program;
   }
-  throw std::runtime_error("STEP, IGES and BREP are read by an optional part of this program, which is not there: "
-                           "install the package geometric-continuity-cad, or libocct-data-exchange-dev and build the "
-                           "program again");
+  throw std::runtime_error(
+      "STEP, IGES and BREP are read and written by an optional part of this program, which is not there: "
+      "install the package geometric-continuity-cad, or libocct-data-exchange-dev and build the "
+      "program again");
 }
 
 // Returns all that the process writes which reads a file. Throws std::runtime_error when it takes
@@ -56,6 +57,24 @@ std::string answer(std::vector<std::string> command, double seconds, std::uint64
   return end.output;
 }
 
+// The text behind the build and the kind of an answer. Throws std::runtime_error with the reason
+// for which there is none.
+std::string_view content(const std::string& answer, std::uint64_t memory) {
+  const std::size_t begin = cad_build.size();
+  if (answer.size() <= begin) throw std::runtime_error("the library that reads it fails: the file is damaged");
+  if (answer.compare(0, begin, cad_build) != 0)
+    throw std::runtime_error("the program and its part that reads CAD models are not of one build");
+  const std::string_view text = std::string_view(answer).substr(begin + 1);
+  switch (static_cast<Cad_answer>(answer[begin])) {
+  case Cad_answer::model: return text;
+  case Cad_answer::no_memory:
+    throw std::runtime_error("not read with " + std::to_string(memory >> 20) +
+                             " MB of memory, which are allowed for a file of this size: it is damaged");
+  case Cad_answer::bad_file: break;
+  }
+  throw std::runtime_error(std::string(text));
+}
+
 // Reads a file in a process of its own. Throws std::runtime_error with the reason, without the name
 // of the file.
 Cad_model read_apart(const std::string& file, const Cad_reading& reading) {
@@ -64,25 +83,11 @@ Cad_model read_apart(const std::string& file, const Cad_reading& reading) {
   request(reading);
   const std::string answer = ::answer({reader_program(), file, hexadecimal(request.bytes()), std::to_string(memory)},
                                       reading.time_limit, memory);
-  const std::size_t begin = cad_build.size();
-  if (answer.size() <= begin) throw std::runtime_error("the library that reads it fails: the file is damaged");
-  if (answer.compare(0, begin, cad_build) != 0)
-    throw std::runtime_error("the program and its part that reads CAD models are not of one build");
-  const std::string_view text = std::string_view(answer).substr(begin + 1);
-  switch (static_cast<Cad_answer>(answer[begin])) {
-  case Cad_answer::model: {
-    Cad_model model;
-    Byte_reader bytes(text);
-    bytes(model);
-    if (!bytes.is_at_end()) throw std::runtime_error("damaged bytes of a model");
-    return model;
-  }
-  case Cad_answer::no_memory:
-    throw std::runtime_error("not read with " + std::to_string(memory >> 20) +
-                             " MB of memory, which are allowed for a file of this size: it is damaged");
-  case Cad_answer::bad_file: break;
-  }
-  throw std::runtime_error(std::string(text));
+  Cad_model model;
+  Byte_reader bytes(content(answer, memory));
+  bytes(model);
+  if (!bytes.is_at_end()) throw std::runtime_error("damaged bytes of a model");
+  return model;
 }
 
 } // namespace
@@ -101,4 +106,9 @@ Cad_model read_cad(const std::string& file, const Cad_reading& reading) {
   } catch (const std::runtime_error& e) {
     throw std::runtime_error(file + ": " + e.what());
   }
+}
+
+void make_cad_model(const std::string& shapes, const std::string& model) {
+  const std::uint64_t memory = memory_for(shapes);
+  content(answer({reader_program(), shapes, model, std::to_string(memory)}, 600, memory), memory);
 }

@@ -5,6 +5,7 @@
 #include "formats/cad/Cad_answer.h"
 #include "formats/cad/model_bytes.h"
 #include "formats/cad/opencascade/read_model.h"
+#include "formats/cad/opencascade/write_model.h"
 
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
@@ -89,13 +90,18 @@ Cad_model read(const std::string& name, const Cad_reading& reading) {
 
 int main(int argc, char** argv) {
   if (argc != 4) {
-    std::cerr << "geometric_continuity_cad: reads CAD models for geometric_continuity\n";
+    std::cerr << "geometric_continuity_cad: reads and writes CAD models for geometric_continuity\n";
     return EXIT_FAILURE;
   }
   const int descriptor = answer_descriptor();
   end_with_parent();
   limit_memory(std::strtoull(argv[3], nullptr, 10));
   try {
+    const std::string_view file = argv[1], shapes = ".shapes";
+    if (file.size() > shapes.size() && file.substr(file.size() - shapes.size()) == shapes) {
+      write_model(argv[1], argv[2]);
+      answer(descriptor, Cad_answer::model, "");
+    }
     Cad_reading reading;
     const std::string request = from_hexadecimal(argv[2]);
     Byte_reader bytes_of_request(request);
