@@ -26,6 +26,8 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
                             both joins
   connect C.g2 C1.g2 C2.g2  make two surfaces that meet with G1 continuity along
                             a cubic spline
+  match A.g2 B.g2           change a surface near an edge so that it continues
+                            another one with G1, G2 or G3
   extend A.g2               append a segment with continuous tangent, curvature
                             or torsion
   interpolate POINTS        lead a curve through points, with continuous
@@ -62,8 +64,9 @@ when the output cannot be written.
 using CGAL::Geometric_continuity::printable;
 
 const std::vector<const Command*> commands = {
-    &blend_command, &connect_command, &extend_command, &interpolate_command, &fit_command,        &verify_command,
-    &merge_command, &repair_command,  &plot_command,   &report_command,      &tessellate_command, &round_edges_command};
+    &blend_command,  &connect_command,    &match_command,      &extend_command, &interpolate_command,
+    &fit_command,    &verify_command,     &merge_command,      &repair_command, &plot_command,
+    &report_command, &tessellate_command, &round_edges_command};
 
 // Parses the arguments. Where the value of an option is missing that is one of some words, the
 // error lists them.

@@ -81,6 +81,7 @@
 #include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
+#include <CGAL/Geometric_continuity/surface_blends/match.h>
 #include <CGAL/Geometric_continuity/surface_blends/representable_blend_surfaces.h>
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>

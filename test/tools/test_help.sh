@@ -6,7 +6,7 @@ narrow() { # the file out fits into a terminal of 80 columns
   holds [ -z "$(awk 'length > 80' out)" ]
 }
 run 0 --help && says out "blend" "extend" "verify" "plot" && narrow
-for command in blend connect extend interpolate fit verify repair plot report tessellate round-edges; do
+for command in blend connect match extend interpolate fit verify repair plot report tessellate round-edges; do
   run 0 $command --help && says out "usage: geometric_continuity $command" "Exit code: 0 " && narrow
   holds [ "$(sed -n '/^examples:/,$p' out | grep -c "^  geometric_continuity $command ")" -eq 2 ] # two of them
 done
@@ -53,7 +53,7 @@ is_narrow 1 verify --surfaces "$teapot" --within 1,1deg
 
 # The manual page and the completion of bash have all commands and options.
 run 0 --man-page && mv out page.1 && run 0 --bash-completion && mv out completion
-for command in blend connect extend interpolate fit verify repair plot report tessellate round-edges; do
+for command in blend connect match extend interpolate fit verify repair plot report tessellate round-edges; do
   says page.1 "geometric_continuity ${command//-/\\-}"
   run 0 $command --help
   for option in $(grep -oE '^  (-[a-z] \[ )?--[a-z0-9-]+' out | grep -oE '\-\-[a-z0-9-]+'); do
@@ -72,7 +72,7 @@ touch only.g2 && holds [ "$(completed geometric_continuity verify onl)" = only.g
 # take the place of zsh's own ones.
 completions=$(dirname "$0")/../../tools/completions
 "$completions" zsh "$program" >_zsh && "$completions" fish "$program" >completion.fish
-for command in blend connect extend interpolate fit verify merge repair plot report tessellate round-edges; do
+for command in blend connect match extend interpolate fit verify merge repair plot report tessellate round-edges; do
   says _zsh "  '$command:" && says completion.fish "-f -a $command -d"
   run 0 $command --help
   for option in $(grep -oE '^  (-[a-z] \[ )?--[a-z0-9-]+' out | grep -oE '\-\-[a-z0-9-]+'); do

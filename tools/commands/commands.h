@@ -55,8 +55,9 @@ struct Command {
   int (*run)(const Command_line& line);
 };
 
-extern const Command blend_command, connect_command, extend_command, fit_command, interpolate_command, merge_command,
-    plot_command, repair_command, report_command, round_edges_command, tessellate_command, verify_command;
+extern const Command blend_command, connect_command, extend_command, fit_command, interpolate_command, match_command,
+    merge_command, plot_command, repair_command, report_command, round_edges_command, tessellate_command,
+    verify_command;
 
 // A picture of surfaces, as its options describe it.
 struct Surface_picture {

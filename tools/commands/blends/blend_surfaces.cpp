@@ -4,6 +4,7 @@
 
 #include "commands/blends/blend_surfaces.h"
 #include "commands/blends/blend_strategies.h"
+#include "commands/blends/two_surfaces.h"
 #include "commands/models/exact_models.h"
 #include "files/output.h"
 #include "formats/shapes/write_shapes.h"
@@ -25,38 +26,9 @@ namespace {
 
 typedef GC::Bspline_surface<GC::Traits_3<CGAL::Simple_cartesian<double>>> Double_surface;
 
-// Returns the only one of the surfaces of a file.
-template <class Surface> const Surface& only_surface(const std::string& file, const std::vector<Surface>& surfaces) {
-  if (surfaces.size() != 1)
-    throw GC::Error(GC::Error_code::malformed_input,
-                    input_name(file) + ": " + std::to_string(surfaces.size()) + " surfaces where one is expected");
-  return surfaces[0];
-}
-
-// Reads the surfaces of both files, each of which has one. They are rational surfaces if one of
-// them is.
-Surface_model<Exact_space> read_both_surfaces(const Arguments& files) {
-  Surface_model<Exact_space> both;
-  for (const std::string& file : files)
-    read_exact_model({file}).visit([&](const auto& surfaces) { both.push_back(only_surface(file, surfaces)); });
-  return both;
-}
 Double_surface read_double_surface(const std::string& file) {
   Input input(file);
   return only_surface(file, GC::read_g2_bspline_surfaces<Double_surface::Traits>(input, input_name(file)));
-}
-
-GC::Patch_edge edge_of(const std::string& name) {
-  for (GC::Patch_edge edge : GC::patch_edges)
-    if (to_string(edge) == name) return edge;
-  throw std::invalid_argument("--edges: '" + name + "' is none of u0, u1, v0, v1");
-}
-std::pair<GC::Patch_edge, GC::Patch_edge> given_edges(const Command_line& line) {
-  if (!line.has("edges")) return {GC::Patch_edge::v1, GC::Patch_edge::v0};
-  const std::string text = line.text("edges");
-  const std::size_t comma = text.find(',');
-  if (comma == std::string::npos) throw std::invalid_argument("--edges: two names are needed, e.g. v1,v0");
-  return {edge_of(text.substr(0, comma)), edge_of(text.substr(comma + 1))};
 }
 
 // Prints the continuity along the edge of a given surface, and returns whether the blend has the

@@ -182,7 +182,8 @@ private:
 };
 
 // Raises the degrees of splines on one domain, and refines their knots, to those of all.
-template <class Spline, std::size_t n> void unite(std::array<Spline, n>& splines) {
+template <class Splines> void unite(Splines& splines) {
+  typedef typename Splines::value_type Spline;
   int degree = 0;
   for (const Spline& s : splines) degree = (std::max)(degree, s.degree());
   for (Spline& s : splines)
