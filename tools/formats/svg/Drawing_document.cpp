@@ -179,7 +179,7 @@ class Drawing_reader {
     node.parent = open_.empty() ? number : open_.back();
     node.bytes_before = document_.bytes;
     read_attributes(node.attributes, pairs);
-    if (node.name == "path") read_tag(node);
+    if (node.name == "path" || tags_ == Drawing_tags::all) read_tag(node);
     if (node.name == "style") sheet_.clear();
     document_.bytes += sizeof(Drawing_node) + node.attributes.size();
     nodes.push_back(std::move(node));

@@ -90,7 +90,10 @@ class Drawing_walk {
     const Drawing_node& n = node(i);
     Drawing_element e{file_, std::string(n.name), n.attributes.text("id"), n.line};
     e.path = [this, i] { return path(i); };
+    e.tag = n.tag;
+    e.tag_begin = n.tag_begin;
     if (!is_repetition()) return e;
+    e.tag = {};
     const auto text = [&](const Part& part) { return element_text(node(part.use)); };
     e.repeated_by = text(parts_.back());
     if (parts_.size() > 2) e.repeated_by += " in " + text(parts_[1]); // which tells which one it is

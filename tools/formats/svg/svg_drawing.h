@@ -15,6 +15,7 @@
 #include <functional>
 #include <istream>
 #include <string>
+#include <string_view>
 
 namespace GC = CGAL::Geometric_continuity;
 
@@ -39,6 +40,11 @@ struct Drawing_element {
   // nearest element around it that has one, or from the outermost one, on, e.g. g#leaves/path[3];
   // what repeats it comes before it.
   std::function<std::string()> path = [] { return std::string(); };
+
+  // The tag as it is written, and where it begins in the file, where paths are taken; empty in a
+  // repetition.
+  std::string_view tag = {};
+  std::size_t tag_begin = 0;
 
   // Returns the name, the id, the line and what repeats it, e.g. path "leaf" (line 12), repeated by
   // use "u" (line 20).

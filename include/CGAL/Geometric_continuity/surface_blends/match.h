@@ -153,7 +153,7 @@ template <class A, class B> class Surface_match {
     return r;
   }
 
-  // What the numbers of lower orders give to the derivative k of the matched surface.
+  // Returns what the numbers of lower orders give to the derivative k of the matched surface.
   Row given(int k, const Shape& s) const {
     const FT &a = s.alpha, &b = s.beta;
     if (k == 1) return times(FT(0), edge());
@@ -320,9 +320,9 @@ Matching_shape<typename Surface_b::FT> nearest_matching_shape(const Surface_a& a
 /// Only the `order + 1` rows of control points next to the edge change. The degree across the edge
 /// is raised to at least `2 order + 1` before, so that at the opposite edge the surface keeps its
 /// derivatives up to the order; along the edge degrees are raised and knots united where they
-/// differ. The edge of the first surface is mapped affinely to the domain of that of the second one.
-/// With rational surfaces homogeneous rows are matched; the weights next to the edge become those of
-/// the first surface, times a number. The result is a patch when both surfaces are.
+/// differ. The edge of the first surface is mapped affinely to the domain of that of the second
+/// one. With rational surfaces homogeneous rows are matched; the weights next to the edge become
+/// those of the first surface, times a number. The result is a patch when both surfaces are.
 ///
 /// \param order 1, 2 or 3
 /// \param shape the numbers that are free, of which those up to the order are read

@@ -1,0 +1,394 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "commands/drawings/round_drawing.h"
+
+#include "commands/drawings/segment_joins.h"
+#include "commands/kink_options.h"
+#include "files/input.h"
+#include "files/output.h"
+#include "formats/svg/read_svg_path.h"
+#include "formats/svg/svg_drawing.h"
+#include "reports/words.h"
+
+#include <CGAL/Fraction_traits.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/repairs/round_corners.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Exact_rational Fraction;
+typedef GC::Bezier_curve<Drawing_traits> Plane_curve;
+typedef GC::Coordinate_vector<Fraction, 2> Plane_point;
+
+Plane_point point_of(const Plane_curve& c, int j) { return c.coordinates(j); }
+
+// The number with so many digits behind the point that is nearest to another one.
+Fraction with_digits(const Fraction& x, int digits) {
+  typedef CGAL::Fraction_traits<Fraction> Parts;
+  Fraction scale(1);
+  for (int i = 0; i < digits; ++i) scale *= 10;
+  const bool negative = x < 0;
+  Parts::Numerator_type p;
+  Parts::Denominator_type q;
+  Parts::Decompose()(Fraction((negative ? Fraction(-x) : x) * scale + Fraction(1) / 2), p, q);
+  const Fraction r = Fraction(Parts::Numerator_type(p / q)) / scale;
+  return negative ? Fraction(-r) : r;
+}
+
+// The same with so many digits from the first that is not zero on.
+Fraction with_significant_digits(const Fraction& x, int digits) {
+  const double size = std::abs(CGAL::to_double(x));
+  if (size == 0) return x;
+  return with_digits(x, (std::max)(0, digits - 1 - static_cast<int>(std::floor(std::log10(size)))));
+}
+
+// Writes a finite decimal as it is, and another number as a double.
+void write_decimal(std::ostream& os, const Fraction& x) {
+  constexpr int most_digits = 60;
+  typedef CGAL::Fraction_traits<Fraction> Parts;
+  Fraction scaled = x < 0 ? Fraction(-x) : x;
+  Parts::Numerator_type p;
+  Parts::Denominator_type q;
+  for (int digits = 0; digits <= most_digits; ++digits, scaled *= 10) {
+    Parts::Decompose()(scaled, p, q);
+    if (q != 1) continue;
+    std::ostringstream integer;
+    integer << p;
+    std::string text = integer.str();
+    if (digits > 0) {
+      const std::size_t n = static_cast<std::size_t>(digits);
+      if (text.size() <= n) text.insert(0, n + 1 - text.size(), '0');
+      text.insert(text.size() - n, ".");
+    }
+    os << (x < 0 ? "-" : "") << text;
+    return;
+  }
+  GC::write_number(os, CGAL::to_double(x));
+}
+
+// A subpath of Bezier curves whose corners are rounded, in the coordinates of its element.
+class Rounded_subpath {
+  const GC::Corner_threshold& bound_;
+  const Fraction distance_;
+  const int decimals_; // of the coordinates
+  std::vector<Plane_curve> curves_;
+  const bool closed_;
+  std::vector<bool> is_corner_; // behind each curve
+
+  std::size_t next(std::size_t i) const { return i + 1 == curves_.size() ? 0 : i + 1; }
+
+  // The parameter of the point at a distance along a curve from its start, or from its end, as a
+  // short decimal: by the lengths of chords.
+  static Fraction cut(const Plane_curve& c, bool from_end, double distance) {
+    constexpr int chords = 256;
+    const auto point = [&](int i) {
+      const auto p = c(Fraction(from_end ? chords - i : i) / chords);
+      return std::pair(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
+    };
+    double length = 0;
+    std::pair<double, double> before = point(0);
+    for (int i = 1; i <= chords; ++i) {
+      const auto p = point(i);
+      const double chord = std::hypot(p.first - before.first, p.second - before.second);
+      if (length + chord >= distance) {
+        const double t = (i - 1 + (chord == 0 ? 0 : (distance - length) / chord)) / chords;
+        const Fraction short_t = with_significant_digits(Fraction(t), c.degree() == 1 ? 5 : 3);
+        return from_end ? Fraction(1 - short_t) : short_t;
+      }
+      length += chord;
+      before = p;
+    }
+    return from_end ? Fraction(0) : Fraction(1);
+  }
+
+  static double length(const Plane_curve& c) {
+    double length = 0;
+    for (int i = 0; i < 64; ++i) {
+      const auto p = c(Fraction(i) / 64), q = c(Fraction(i + 1) / 64);
+      length += std::hypot(CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y()));
+    }
+    return length;
+  }
+
+  // At most 3/4 of a curve with one corner, and 3/8 of one with two, are cut off.
+  double longest_cut(std::size_t i, bool at_end) const {
+    const std::size_t before = i == 0 ? curves_.size() - 1 : i - 1;
+    const bool other = at_end ? is_corner_[before] : is_corner_[i];
+    return length(curves_[i]) * (other ? 0.375 : 0.75);
+  }
+
+  static Plane_curve part(const Plane_curve& c, const Fraction& a, const Fraction& b) {
+    Plane_curve r = c;
+    if (b < 1) r = r.split(b).first;
+    if (0 < a) r = r.split(a).second;
+    return r.with_domain(0, 1);
+  }
+
+  static Plane_curve cubic(const Plane_point& a, const Plane_point& b, const Plane_point& c, const Plane_point& d) {
+    return Plane_curve(std::vector<Plane_point>{a, b, c, d});
+  }
+
+  // A handle in the direction of a vector, of short decimals if that is one.
+  static Plane_point handle(const Plane_point& node, const Plane_point& direction, const Plane_point& wanted) {
+    const Fraction ratio = dot(wanted - node, direction) / dot(direction, direction);
+    return node + with_significant_digits(ratio, 6) * direction;
+  }
+
+  Plane_point rounded(const Plane_point& p) const {
+    Plane_point r(2);
+    for (int i = 0; i < 2; ++i) r[i] = with_digits(p[i], decimals_ + 4);
+    return r;
+  }
+
+  void add_blend(const Plane_curve& left, const Plane_curve& right, const Plane_point& corner,
+                 std::vector<Plane_curve>& result) const {
+    const int m = left.degree();
+    const Plane_point p = point_of(left, m), q = point_of(right, 0);
+    if (m == 1 && right.degree() == 1) return result.push_back(cubic(p, corner, corner, q));
+    const Plane_point d = p - point_of(left, m - 1), e = point_of(right, 1) - q;
+    const auto blend = GC::blend(left, right, GC::Cubics());
+    const auto segments = blend.segments();
+    const std::size_t n = static_cast<std::size_t>(blend.number_of_segments());
+    const Plane_curve first(blend.segment(0)), last(blend.segment(static_cast<int>(n) - 1));
+    const Plane_point b1 = handle(p, d, point_of(first, 1)), b2 = handle(q, e, point_of(last, 2));
+    if (n == 1) return result.push_back(cubic(p, b1, b2, q));
+    const Plane_point c1 = rounded(point_of(first, 2)), c2 = rounded(point_of(last, 1)), chord = c2 - c1;
+    const Plane_point middle = handle(c1, chord, point_of(last, 0));
+    result.push_back(cubic(p, b1, c1, middle));
+    result.push_back(cubic(middle, c2, b2, q));
+  }
+
+public:
+  std::size_t corners = 0, exact = 0; // rounded, and those with exactly continuous curvature
+
+  Rounded_subpath(const Drawing_subpath& path, const GC::Corner_threshold& bound, const Fraction& distance,
+                  int decimals)
+      : bound_(bound), distance_(distance), decimals_((std::max)(decimals, 0)), closed_(path.closed) {
+    for (const auto& segment : path.segments) curves_.push_back(segment.bezier()->with_domain(0, 1));
+    is_corner_.assign(curves_.size(), false);
+    for (std::size_t i = 0; i < path.joins(); ++i) {
+      is_corner_[i] = segment_class(curves_[i], curves_[next(i)], bound_) == GC::Visual_class::corner;
+      corners += is_corner_[i] ? 1 : 0;
+    }
+  }
+
+  // Writes the path data.
+  void write(std::ostream& os) {
+    const std::size_t n = curves_.size();
+    std::vector<Fraction> from(n, Fraction(0)), to(n, Fraction(1));
+    for (std::size_t i = 0; i < n; ++i) {
+      if (!is_corner_[i]) continue;
+      const double d = (std::min)({CGAL::to_double(distance_), longest_cut(i, true), longest_cut(next(i), false)});
+      to[i] = cut(curves_[i], true, d);
+      from[next(i)] = cut(curves_[next(i)], false, d);
+    }
+    std::vector<Plane_curve> parts, result;
+    for (std::size_t i = 0; i < n; ++i) parts.push_back(part(curves_[i], from[i], to[i]));
+    for (std::size_t i = 0; i < n; ++i) {
+      result.push_back(parts[i]);
+      if (!is_corner_[i]) continue;
+      const std::size_t before = result.size();
+      add_blend(parts[i], parts[next(i)], point_of(curves_[next(i)], 0), result);
+      std::vector<Plane_curve> chain(result.begin() + static_cast<std::ptrdiff_t>(before) - 1, result.end());
+      chain.push_back(parts[next(i)]);
+      if (GC::failing_joins(chain, GC::is_g2_join).empty()) ++exact;
+    }
+    const auto write_point = [&](const Plane_point& p) {
+      write_decimal(os << ' ', p[0]);
+      write_decimal(os << ' ', p[1]);
+    };
+    os << 'M';
+    write_point(point_of(result[0], 0));
+    for (const Plane_curve& c : result) {
+      os << " ?LQC"[c.degree() + 1] << "";
+      for (int j = 1; j <= c.degree(); ++j) write_point(point_of(c, j));
+    }
+    if (closed_) os << 'Z';
+  }
+};
+
+// The tag of a shape as that of a path with this data.
+std::string tag_of_path(std::string_view tag, const std::string& data) {
+  const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
+  const auto is_end = [&](char c) { return is_space(c) || c == '/' || c == '>'; };
+  std::size_t i = static_cast<std::size_t>(std::find_if(tag.begin(), tag.end(), is_end) - tag.begin());
+  const std::string_view name = tag.substr(1, i - 1);
+  const std::size_t colon = name.find(':');
+  std::string result =
+      '<' + std::string(colon == std::string_view::npos ? "" : name.substr(0, colon + 1)) + "path d=\"" + data + '"';
+  while (i < tag.size() && tag[i] != '/' && tag[i] != '>') {
+    const std::size_t begin = i;
+    while (is_space(tag[i])) ++i;
+    const std::size_t attribute = i;
+    while (i < tag.size() && tag[i] != '=' && !is_end(tag[i])) ++i;
+    const std::string_view key = tag.substr(attribute, i - attribute);
+    if (key.empty()) {
+      result += tag.substr(begin, i - begin);
+      continue;
+    }
+    i = tag.find_first_of("\"'", i);
+    if (i == std::string_view::npos) break; // not well-formed, which the reader refuses
+    i = tag.find(tag[i], i + 1) + 1;
+    bool is_geometry = false;
+    for (const char* known : {"points", "x", "y", "width", "height", "rx", "ry"})
+      is_geometry = is_geometry || key == known;
+    if (!is_geometry) result += tag.substr(begin, i - begin);
+  }
+  return result.append(tag.substr(i));
+}
+
+// Rounds the corners of a drawing that it receives.
+class Drawing_rounder : public Drawing_handler {
+  const std::string& text_;
+  const GC::Corner_threshold bound_;
+  const Fraction distance_;
+  struct Edit {
+    std::size_t begin, end;
+    std::string text;
+  };
+  std::vector<Edit> edits_;
+
+  // The distance in the coordinates of the element, for which the drawing is scaled by the root of
+  // the determinant.
+  Fraction own_distance(const Drawing_element& element) const {
+    const double scale = std::sqrt(std::abs(CGAL::to_double(element.transform.determinant())));
+    return scale == 1 || !(scale > 0) ? distance_ : Fraction(distance_ / with_significant_digits(Fraction(scale), 9));
+  }
+
+  // Returns path data of all subpaths with rounded corners; empty where there is none, or where that
+  // is not possible.
+  std::string rounded(const Drawing_element& element, const std::vector<Drawing_subpath>& paths) {
+    std::ostringstream data;
+    std::size_t found = 0, exact = 0;
+    for (const Drawing_subpath& path : paths) {
+      if (path.segments.empty()) continue;
+      if (std::any_of(path.segments.begin(), path.segments.end(), [](const auto& s) { return s.arc() != nullptr; })) {
+        leave(element, "it has an arc; it is left as it is");
+        return "";
+      }
+      Rounded_subpath rounded(path, bound_, own_distance(element), element.decimals);
+      try {
+        rounded.write(data);
+      } catch (const GC::Error& error) {
+        leave(element, std::string("no cubics are found: ") + error.what());
+        return "";
+      }
+      found += rounded.corners;
+      exact += rounded.exact;
+    }
+    if (found == 0) return "";
+    corners += found;
+    exact_corners += exact;
+    ++elements;
+    return data.str();
+  }
+
+  void leave(const Drawing_element& element, const std::string& reason) {
+    left.push_back(element.text() + ": " + reason);
+  }
+
+public:
+  std::size_t corners = 0, exact_corners = 0, elements = 0;
+  std::vector<std::string> left; // elements, with the reasons
+
+  Drawing_rounder(const std::string& text, const GC::Corner_threshold& bound, const Fraction& distance)
+      : text_(text), bound_(bound), distance_(distance) {}
+
+  bool takes_paths() const override { return true; }
+
+  void path(const Drawing_element& element, const Path_data& path) override {
+    if (path.role == Path_role::repetition) return;
+    if (!path.text.refusal().empty()) return leave(element, path.text.refusal());
+    std::vector<Drawing_subpath> subpaths;
+    try {
+      GC::Svg_path_reader<Drawing_traits> reader(path.value, "d");
+      while (std::optional<Drawing_subpath> subpath = reader.next()) {
+        subpath->leave_out_points();
+        subpaths.push_back(*std::move(subpath));
+      }
+    } catch (const GC::Error& error) {
+      return leave(element, GC::svg_reason(error));
+    }
+    const std::string data = rounded(element, subpaths);
+    if (!data.empty()) edits_.push_back({path.text[0], path.text[path.value.size()], data});
+  }
+
+  void subpath(const Drawing_element& element, int, const Drawing_subpath& path) override {
+    if (element.tag.empty() || element.name == "circle" || element.name == "ellipse" || element.name == "line") return;
+    const bool is_rounded =
+        std::any_of(path.segments.begin(), path.segments.end(), [](const auto& s) { return s.arc(); });
+    if (is_rounded) return; // a rectangle with rx and ry
+    if (element.has_percentages) return leave(element, "its size depends on the viewport");
+    const std::string data = rounded(element, {path.transform(element.transform.inverse())});
+    if (data.empty()) return;
+    const std::size_t end = element.tag_begin + element.tag.size();
+    edits_.push_back({element.tag_begin, end, tag_of_path(element.tag, data)});
+    if (element.tag[element.tag.size() - 2] == '/') return;
+    const std::string name(element.tag.substr(1, element.tag.find_first_of(" \t\r\n>") - 1));
+    const std::size_t close = text_.find("</" + name, end), colon = name.find(':');
+    const std::size_t local = colon == std::string::npos ? 0 : colon + 1;
+    edits_.push_back({close + 2 + local, close + 2 + name.size(), "path"});
+  }
+
+  void not_read(const Drawing_element& element, const std::string& reason) override { leave(element, reason); }
+
+  std::string result() {
+    std::sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) { return a.begin < b.begin; });
+    std::string result;
+    std::size_t read = 0;
+    for (const Edit& edit : edits_) {
+      result.append(text_, read, edit.begin - read) += edit.text;
+      read = edit.end;
+    }
+    return result.append(text_, read, std::string::npos);
+  }
+};
+
+} // namespace
+
+Exit_code round_drawing(const Command_line& line) {
+  const Arguments files = line.files();
+  if (files.size() != 1) throw std::invalid_argument("blend --corners: one drawing is needed; see --help");
+  if (!line.has("corners")) throw std::invalid_argument("blend of a drawing: --corners all is needed; see --help");
+  if (line.text("corners") != "all")
+    throw std::invalid_argument("--corners: all corners of a drawing are rounded: all");
+  if (!line.has("distance")) throw std::invalid_argument("--corners: --distance is needed");
+  if (!line.has("output")) throw std::invalid_argument("blend of a drawing: -o OUT.svg is needed");
+  check_output_name(line, "output", {".svg", ".xml"});
+  const Fraction distance = line.number("distance", Fraction(0));
+  if (!(Fraction(0) < distance))
+    throw std::invalid_argument("--distance: " + line.text("distance") + " is not positive");
+  Input input(files[0]);
+  const std::string text{std::istreambuf_iterator<char>(input), {}};
+  Drawing_rounder rounder(text, corner_threshold(line), distance);
+  std::istringstream stream(text);
+  read_svg_drawing(stream, input_name(files[0]), rounder);
+  const std::string result = rounder.result();
+  write_output(line.text("output"), [&](std::ostream& os) { os << result; });
+  std::ostream& report = report_stream(line);
+  report << counted(rounder.corners, "corner") << " of " << counted(rounder.elements, "element")
+         << (rounder.corners == 1 ? " is rounded" : " are rounded");
+  if (rounder.corners != 0)
+    report << ": " << rounder.exact_corners << " with exactly continuous curvature, "
+           << rounder.corners - rounder.exact_corners
+           << " with tangents that are so exactly, and curvature up to rounding";
+  report << '\n';
+  for (const std::string& left : rounder.left) report << "left as it is: " << GC::printable(left) << '\n';
+  return requirement_met;
+}
