@@ -18,6 +18,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -47,6 +48,21 @@ template <class Span> struct Span_batch {
   }
   const Span& last() const { return spans[size - 1]; }
 };
+
+// Reads the curves of all files again, in numbers of this type, and decides how far they are bent.
+template <class FT> void decide_curvatures(const Arguments& files, const Curvature_bound& bound, Chain_report& report) {
+  Progress progress("curves");
+  Curve_stream<GC::G2_piece_reader<Program_traits<FT>>> stream(files);
+  std::size_t number = 0;
+  for (std::optional<Program_curve<FT>> curve; stream.next(curve); ++number) {
+    const std::optional<GC::Curvature_excess> excess =
+        within_work_limit([&] { return stream.file() + ": curve " + std::to_string(number); },
+                          [&] { return curvature_excess(exact(*curve), bound); });
+    report.add(number, stream.file(), excess ? stream.line() : 0, excess);
+    progress.step(number, [&] { return stream.part_read(); });
+  }
+  progress.clear();
+}
 
 // Reads the spans of all files in batches, and decides their joins.
 template <class Number>
@@ -127,7 +143,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
   for_batches<Batch>(read, work, take);
 
   progress.clear();
-  if (size == 1 && !closed && !mode.allow_empty) throw std::invalid_argument(no_join);
+  if (size == 1 && !closed && !mode.allow_empty && !demand.curvature) throw std::invalid_argument(no_join);
   if (closed && size > 0) {
     Decided_joins joins{Report_part(mode)};
     within_work_limit(
@@ -137,6 +153,9 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
         });
     report.add(joins);
   }
+  if (demand.curvature)
+    decide_curvatures<std::conditional_t<std::is_same_v<Number, double>, double, Exact>>(files, *demand.curvature,
+                                                                                         report);
   return report.print(std::cout);
 }
 
