@@ -364,7 +364,8 @@ BOOST_AUTO_TEST_CASE(cubics_that_are_refused) {
   CHECK_ERROR(GC::round_corner(x, y, 0.5, GC::Cubics()), dimension_mismatch);
   CHECK_ERROR(GC::blend(curve<Exact_d>(arc), curve<Exact_d>(bent(hook, 3)), GC::Cubics()), dimension_mismatch);
   const auto line = curve<Exact_2>({{0, 0}, {4, 0}});
-  CHECK_ERROR(GC::round_corner(line, line.reverse(), 1, GC::Cubics()), zero_direction);
+  CHECK_ERROR(GC::round_corner(line, line.reverse(), 1, GC::Cubics()), zero_tangent);
+  CHECK_ERROR(GC::blend(line, line.reverse(), GC::Cubics()), zero_direction);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -52,25 +52,19 @@ struct Cubics {
   bool single = true;
 };
 
-/// \ingroup PkgGeometricContinuityExtensions
-/// Returns the blend by cubics from the end of the curve `phi` to the start of the curve `psi`: a
-/// curve of one or two segments, the first over [0, 1]. Some thousand evaluations of floating-point
-/// formulas search for two cubics; besides them the number of field operations is constant.
-/// \tparam Left, Right models of `ParametricCurve` with one traits class
-/// \throws Error `dimension_mismatch` when the dimensions differ, and in space unless one cubic is
-///   enough; `zero_tangent` when a first derivative is zero
-/// \throws Error `not_representable` when no two cubics are found that do not turn back, as between
-///   ends that are bent away from each other
+namespace internal {
+
 template <class Left, class Right>
-Composite_bezier_curve<typename Left::Traits> blend(const Left& phi, const Right& psi, const Cubics& cubics) {
+Composite_bezier_curve<typename Left::Traits> blend_by_cubics(const Left& phi, const Right& psi, const Cubics& cubics,
+                                                              const std::string& place) {
   typedef typename Left::Traits Traits;
   typedef typename Traits::FT FT;
   typedef typename Exact_field<FT>::type Field;
-  if (phi.dimension() != psi.dimension()) throw Error(Error_code::dimension_mismatch, "blend by cubics");
+  if (phi.dimension() != psi.dimension()) throw Error(Error_code::dimension_mismatch, place);
   const auto x = end_jet<Field>(phi, 2), y = start_jet<Field>(psi, 2);
-  if (is_zero(x[1])) throw Error(Error_code::zero_tangent, "blend by cubics: end of the first curve");
-  if (is_zero(y[1])) throw Error(Error_code::zero_tangent, "blend by cubics: start of the second curve");
-  const internal::Cubic_blend<Field, dimension_v<Traits>> result(x, y, cubics.single);
+  if (is_zero(x[1])) throw Error(Error_code::zero_tangent, place + ": end of the left curve");
+  if (is_zero(y[1])) throw Error(Error_code::zero_tangent, place + ": start of the right curve");
+  const Cubic_blend<Field, dimension_v<Traits>> result(x, y, cubics.single, place);
   const auto number = [](const Field& z) -> FT {
     if constexpr (std::is_floating_point_v<FT>)
       return CGAL::to_double(z);
@@ -84,8 +78,25 @@ Composite_bezier_curve<typename Left::Traits> blend(const Left& phi, const Right
     points.push_back(to_point<Traits>(c));
   }
   std::vector<FT> knots = {FT(0), FT(1)};
-  if (points.size() > 4) knots.push_back(number(Field(1) + result.ratio));
+  if (points.size() > 4) knots.push_back(number(Field(Field(1) + result.ratio)));
   return {points.begin(), points.end(), knots};
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityExtensions
+/// Returns the blend by cubics from the end of the curve `phi` to the start of the curve `psi`: a
+/// curve of one or two segments, the first over [0, 1]. Some thousand evaluations of floating-point
+/// formulas search for two cubics; besides them the number of field operations is constant.
+/// \tparam Left, Right models of `ParametricCurve` with one traits class
+/// \throws Error `dimension_mismatch` when the dimensions differ, and in space unless one cubic is
+///   enough; `zero_tangent` when a first derivative is zero; `zero_direction` when both ends lie in
+///   one point
+/// \throws Error `not_representable` when no two cubics are found that do not turn back, as where
+///   `psi` starts behind the end of `phi`
+template <class Left, class Right>
+Composite_bezier_curve<typename Left::Traits> blend(const Left& phi, const Right& psi, const Cubics& cubics) {
+  return internal::blend_by_cubics(phi, psi, cubics, "blend by cubics");
 }
 
 /// \ingroup PkgGeometricContinuityExtensions
@@ -163,7 +174,10 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
     throw Error(Error_code::zero_tangent, place + ": the curves turn back on one line, where every blend has a cusp");
   if (left.coordinates(left.degree()) == right.coordinates(0))
     throw Error(Error_code::zero_direction, place + ": both cuts lie in one point");
-  return blend(at_unit_speed(left, incoming), at_unit_speed(right, outgoing), strategy);
+  if constexpr (std::is_same_v<Strategy, Cubics>)
+    return blend_by_cubics(at_unit_speed(left, incoming), at_unit_speed(right, outgoing), strategy, place);
+  else
+    return blend(at_unit_speed(left, incoming), at_unit_speed(right, outgoing), strategy);
 }
 
 } // namespace internal

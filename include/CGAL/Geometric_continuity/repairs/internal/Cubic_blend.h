@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 // G2 blends by cubics, of two jets of order 2: P, d1, d2 at the start and Q, e1, e2 at the end.
@@ -204,17 +205,21 @@ public:
   Field ratio = Field(0);     // of the lengths of both domains
 
   // `single` tells whether one cubic is taken where there is one.
-  // \throws Error `dimension_mismatch`, `not_representable` when there are no such cubics
-  Cubic_blend(const Coordinate_jet<Field, N>& phi, const Coordinate_jet<Field, N>& psi, bool single)
+  // \throws Error `dimension_mismatch`, `not_representable` when there are no such cubics;
+  //   `zero_direction`
+  Cubic_blend(const Coordinate_jet<Field, N>& phi, const Coordinate_jet<Field, N>& psi, bool single,
+              const std::string& place)
       : phi_(phi), psi_(psi), chord_(psi[0] - phi[0]) {
+    if (is_zero(chord_)) throw Error(Error_code::zero_direction, place + ": both ends lie in one point");
     const bool is_straight = is_parallel(phi[1], phi[2]) && is_parallel(psi[1], psi[2]);
     if (is_straight && (set_line() || (single && set_corner()))) return;
     if (phi.dimension() != 2)
       throw Error(Error_code::dimension_mismatch,
-                  "two cubics join ends in the plane; in space one joins lines that meet in front of both");
+                  place + ": two cubics join ends in the plane; in space one joins lines that meet in a corner, and "
+                          "quintics all others");
     if (!set_two())
       throw Error(Error_code::not_representable,
-                  "no two cubics are found that join these ends without turning back; a quintic does");
+                  place + ": no two cubics are found that join these ends without turning back; a quintic does");
   }
 
 private:
