@@ -395,7 +395,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(bounds_where_there_is_no_derivative, Traits, Plana
   BOOST_CHECK(is_unbounded_at({{0, 0}, {2, 0}, {1, 0}}, 2 / 3.));      // there and back, along a line
   BOOST_CHECK(is_unbounded_at({{0, 0}, {0, 0}, {0, 1}, {1, 0}}, 0) &&
               is_unbounded_at({{0, 0}, {0, 1}, {1, 0}, {1, 0}}, 1));
-  // the parabola y = x^2 at x = t^2, which stands still at its vertex, and at x = (2t - 1)^2, which turns back there
+  // the parabola y = x^2 at x = t^2, which stands still at its vertex, and at x = (2t - 1)^2, which
+  // turns back there
   const Rows still = {{0, 0}, {0, 0}, {1, 0}, {3, 0}, {6, 36}},
              back = {{6, 36}, {-6, -36}, {-2, 36}, {-6, -36}, {6, 36}};
   BOOST_CHECK(!excess<Traits>(still, 2) && is_unbounded_at(back, 0.5));

@@ -323,7 +323,8 @@ TEST_FOR_EACH(a_cubic_between_lines, Traits, All_traits) {
   CHECK_ERROR(GC::blend(curve<Traits>(left), curve<Traits>({right[1], right[1]}), GC::Cubics()), zero_tangent);
 }
 
-// Two cubics join ends in the plane: lines, curves that bend to one side or to both, and random ones.
+// Two cubics join ends in the plane: lines, curves that bend to one side or to both, and random
+// ones.
 TEST_FOR_EACH(two_cubics, Traits, Exact_planar_traits) {
   const Curve<Traits> line = curve<Traits>({{-1, 0}, {0, 0}}), up = curve<Traits>({{1, 1}, {1, 2}}),
                       along = curve<Traits>({{3, 1}, {5, 1}}), bent = curve<Traits>({{3, 1}, {4, 2}, {4, 5}}),

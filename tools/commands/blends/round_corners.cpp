@@ -67,7 +67,7 @@ Rounded<FT> rounded_chain(const Command_line& line, const Chain<FT>& chain, cons
   return with_corner(chain, line.integer("corner", 0, n - 1), distance, strategy);
 }
 
-// What a strategy makes of a chain; all cut the corners at the same places.
+// A chain as a strategy rounds it; all strategies cut the corners at the same places.
 template <class FT> struct Variant {
   std::string strategy;
   Rounded<FT> result;
@@ -112,7 +112,7 @@ std::optional<Bent_corner> bent_corner(const Rounded<FT>& chain, std::size_t cor
   return worst;
 }
 
-// What is chosen for a corner: the number of the variant, and where it exceeds the bound.
+// The choice for a corner: the number of the variant, and where it exceeds the bound.
 struct Choice {
   std::size_t variant = 0;
   std::optional<Bent_corner> bent = {};

@@ -24,8 +24,8 @@ struct Join_demand {
 };
 
 // Decides the joins of the chain that the curves of the files form, and of its end and its start
-// when it is closed, and how far its curves are bent, and prints a report. The numbers are those of the files, or these rounded to
-// doubles.
+// when it is closed, and how far its curves are bent, and prints a report. The numbers are those of
+// the files, or these rounded to doubles.
 int verify_chain(const Arguments& files, bool rounded, bool closed, const Report_mode& mode, const Join_demand& demand);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_VERIFY_CHAIN_H

@@ -54,8 +54,8 @@ template <class Work> auto with_name(const Command_line& line, Work work) {
   }
 }
 
-// What is said of the curvature of curves, as they are written, if there is a bound: lines of text,
-// or a member of a JSON object with a comma before it.
+// A report on the curvature of curves, as they are written, if there is a bound: lines of text, or
+// a member of a JSON object with a comma before it.
 struct Bent_report {
   bool is_met = true;
   std::string text = {};

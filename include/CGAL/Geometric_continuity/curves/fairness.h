@@ -519,12 +519,12 @@ std::optional<Curvature_excess> excess(const std::vector<Coordinate_vector<NT, N
 /// where the curve is bent most.
 ///
 /// It is the sign of the polynomial \f$ K^2 g^3 - |d_1\wedge d_2|^2 \f$, of degree `6m - 6`, for a
-/// rational curve \f$ K^2 g^3 - |d_1\wedge d_2|^2 w^4 \f$ with the numerators of the derivatives and
-/// the denominator `w`, of degree `12m - 6`. Straight lines and points have the curvature 0. Where
-/// the first derivative vanishes, the curvature is that of what is drawn: it has no bound in a cusp,
-/// and where the curve turns back on itself; and it may have one elsewhere, as that of a line with
-/// handles of length 0 has. There, the place is one where the curvature exceeds the bound, and need
-/// not be where it is largest. The angles at the joins of pieces are not asked for.
+/// rational curve \f$ K^2 g^3 - |d_1\wedge d_2|^2 w^4 \f$ with the numerators of the derivatives
+/// and the denominator `w`. Straight lines and points have the curvature 0. Where the first
+/// derivative vanishes, the curvature is that of what is drawn: it has no bound in a cusp, and
+/// where the curve turns back on itself; it may have one elsewhere, as that of a line with handles
+/// of length 0 has. On such a curve the place is one where the curvature exceeds the bound, and
+/// need not be where it is largest. The angles at the joins of pieces are not asked for.
 ///
 /// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived
 ///   from them, or a rational one

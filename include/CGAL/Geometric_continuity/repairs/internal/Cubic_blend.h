@@ -30,16 +30,17 @@
 //   B1 = P + h d1,  C1 = B1 + s d1 + 3/2 h^2 d2,  B2 = Q - g e1,  C2 = B2 + 3/2 g^2 e2 - t e1,
 //   M = (r C1 + C2) / (1 + r),
 //
-// which are G2 with the jets for all h, g > 0: their second derivatives are (3h)^2 d2 and (3g)^2 e2,
-// up to multiples of the first ones. In M the tangents agree, and the curvatures if
+// which are G2 with the jets for all h, g > 0: their second derivatives are (3h)^2 d2 and
+// (3g)^2 e2, up to multiples of the first ones. In M the tangents agree, and the curvatures if
 //
 //   A2 = r^2 A1,  A1 = (C1 - B1) x (C2 - C1),  A2 = (C2 - C1) x (B2 - C2).
 //
 // Both are linear in t, because e1 x e1 = 0. The numbers h, g, s, r > 0 are chosen, so that the
 // curvature varies little, and rounded; t is one division.
 //
-// Between ends that are bent to different sides both A1 and A2 may be 0, with an inflection in M: a
-// direction u there, g = k h and r are chosen. Then C1 - B1, C2 - C1 and B2 - C2 are parallel to u if
+// Between ends that are bent to different sides both A1 and A2 may be 0, with an inflection in M:
+// a direction u there, g = k h and r are chosen. Then C1 - B1, C2 - C1 and B2 - C2 are parallel to
+// u if
 //
 //   h = (Q - P) x u / (d1 + k e1) x u,  s = -3/2 h^2 d2 x u / d1 x u,  t = 3/2 g^2 e2 x u / e1 x u.
 
