@@ -4,9 +4,9 @@
 
 #include "commands/cad/decide_cad.h"
 #include "commands/cad/verify_cad.h"
-#include "commands/chains/curvature_bound.h"
 #include "commands/chains/verify_chain.h"
 #include "commands/command_line.h"
+#include "commands/curvature_options.h"
 #include "commands/drawings/verify_drawings.h"
 #include "commands/fonts/verify_fonts.h"
 #include "commands/fonts/verify_instances.h"
@@ -358,7 +358,7 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
   if (line.has("within")) demand.tolerance = parse_tolerances(line.text("within"), false);
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
     throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
-  if (drawings != 0) return verify_drawings(files, demand.max_order, mode, required, kink_rule(line));
+  if (drawings != 0) return verify_drawings(files, demand.max_order, mode, required, kink_rule(line), bound);
   const bool rounded = line.choice("kernel", {"exact", "double"}) == "double";
   if (bound && std::any_of(files.begin(), files.end(), is_standard_input))
     throw std::invalid_argument("--max-curvature, --min-radius: the curves are read twice, which standard input cannot "

@@ -8,6 +8,7 @@
 #include "commands/blends/round_corners.h"
 #include "commands/blends/strategy_names.h"
 #include "commands/command_line.h"
+#include "commands/curvature_options.h"
 #include "commands/work_limit.h"
 #include "files/output.h"
 

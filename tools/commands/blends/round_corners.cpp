@@ -5,8 +5,8 @@
 #include "commands/blends/round_corners.h"
 
 #include "commands/blends/arc_length.h"
-#include "commands/chains/curvature_bound.h"
 #include "commands/chains/join_report.h"
+#include "commands/curvature_options.h"
 #include "files/output.h"
 #include "formats/g2_text/curves.h"
 

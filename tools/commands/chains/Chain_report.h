@@ -45,12 +45,7 @@ class Chain_report {
       s.required = demand.order->text() + (demand.tolerance ? " within the tolerance" : "");
       s.required_in_json = "\"required\":\"" + demand.order->text() + '"';
     }
-    if (demand.curvature) {
-      s.noun = "curve";
-      s.every = demand.order ? "every join and curve" : "every curve";
-      s.required += (demand.order ? ", or " : "") + demand.curvature->words;
-      s.required_in_json += (demand.order ? "," : "") + json_member(*demand.curvature);
-    }
+    if (demand.curvature) demand_curvature(s, *demand.curvature);
     return s;
   }
 

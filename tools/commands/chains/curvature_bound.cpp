@@ -11,23 +11,13 @@
 
 #include <algorithm>
 #include <sstream>
-#include <stdexcept>
 
-std::optional<Curvature_bound> curvature_bound(const Command_line& line) {
-  if (line.has("max-curvature") && line.has("min-radius"))
-    throw std::invalid_argument("--max-curvature and --min-radius: one of them");
-  if (line.has("min-radius")) {
-    const Exact radius = line.number<Exact>("min-radius", Exact(0));
-    if (!(0 < radius))
-      throw std::invalid_argument("--min-radius: " + line.text("min-radius") + " is not a positive length");
-    return Curvature_bound{Exact(1) / radius, "bent by at most the radius " + line.text("min-radius")};
-  }
-  if (!line.has("max-curvature")) return std::nullopt;
-  const Exact curvature = line.number<Exact>("max-curvature", Exact(0));
-  if (curvature < 0)
-    throw std::invalid_argument("--max-curvature: " + line.text("max-curvature") +
-                                " is negative; the bound is one on the absolute value");
-  return Curvature_bound{curvature, "bent by at most the curvature " + line.text("max-curvature")};
+void demand_curvature(Report_subject& subject, const Curvature_bound& bound) {
+  const bool is_alone = subject.required.empty();
+  subject.noun = "curve";
+  subject.every = is_alone ? "every curve" : subject.every + " and every curve";
+  subject.required += (is_alone ? "" : ", or ") + bound.words;
+  subject.required_in_json += (is_alone ? "" : ",") + json_member(bound);
 }
 
 std::string json_member(const Curvature_bound& bound) {

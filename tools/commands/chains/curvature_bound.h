@@ -5,8 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_CURVATURE_BOUND_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_CURVATURE_BOUND_H
 
-#include "commands/command_line.h"
 #include "formats/g2_text/curves.h"
+#include "reports/Conclusion.h"
 
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 
@@ -22,16 +22,8 @@ struct Curvature_bound {
   std::string words; // e.g. "bent by at most the curvature 0.5", behind "is" or "not"
 };
 
-inline void describe_curvature_bound(po::options_description_easy_init add) {
-  add("max-curvature", po::value<std::string>(),
-      "K >= 0, the largest curvature that a curve may have, in one over the unit of the coordinates");
-  add("min-radius", po::value<std::string>(),
-      "R > 0, the least radius of curvature that a curve may have, in the unit of the coordinates: the same as "
-      "--max-curvature 1/R");
-}
-
-// The bound that is given, if one is.
-std::optional<Curvature_bound> curvature_bound(const Command_line& line);
+// Asks for the bound in the subject of a report on joins: of them, too, if they have a requirement.
+void demand_curvature(Report_subject& subject, const Curvature_bound& bound);
 
 // Writes the bound as a member of a JSON object.
 std::string json_member(const Curvature_bound& bound);

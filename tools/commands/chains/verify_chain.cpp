@@ -50,7 +50,10 @@ template <class Span> struct Span_batch {
 };
 
 // Reads the curves of all files again, in numbers of this type, and decides how far they are bent.
-template <class FT> void decide_curvatures(const Arguments& files, const Curvature_bound& bound, Chain_report& report) {
+// `lines` are those where they end, or nothing.
+template <class FT>
+void decide_curvatures(const Arguments& files, const Curvature_bound& bound, const std::vector<long long>& lines,
+                       Chain_report& report) {
   Progress progress("curves");
   Curve_stream<GC::G2_piece_reader<Program_traits<FT>>> stream(files);
   std::size_t number = 0;
@@ -58,7 +61,7 @@ template <class FT> void decide_curvatures(const Arguments& files, const Curvatu
     const std::optional<GC::Curvature_excess> excess =
         within_work_limit([&] { return stream.file() + ": curve " + std::to_string(number); },
                           [&] { return curvature_excess(exact(*curve), bound); });
-    report.add(number, stream.file(), excess ? stream.line() : 0, excess);
+    report.add(number, stream.file(), lines.empty() ? 0 : lines[number], excess);
     progress.step(number, [&] { return stream.part_read(); });
   }
   progress.clear();
@@ -78,6 +81,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
   for (const std::string& file : files) names.push_back(input_name(file));
   std::optional<Span> first, last; // of those that have been read
   Span_end last_end{0, 0, 0};
+  std::vector<long long> lines; // of curves, for findings
   std::size_t size = 0;
   bool ended = false;
 
@@ -106,6 +110,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
         last_end = {file, mode.has_findings() ? stream.line() : 0,
                     size > 1 && last_end.file == file ? last_end.in_file + 1 : 0};
         batch.ends.push_back(last_end);
+        if (demand.curvature && mode.has_findings()) lines.push_back(last_end.line);
       }
     } catch (...) {
       batch.error = std::current_exception();
@@ -155,7 +160,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
   }
   if (demand.curvature)
     decide_curvatures<std::conditional_t<std::is_same_v<Number, double>, double, Exact>>(files, *demand.curvature,
-                                                                                         report);
+                                                                                         lines, report);
   return report.print(std::cout);
 }
 

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#include "commands/chains/curvature_bound.h"
 #include "commands/command_line.h"
+#include "commands/curvature_options.h"
 #include "commands/points/points_report.h"
 #include "files/output.h"
 #include "reports/words.h"

@@ -5,9 +5,9 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_POINTS_POINTS_REPORT_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_POINTS_POINTS_REPORT_H
 
-#include "commands/chains/curvature_bound.h"
 #include "commands/chains/decided_join.h"
 #include "commands/command_line.h"
+#include "commands/curvature_options.h"
 #include "commands/points/read_points.h"
 #include "files/output.h"
 
