@@ -81,6 +81,14 @@ void verify_g2(Request& request, std::ostream& os) {
   const int max_order = request.count();
   const std::optional<Requirement> required = requirement(request);
   const bool closed = request.count() != 0, surfaces = request.count() != 0;
+  const std::optional<Exact> max_curvature = request.optional_exact();
+  std::optional<Curvature_bound> bound;
+  if (max_curvature) {
+    if (surfaces) throw GC::Error(GC::Error_code::malformed_input, "verifyG2: maxCurvature is a bound of curves");
+    std::ostringstream text;
+    GC::write_number(text, *max_curvature);
+    bound = Curvature_bound{*max_curvature, "bent by at most the curvature " + text.str()};
+  }
   const Memory_file file("curves.g2", request.text());
   const Captured_output output(os);
   if (surfaces) {
@@ -91,7 +99,7 @@ void verify_g2(Request& request, std::ostream& os) {
   } else
     verify_chain({file.name()}, false, closed, json_mode(),
                  {required ? (std::max)(max_order, required->order()) : max_order, required, std::nullopt,
-                  GC::Corner_threshold()});
+                  GC::Corner_threshold(), bound});
 }
 
 // A name of the options: "-" for none.

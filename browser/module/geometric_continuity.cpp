@@ -228,12 +228,25 @@ void blend(Request& request, std::ostream& os) {
   os << '}';
 }
 
+// Cubics are curves, whose joins are decided, too.
+void write_blend(std::ostream& os, const Module_curve& phi, const GC::Composite_bezier_curve<Module_traits>& gamma,
+                 const Module_curve& psi) {
+  std::vector<Module_curve> curves;
+  for (const auto& segment : gamma.segments()) curves.emplace_back(segment);
+  os << "\"curves\":[";
+  for (const Module_curve& c : curves) write_curve(os << (&c == &curves.front() ? "" : ","), c);
+  write_join(os << "],\"start_join\":", GC::continuity(phi, curves.front(), 3));
+  if (curves.size() > 1) write_join(os << ",\"inner_join\":", GC::continuity(curves[0], curves[1], 3));
+  write_join(os << ",\"end_join\":", GC::continuity(curves.back(), psi, 3));
+  write_finite(os << ",\"fairness\":", GC::fairness(gamma));
+}
+
 void round_corner(Request& request, std::ostream& os) {
   const std::string name(request.word());
   const Blend_options options(request);
   const double distance = request.rounded();
   const Module_curve left = request.curve(), right = request.curve();
-  with_strategy(name, options, [&](const auto& strategy) {
+  const auto round = [&](const auto& strategy) {
     const auto corner = GC::round_corner(left, right, distance, strategy);
     write_curve(os << "{\"left\":", corner.left);
     write_curve(os << ",\"right\":", corner.right);
@@ -243,7 +256,27 @@ void round_corner(Request& request, std::ostream& os) {
     GC::write_json(os, name);
     write_blend(os << ',', corner.left, corner.blend, corner.right);
     os << "}}";
-  });
+  };
+  if (name == "cubic" || name == "two_cubics")
+    round(GC::Cubics{name == "cubic"});
+  else
+    with_strategy(name, options, round);
+}
+
+void curvature_excess(Request& request, std::ostream& os) {
+  const Exact bound = request.exact();
+  const std::optional<GC::Curvature_excess> excess = GC::curvature_excess(request.curve(), bound);
+  if (!excess) {
+    os << "null";
+    return;
+  }
+  GC::write_json(os << "{\"parameter\":", excess->parameter);
+  os << ",\"curvature\":";
+  if (excess->unbounded)
+    os << "null";
+  else
+    GC::write_json(os, excess->curvature);
+  os << '}';
 }
 
 void write_edge(std::ostream& os, const GC::Edge_continuity<Exact>& e) {
@@ -295,7 +328,7 @@ const std::vector<Module_function> module_functions = {
     {"continuity", continuity},      {"deviation", deviation},
     {"joinGrade", visual_class},     {"blend", blend},
     {"roundCorner", round_corner},   {"edgeContinuity", edge_continuity},
-    {"alignHandles", align_handles},
+    {"alignHandles", align_handles}, {"curvatureExcess", curvature_excess},
 };
 
 // The joins of a chain at which an order does not hold. Returns how many there are; -1 where the

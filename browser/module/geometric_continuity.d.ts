@@ -111,12 +111,30 @@ export interface Blend {
   report?: { iterations: number; automatic_fairness: number | null; fairness: number | null; converged: boolean };
 }
 
-export interface RoundedCorner {
+/** One or two cubics with G2 joins. */
+export interface CubicBlend {
+  strategy: 'cubic' | 'two_cubics';
+  curves: ResultCurve[];
+  start_join: Join;
+  /** Between two cubics. */
+  inner_join?: Join;
+  end_join: Join;
+  fairness: number | null;
+}
+
+export interface RoundedCorner<BlendOfCorner = Blend> {
   left: ResultCurve;
   right: ResultCurve;
   left_cut: string;
   right_cut: string;
-  blend: Blend;
+  blend: BlendOfCorner;
+}
+
+/** Where a curve is bent most whose curvature exceeds a bound. */
+export interface CurvatureExcess {
+  parameter: Enclosure;
+  /** In the plane with a sign; null where it has no bound, as in a cusp. */
+  curvature: Enclosure | null;
 }
 
 export interface EdgeContinuity {
@@ -161,6 +179,17 @@ export interface Module {
   blend(phi: Curve, psi: Curve, options?: BlendOptions): Blend;
   /** Cuts off a corner at a distance along both curves, and puts a blend in its place. */
   roundCorner(left: Curve, right: Curve, distance: number, options?: BlendOptions): RoundedCorner;
+  /**
+   * The same by cubics: "cubic" takes one with both handles in the corner between lines and two, in
+   * the plane, elsewhere; "two_cubics" always takes two, which are fuller.
+   */
+  roundCorner(left: Curve, right: Curve, distance: number, options: { strategy: 'cubic' | 'two_cubics' }): RoundedCorner<CubicBlend>;
+  /**
+   * Decides exactly whether the curvature is nowhere larger than a bound, which it may reach: null
+   * if so, otherwise the place where the curve is bent most. The bound is 1/R where no radius may
+   * be less than R, e.g. "1/12".
+   */
+  curvatureExcess(curve: Curve, bound: Exact): CurvatureExcess | null;
   /** Decides the continuity along whole edges of two patches. */
   edgeContinuity(patchA: Patch, edgeA: Edge, patchB: Patch, edgeB: Edge): EdgeContinuity;
   /**
@@ -214,7 +243,7 @@ export interface Module {
    */
   verifyG2(
     g2: string | Uint8Array | ArrayBuffer,
-    options?: { maxOrder?: number; require?: string | null; closed?: boolean; surfaces?: boolean },
+    options?: { maxOrder?: number; require?: string | null; closed?: boolean; surfaces?: boolean; maxCurvature?: Exact | null },
   ): Promise<any>;
 }
 

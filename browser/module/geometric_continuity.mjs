@@ -256,7 +256,10 @@ export default async function load({ wasm, filesWasm } = {}) {
     return (await files).callWithFile(bytes, ...words);
   };
   const withoutNumbers = ({ left: _left, right: _right, ...join }) => join;
-  const blendResult = (result) => ({ ...result, start_join: withoutNumbers(result.start_join), end_join: withoutNumbers(result.end_join) });
+  const blendResult = (result) => {
+    const joins = Object.entries(result).filter(([name]) => name.endsWith('_join')).map(([name, join]) => [name, withoutNumbers(join)]);
+    return { ...result, ...Object.fromEntries(joins) };
+  };
 
   const sides = (left, right) => [curve(left, 'left', 'last'), curve(right, 'right', 'first')];
 
@@ -277,6 +280,9 @@ export default async function load({ wasm, filesWasm } = {}) {
       const given = { strategy: 'fair', ...options };
       const result = call('roundCorner', strategy(given), number(distance, 'distance'), ...sides(left, right));
       return { ...result, blend: blendResult(result.blend) };
+    },
+    curvatureExcess(given, bound) {
+      return call('curvatureExcess', number(bound, 'bound'), curve(given, 'curve', 'first')) ?? null;
     },
     edgeContinuity(patchA, edgeA, patchB, edgeB) {
       return call('edgeContinuity', word(edgeA, 'edgeA'), word(edgeB, 'edgeB'), patch(patchA, 'patchA'), patch(patchB, 'patchB'));
@@ -321,8 +327,8 @@ export default async function load({ wasm, filesWasm } = {}) {
     async fontCurves(font, { glyphs = '-' } = {}) {
       return callWithFile(font, 'fontCurves', glyphNames(glyphs));
     },
-    async verifyG2(g2, { maxOrder = 3, require = null, closed = false, surfaces = false } = {}) {
-      return callWithFile(g2, 'verifyG2', integer(maxOrder, 'options.maxOrder', 0, 32), require === null ? '-' : word(require, 'options.require'), closed ? 1 : 0, surfaces ? 1 : 0);
+    async verifyG2(g2, { maxOrder = 3, require = null, closed = false, surfaces = false, maxCurvature = null } = {}) {
+      return callWithFile(g2, 'verifyG2', integer(maxOrder, 'options.maxOrder', 0, 32), require === null ? '-' : word(require, 'options.require'), closed ? 1 : 0, surfaces ? 1 : 0, maxCurvature === null ? '-' : number(maxCurvature, 'options.maxCurvature'));
     },
   };
 }

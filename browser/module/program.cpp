@@ -5,11 +5,13 @@
 // The parts of the program that read and report drawings, fonts, chains and models: one translation
 // unit, so that what they instantiate is compiled once.
 
+#include "commands/chains/curvature_bound.cpp"
 #include "commands/chains/decided_join.cpp"
 #include "commands/chains/join_report.cpp"
 #include "commands/chains/verify_chain.cpp"
 #include "commands/drawings/Subpath_joins.cpp"
 #include "commands/drawings/drawing_kink.cpp"
+#include "commands/drawings/segment_curvature.cpp"
 #include "commands/drawings/segment_joins.cpp"
 #include "commands/drawings/verify_drawings.cpp"
 #include "commands/fonts/font_json.cpp"

@@ -12,12 +12,13 @@ All release the lock of the interpreter, and Ctrl-C ends them within a second.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import List, Optional, Sequence
+from typing import Any, List, Optional, Sequence
 
 import numpy
 
 from . import _native
-from .curve_types import Curve, Segmented_curve, Spline, bezier_points, points_of, sides
+from ._native import Enclosure
+from .curve_types import Curve, Segmented_curve, Spline, bezier_points, pieces, points_of, sides
 from .errors import Error
 from .hints import check_flag, check_name, keywords, missing_member
 
@@ -57,7 +58,7 @@ class Rounded_corner:
     """Two curves without what is near their corner, and the blend between them."""
 
     left: numpy.ndarray  #: control points of the left curve from its start to the cut
-    blend: numpy.ndarray  #: control points of the blend
+    blend: Any  #: control points of the blend, an array; of cubics a `Segmented_curve`
     right: numpy.ndarray  #: control points of the right curve from the cut to its end
     left_cut: object  #: the parameter where the left curve is cut
     right_cut: object  #: the parameter where the right curve is cut
@@ -136,13 +137,19 @@ def round_corner(left, right, distance, strategy: str = "fair", *, exact: Option
 
     left, right: arrays of shape (degree + 1, dimension).
     distance: positive, in units of the coordinates, less than the length of each curve.
-    strategy: "fair", "energy3" (G2) or "fair_g3" (G3).
+    strategy: "fair", "energy3" (G2), "fair_g3" (G3), or cubics with G2 joins: "cubic", one with both handles in the corner between lines
+        and two, in the plane, elsewhere; "two_cubics" always takes two, which are fuller.
 
-    Raises Error: `curves_do_not_meet`, `parameter_outside_domain`, `zero_tangent`, `zero_direction`, `dimension_mismatch`, `not_finite`.
+    Raises Error: `curves_do_not_meet`, `parameter_outside_domain`, `zero_tangent`, `zero_direction`, `dimension_mismatch`, `not_finite`,
+    `not_representable` when no two cubics are found.
     """
-    check_name("round_corner", "strategy", strategy, ("fair", "energy3", "fair_g3"))
+    check_name("round_corner", "strategy", strategy, ("fair", "energy3", "fair_g3", "cubic", "two_cubics"))
     left, right = (bezier_points(curve, "round_corner") for curve in (left, right))
-    return Rounded_corner(**_native.round_corner(left, right, distance, strategy, exact))
+    record = _native.round_corner(left, right, distance, strategy, exact)
+    knots = record.pop("knots")
+    if len(knots) > 0:
+        record["blend"] = Segmented_curve(3, record["blend"], knots)
+    return Rounded_corner(**record)
 
 
 def fairness(curve) -> float:
@@ -154,6 +161,38 @@ def fairness(curve) -> float:
     Raises Error: `work_limit`, `not_finite`, `wrong_number_of_points`.
     """
     return _native.fairness(bezier_points(curve, "fairness"))
+
+
+@dataclass(frozen=True)
+class Curvature_excess:
+    """The place where a curve is bent most, of one whose curvature exceeds a bound."""
+
+    piece: int  #: the number of the Bezier curve, from 0 on
+    parameter: Enclosure  #: in the domain of the curve
+    curvature: Enclosure  #: in the plane with a sign, positive in a left turn
+    unbounded: bool  #: whether the curvature has no bound there: a cusp, or a curve that turns back
+
+
+def curvature_excess(curve, bound) -> Optional[Curvature_excess]:
+    """Decides exactly whether the curvature of a curve is nowhere larger than a bound, in the plane its absolute value. Returns None if
+    so, also where it reaches the bound, and otherwise the place where the curve is bent most.
+
+    curve: any curve; angles at the joins of its pieces are not asked for.
+    bound: a number, not negative; 1/R, exactly `Fraction(1) / R`, where no radius of curvature may be less than R.
+
+    Raises Error: `unreachable_tolerance` for a negative bound, `not_finite`, `work_limit`, `wrong_number_of_points`, `dimension_mismatch`.
+    """
+    worst: Optional[Curvature_excess] = None
+
+    def size(place: Curvature_excess) -> float:
+        return max(-place.curvature.lower, place.curvature.upper)
+
+    for number, piece in enumerate(pieces(curve)):
+        found = _native.curvature_excess(piece.points, () if piece.weights is None else piece.weights, piece.domain, bound)
+        if found is not None:
+            place = Curvature_excess(number, *found)
+            worst = place if worst is None or size(worst) < size(place) else worst
+    return worst
 
 
 def interpolate(points, closed: bool = False, parametrisation: str = "chordal", parameters: Sequence = (), *,

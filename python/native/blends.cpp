@@ -66,20 +66,27 @@ Blend_numbers blend_in(const Numbers& left, const Numbers& right, const std::str
                   "blend: the strategy 'free' needs two parameters (s1, s2), or six: beta2, mu, beta3 at both ends");
 }
 
+template <class Traits> Numbers knots_of(const GC::Composite_bezier_curve<Traits>& blend) {
+  return array_of_numbers(blend.knots());
+}
+template <class Blend> Numbers knots_of(const Blend&) { return {}; }
+
 template <class FT>
 Corner_numbers round_in(const Numbers& left, const Numbers& right, double distance, const std::string& strategy) {
   typedef Array_traits<FT> Traits;
   const GC::Bezier_curve<Traits> phi = curve<Traits>(left, "round_corner"), psi = curve<Traits>(right, "round_corner");
   const auto round = [&](const auto& chosen) {
     const auto corner = GC::round_corner(phi, psi, distance, chosen);
-    return Corner_numbers{array_of<Traits>(corner.left), array_of<Traits>(corner.blend), array_of<Traits>(corner.right),
-                          Exact(corner.left_cut), Exact(corner.right_cut)};
+    return Corner_numbers{array_of<Traits>(corner.left),  array_of<Traits>(corner.blend), knots_of(corner.blend),
+                          array_of<Traits>(corner.right), Exact(corner.left_cut),         Exact(corner.right_cut)};
   };
   if (strategy == "fair") return round(GC::Fair());
   if (strategy == "fair_g3") return round(GC::Fair_g3());
   if (strategy == "energy3") return round(GC::Minimal_energy<3>());
+  if (strategy == "cubic") return round(GC::Cubics());
+  if (strategy == "two_cubics") return round(GC::Cubics{false});
   throw GC::Error(GC::Error_code::parameter_outside_domain,
-                  "round_corner: the strategy '" + strategy + "' is none of fair, fair_g3, energy3");
+                  "round_corner: the strategy '" + strategy + "' is none of fair, fair_g3, energy3, cubic, two_cubics");
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "arrays.h"
 
 #include <CGAL/Geometric_continuity/blends/interpolate_fair.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/curves/fit.h>
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
@@ -28,6 +29,23 @@ template <class Traits, class Curve> Curve_numbers numbers_of_spline(const Curve
 }
 
 } // namespace
+
+std::optional<Excess_numbers> curvature_excess(const Numbers& given, const Numbers& weights, const Numbers& domain,
+                                               const Exact& bound) {
+  typedef Array_traits<Exact> Traits;
+  const auto p = points<Traits>(given, "curvature_excess");
+  const Exact a = number<Exact>(domain, 0), b = number<Exact>(domain, 1);
+  const auto excess = [&](const auto& curve) -> std::optional<Excess_numbers> {
+    const std::optional<GC::Curvature_excess> e = GC::curvature_excess(curve, bound);
+    return e ? std::optional<Excess_numbers>({e->parameter, e->curvature, e->unbounded}) : std::nullopt;
+  };
+  if (weights.size() == 0) return excess(GC::Bezier_curve<Traits>(p.begin(), p.end(), a, b));
+  typedef GC::Rational_bezier_curve<Traits> Curve;
+  std::vector<typename Curve::Homogeneous::Point> rows;
+  for (std::size_t j = 0; j < p.size(); ++j)
+    rows.push_back(GC::homogeneous_point(GC::coordinates<Traits>(p[j]), number<Exact>(weights, j)));
+  return excess(Curve(typename Curve::Homogeneous(rows.begin(), rows.end(), a, b)));
+}
 
 double fairness(const Numbers& x) { return GC::fairness(curve<Array_traits<double>>(x, "fairness")); }
 

@@ -102,13 +102,22 @@ struct Representable_numbers {
 Representable_numbers representable_blend(const Numbers& left, const Numbers& right, const std::string& strategy);
 
 struct Corner_numbers {
-  Numbers left, blend, right;
+  Numbers left, blend, knots, right; // knots of cubics
   Exact left_cut, right_cut;
 };
 Corner_numbers round_corner(const Numbers& left, const Numbers& right, double distance, const std::string& strategy,
                             Field_of_results field);
 
 double fairness(const Numbers& curve);
+
+// The place where the curvature of a Bezier curve exceeds a bound, with these weights, or none, and
+// with these two ends of its domain.
+struct Excess_numbers {
+  GC::Enclosure parameter, curvature;
+  bool unbounded;
+};
+std::optional<Excess_numbers> curvature_excess(const Numbers& points, const Numbers& weights, const Numbers& domain,
+                                               const Exact& bound);
 
 Curve_numbers interpolate(const Numbers& points, bool closed, const std::string& parametrisation,
                           const Numbers& parameters, Field_of_results field);

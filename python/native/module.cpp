@@ -479,6 +479,7 @@ PYBIND11_MODULE(_native, m) {
     py::dict record;
     record["left"] = array_of(std::move(r.left), wish.exact);
     record["blend"] = array_of(std::move(r.blend), wish.exact);
+    record["knots"] = array_of(std::move(r.knots), wish.exact);
     record["right"] = array_of(std::move(r.right), wish.exact);
     record["left_cut"] = number(r.left_cut, wish.exact);
     record["right_cut"] = number(r.right_cut, wish.exact);
@@ -488,6 +489,15 @@ PYBIND11_MODULE(_native, m) {
     const Numbers x = numbers_of(curve);
     return released([&] { return fairness(x); });
   });
+  m.def("curvature_excess",
+        [](const py::object& points, const py::object& weights, const py::object& domain,
+           const py::object& bound) -> py::object {
+          const Numbers p = numbers_of(points), w = numbers_of(weights), d = numbers_of(domain);
+          const Exact most = exact_number(bound);
+          const auto excess = released([&] { return curvature_excess(p, w, d, most); });
+          if (!excess) return py::none();
+          return py::make_tuple(excess->parameter, excess->curvature, excess->unbounded);
+        });
   m.def("interpolate", [](const py::object& points, bool closed, const std::string& parametrisation,
                           const py::object& parameters, const std::optional<bool>& exact) {
     const Numbers p = numbers_of(points), u = numbers_of(parameters);

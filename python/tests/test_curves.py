@@ -95,6 +95,31 @@ class Blends(unittest.TestCase):
             gc.round_corner([(0, 0), (4, 0)], [(4, 0), (4, 4)], 5)
         self.assertIn("5", caught.exception.reason)
 
+    def test_corners_by_cubics(self):
+        left, right = [(0, 0), (4, 0)], [(4, 0), (4, 4)]
+        for strategy, cubics in (("cubic", 1), ("two_cubics", 2)):
+            corner = gc.round_corner(left, right, 1, strategy)
+            self.assertEqual(len(corner.blend), cubics)
+            chain = [corner.left, *corner.blend, corner.right]
+            self.assertTrue(all(join.g_order >= 2 for join in gc.chain_joins(chain)))
+        self.assertEqual(gc.round_corner(left, right, 1, "cubic").blend.points.tolist(), [[3, 0], [4, 0], [4, 0], [4, 1]])
+
+    def test_curvature_excess(self):
+        parabola = [(-1, 1), (0, -1), (1, 1)]
+        self.assertIsNone(gc.curvature_excess(parabola, 2))
+        place = gc.curvature_excess(gc.Bezier_curve(parabola, domain=(3, 5)), Fraction(1999, 1000))
+        self.assertEqual((place.piece, *place.parameter, *place.curvature, place.unbounded), (0, 4, 4, 2, 2, False))
+        arc = gc.Bezier_curve([(5, 0), (5, 5), (0, 5)], weights=[1, 1, 2])
+        self.assertIsNone(gc.curvature_excess(arc, Fraction(1, 5)))
+        self.assertIsNotNone(gc.curvature_excess(arc, Fraction(199, 1000)))
+        spline = gc.interpolate([(0, 0), (1, 2), (3, 2), (4, 0)])
+        place = gc.curvature_excess(spline, 1)
+        self.assertLessEqual(abs(gc.curvature(spline, [place.parameter.lower])[0] - place.curvature.lower), 1e-6)
+        self.assertTrue(gc.curvature_excess([(0, 0), (1, 1), (0, 1), (1, 0)], 10**9).unbounded)
+        with self.assertRaises(gc.Error) as caught:
+            gc.curvature_excess(parabola, -1)
+        self.assertEqual(caught.exception.code, "unreachable_tolerance")
+
     def test_fairness(self):
         self.assertEqual(gc.fairness([(0, 0), (1, 0), (2, 0)]), 0)
         self.assertLess(gc.fairness(gc.fair(LEFT, RIGHT).points), gc.fairness(gc.blend(LEFT, RIGHT).points))

@@ -99,6 +99,14 @@ run 2 blend "$L" "$R" --representable --order 3 -o no.g2 && run 2 blend "$S" --r
 printf '100 1 0 0\n3 0\n2 2\n0 0 1 1\n1 0 0\n1.0000000000000002 0 0\n' >stiff.g2
 run 2 blend stiff.g2 "$R" --representable -o no.g2 && says err "not_representable"
 
+# a bound on the curvature chooses among the strategies, or the least is named
+run 0 blend "$L" "$R" --max-curvature 100 -o bounded.g2 && says out "bent by at most the curvature 100, proved exactly: " "; the fairest, fair, is taken"
+run 0 verify "$L" bounded.g2 "$R" --require G2 && run 0 verify bounded.g2 --max-curvature 100
+rm -f none.g2 && run 1 blend "$L" "$R" --min-radius 1000 -o none.g2 && says out "none is bent by at most the radius 1000; the least curvature is " ", the radius " ", of "
+holds [ ! -e none.g2 ]
+run 1 blend "$L" "$R" --strategy c2,fair --max-curvature 1/1000 --json && says out '"max_curvature":"1/1000","max_curvature_met":false'
+run 0 blend "$S" --replace 1 --max-curvature 1 -o S.g2 && run 0 verify --closed S.g2
+
 # replacing a piece of an outline
 run 0 blend "$S" --replace 1 --beta 1 --eta 1 -o S.g2
 run 0 verify --closed S.g2 --json && says out '{"left":0,"right":1,"c_order":1,"g_order":2' '{"left":1,"right":2,"c_order":1,"g_order":2'

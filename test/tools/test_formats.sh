@@ -63,8 +63,15 @@ printf '\n\n' | cat - line.g2 diagonal.g2 >both.g2 && formats chains 0 0 0 1 0 b
 cubic $'24 0 0\n25 0 0\n26 0 0\n27 0 0' >slower.g2 # smooth, but not in the parameter
 formats chains 1 1 0 0 0 line.g2 slower.g2 --require C1 && says sarif '"ruleId":"derivative"'
 formats chains 1 2 0 0 0 "$L" "$R" "$L" --require G0
+printf '100 1 0 0\n2 0\n3 3\n0 0 0 1 1 1\n-1 1\n0 -1\n1 1\n' >parabola.g2 # which has the curvature 2
+formats chains 1 1 0 0 0 parabola.g2 --max-curvature 1.75 && says sarif '"ruleId":"bend"' '"startLine":7}' \
+  '"text":"curve 0: not bent by at most the curvature 1.75: curvature 2, radius 0.5 at the parameter 0.5"' && says junit '<failure type="bend"'
+formats chains 0 0 0 0 1 parabola.g2 --min-radius 1/2
 
 # drawings
+printf '<svg xmlns="http://www.w3.org/2000/svg"><path id="p" d="M-1 1 Q 0 -1 1 1 A 1 1 0 0 1 2 2 A 4 1 30 0 1 3 3"/></svg>\n' >bent.svg
+formats drawings 1 1 1 0 3 bent.svg --max-curvature 1.75 && says sarif '"ruleId":"bend"' '"ruleId":"not-verified"' 'whose curvature is known for rational numbers only'
+formats drawings 0 0 1 0 4 bent.svg --max-curvature 2 --allow-uncovered
 leaf=$data/leaf_inkscape.svg badge=$data/badge_illustrator.svg
 formats drawings 0 0 0 1 27 "$leaf"
 formats drawings 1 14 0 0 14 "$leaf" --require C1 && says sarif '"ruleId":"corner"' '"startLine":' \

@@ -26,11 +26,18 @@ run 0 interpolate helix.txt --fair --json && says out '"curve":"fair","parameter
 run 2 interpolate helix.txt --fair --parameters uniform && says err "--parameters: not with --fair"
 printf '0 0 0\n1/3 1 0.5\n' >two.txt && run 0 interpolate two.txt --json && says out '"joins":0,"c_order":null'
 
+# a bound on the curvature
+run 0 interpolate five.txt --max-curvature 9 && says out "every curve is bent by at most the curvature 9, proved exactly"
+run 1 interpolate five.txt --fair --min-radius 5 -o fair.g2 && says out "curves not bent by at most the radius 5; worst, curve " "curvature " && holds [ -s fair.g2 ]
+run 1 interpolate five.txt --max-curvature 1/100 --json && says out '"max_curvature":"1/100","max_curvature_met":false,"bent_curves":[{"curve":0,"parameter":['
+
 # a half circle, closed by its diameter
 awk 'BEGIN { for (i = 0; i <= 400; ++i) { t = i / 200 - 1; print -200 * t / (1 + t * t), 100 * (1 - t * t) / (1 + t * t) } }' >half.txt
 run 0 fit half.txt --tolerance 1/2 --closed -o half.g2 --plot half.svg && says out "401 points" "2 corners" "proved in exact arithmetic"
 run 0 verify half.g2 --summary
 run 0 fit half.txt --tolerance 0.01 -o half.g2 && says out ", 0 corners" "G1 or more" && run 0 verify half.g2 --require G1
+run 0 fit half.txt --tolerance 0.01 --min-radius 90 && says out "every curve is bent by at most the radius 90"
+run 1 fit half.txt --tolerance 0.01 --min-radius 101 --json && says out '"max_curvature":"1/101","max_curvature_met":false'
 run 0 fit half.txt --tolerance 0.003 --order G2 -o half.g2 && says out "quintic" && run 0 verify half.g2 --require G2
 run 0 fit half.txt --tolerance 0.01 --closed --corner 100 --order G2 -o half.g2 && says out ", 0 corners"
 run 0 verify half.g2 --closed --require G2

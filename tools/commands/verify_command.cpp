@@ -6,6 +6,7 @@
 #include "commands/cad/verify_cad.h"
 #include "commands/chains/verify_chain.h"
 #include "commands/command_line.h"
+#include "commands/curvature_options.h"
 #include "commands/drawings/read_drawing.h"
 #include "commands/drawings/verify_drawings.h"
 #include "commands/fonts/verify_fonts.h"
@@ -102,8 +103,16 @@ Presets are published rules, with lengths in millimetres: class-a is
 0.01,0.1deg, class-b 0.02,0.2deg, class-c 0.05,0.5deg, vda-4955 0.02,0.1deg,
 mil-std-31000a 0.01,2deg.
 
+--max-curvature K requires of every curve that its curvature is nowhere larger
+than K, one over a length in the units of the coordinates, and --min-radius R
+that its radius of curvature is nowhere less than R, which is K = 1/R. This is
+decided exactly, for the curves between the joins; the bound may be reached.
+Corners at the joins are those that --require G1 asks for. Where a curve exceeds
+the bound, the report names the place where it is bent most.
+
 examples:
   geometric_continuity verify outline.g2 --closed --require G2
+  geometric_continuity verify track.g2 --require G2 --min-radius 12.5
   geometric_continuity verify drawing.svg --require G1 --kink-angle 3
 
 With --format sarif and junit, what does not meet the requirement is an error;
@@ -226,6 +235,7 @@ void describe_verify(po::options_description_easy_init add) {
   add("kink-angle", po::value<std::string>(),
       "the largest angle that is a kink, in degrees, instead of 5; what is larger is a corner, which in drawings, "
       "fonts and CAD models is meant and need not meet a requirement of G orders");
+  describe_curvature_bound(add);
   add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
   add("time-limit", po::value<std::string>(),
       "for CAD models: the seconds of processor time that reading one file may take, 60 if not given; with --jsonl, "
@@ -290,7 +300,7 @@ int run_verify(const Command_line& line) {
     if (!is_standard_input(file) && lead_to_one_file(file, output))
       throw std::invalid_argument("--certificate: " + output + " is a file that is verified");
   check_output_name(line, "certificate", {".txt"});
-  line.refuse({"within", "kernel", "all-instances", "baseline"},
+  line.refuse({"within", "kernel", "all-instances", "baseline", "max-curvature", "min-radius"},
               "not with --certificate, which certifies exact orders");
   int code = bad_input;
   GC::write_file_atomically(output, [&](std::ostream& os) { code = run_verify(line, &os); });
@@ -311,13 +321,18 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
                          line.has("summary"),
                          certificate,
                          baseline ? &*baseline : nullptr};
+  const std::optional<Curvature_bound> bound = curvature_bound(line);
+  const auto refuse_bound = [&](const std::string& reason) { line.refuse({"max-curvature", "min-radius"}, reason); };
   if (line.has("all-instances")) {
+    refuse_bound("not for fonts");
     if (!are_fonts(files)) throw std::invalid_argument("--all-instances: only for fonts");
     return verify_instances(files, mode, instance_demand(line));
   }
+  if (are_fonts(files)) refuse_bound("not for fonts");
   if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
   line.refuse({"glyphs", "worst", "max-kink", "off-by"}, "only for fonts");
   const GC::Work_scope each(line.work_limit());
+  if (are_cad_files(files)) refuse_bound("not for CAD models");
   if (are_cad_files(files))
     return verify_cad(files, mode, cad_demand(line, required),
                       {Cad_drawing::none, line.length("sew"), line.seconds("time-limit", 60)});
@@ -331,6 +346,7 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
       throw std::invalid_argument("--certificate: not for toolpaths");
   }
   if (line.has("surfaces")) {
+    refuse_bound("not with --surfaces");
     line.refuse({"closed", "max-order", "kernel", "kink-angle"}, "not with --surfaces");
     std::optional<GC::Edge_tolerance> tolerance;
     if (line.has("within")) tolerance = parse_tolerances(line.text("within"), true).edges();
@@ -340,13 +356,16 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
       throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G0 and G1 are decided");
     return verify_surfaces(files, mode, required ? std::optional<int>(required->order()) : std::nullopt, tolerance);
   }
-  Join_demand demand{line.integer("max-order", 0, 32), required, {}, kink_rule(line).bound};
+  Join_demand demand{line.integer("max-order", 0, 32), required, {}, kink_rule(line).bound, bound};
   if (required) demand.max_order = (std::max)(demand.max_order, required->order());
   if (line.has("within")) demand.tolerance = parse_tolerances(line.text("within"), false);
   if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
     throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
-  if (drawings != 0) return verify_drawings(files, demand.max_order, mode, required, kink_rule(line));
+  if (drawings != 0) return verify_drawings(files, demand.max_order, mode, required, kink_rule(line), bound);
   const bool rounded = line.choice("kernel", {"exact", "double"}) == "double";
+  if (bound && std::any_of(files.begin(), files.end(), is_standard_input))
+    throw std::invalid_argument("--max-curvature, --min-radius: the curves are read twice, which standard input cannot "
+                                "be; write them to a file");
   return with_hint_of_surfaces(files, [&] { return verify_chain(files, rounded, line.has("closed"), mode, demand); });
 }
 

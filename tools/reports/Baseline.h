@@ -143,7 +143,8 @@ class Known_findings {
     case Finding_rule::rounding: return 0;
     case Finding_rule::undecided: return 1;
     case Finding_rule::derivative: return 2;
-    case Finding_rule::curvature: return 3;
+    case Finding_rule::curvature:
+    case Finding_rule::bend: return 3;
     case Finding_rule::kink: return 4;
     case Finding_rule::corner: return 5;
     case Finding_rule::tangent: return 6;

@@ -20,6 +20,7 @@ enum class Finding_rule {
   kink,         // the tangents, or the normals, differ
   tangent,      // there is no tangent, or no normal, on a side
   curvature,    // the curvature jumps
+  bend,         // a curve is bent more than it may be
   derivative,   // a higher derivative jumps, or one with respect to the parameter
   undecided,    // the tolerance lies inside of the bounds, or the order cannot be decided
   not_verified, // what cannot be read or compared
@@ -34,6 +35,7 @@ inline std::string rule_id(Finding_rule rule) {
   case Finding_rule::kink: return "kink";
   case Finding_rule::tangent: return "tangent";
   case Finding_rule::curvature: return "curvature";
+  case Finding_rule::bend: return "bend";
   case Finding_rule::derivative: return "derivative";
   case Finding_rule::undecided: return "undecided";
   case Finding_rule::not_verified: break;
@@ -44,9 +46,9 @@ inline std::string rule_id(Finding_rule rule) {
 
 // The rule of this name.
 inline std::optional<Finding_rule> rule_of(std::string_view id) {
-  for (const Finding_rule rule :
-       {Finding_rule::gap, Finding_rule::corner, Finding_rule::kink, Finding_rule::tangent, Finding_rule::curvature,
-        Finding_rule::derivative, Finding_rule::undecided, Finding_rule::not_verified, Finding_rule::rounding})
+  for (const Finding_rule rule : {Finding_rule::gap, Finding_rule::corner, Finding_rule::kink, Finding_rule::tangent,
+                                  Finding_rule::curvature, Finding_rule::bend, Finding_rule::derivative,
+                                  Finding_rule::undecided, Finding_rule::not_verified, Finding_rule::rounding})
     if (rule_id(rule) == id) return rule;
   return std::nullopt;
 }

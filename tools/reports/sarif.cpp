@@ -31,6 +31,8 @@ const Rule rules[] = {
      "A curve has no tangent at the join, or a surface no normal somewhere on the edge."},
     {Finding_rule::curvature, "CurvatureJump", "A jump of the curvature",
      "The tangents agree, the curvatures do not: reflections break here."},
+    {Finding_rule::bend, "CurvatureExceeded", "A curve that is bent too much",
+     "The curvature of a curve is larger, its radius of curvature less, than is allowed."},
     {Finding_rule::derivative, "DerivativeJump", "A jump of a higher derivative",
      "Tangents and curvatures agree, but not what is required besides: torsions, derivatives of higher order, or those "
      "with "

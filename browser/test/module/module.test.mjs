@@ -124,6 +124,22 @@ test('a rounded corner', () => {
   assert.ok(gc.roundCorner([[0, 0], [10, 0]], [[10, 0], [10, 10]], 3, { strategy: 'fair_g3' }).blend.start_join.g_order === 3);
 });
 
+test('a corner rounded by cubics', () => {
+  const round = (strategy) => gc.roundCorner([[0, 0], [10, 0]], [[10, 0], [10, 10]], 3, { strategy }).blend;
+  const one = round('cubic'), two = round('two_cubics');
+  assert.deepEqual(one.curves.map((c) => c.points), [[[7, 0], [10, 0], [10, 0], [10, 3]]]);
+  assert.deepEqual([one.start_join.g_order, one.end_join.g_order, one.inner_join, two.curves.length], [2, 2, undefined, 2]);
+  assert.ok(two.start_join.g_order >= 2 && two.inner_join.g_order >= 2 && two.end_join.g_order >= 2 && two.fairness < one.fairness);
+});
+
+test('a bound on the curvature', () => {
+  const parabola = [[-1, 1], [0, -1], [1, 1]];
+  assert.equal(gc.curvatureExcess(parabola, 2), null);
+  assert.deepEqual(gc.curvatureExcess(parabola, '1.9999'), { parameter: [0.5, 0.5], curvature: [2, 2] });
+  assert.equal(gc.curvatureExcess([[0, 0], [1, 1], [0, 1], [1, 0]], 1e9).curvature, null);
+  fails('unreachable_tolerance', () => gc.curvatureExcess(parabola, -1));
+});
+
 test('edges of patches', () => {
   const a = [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]];
   const b = (x, z) => [[[1, 0, 0], [1, 1, 0]], [[x, 0, 0], [x, 1, z]]];

@@ -7,6 +7,7 @@
 
 #include "support/test.h"
 
+#include <CGAL/Geometric_continuity/curves/arcs.h>
 #include <CGAL/Geometric_continuity/curves/fairness.h>
 
 BOOST_AUTO_TEST_SUITE(curvature_extrema)
@@ -359,6 +360,83 @@ BOOST_AUTO_TEST_CASE(counts_of_extrema_are_written) {
   os << measured<Double_d>(parabola) << '\n' << measured<Double_d>(two_inflections);
   BOOST_CHECK_MESSAGE(os.str().find("1 extremum of curvature, 0 inflections, curvature from ") == 0, os.str());
   BOOST_CHECK_MESSAGE(os.str().find(" of curvature, 2 inflections, curvature from ") != std::string::npos, os.str());
+}
+
+// The place where the curvature exceeds a bound, on a curve with these control points.
+template <class Traits>
+std::optional<GC::Curvature_excess> excess(const Rows& rows, const typename Traits::FT& bound, double a = 0,
+                                           double b = 1) {
+  return GC::curvature_excess(bezier<Traits>(rows, a, b), bound);
+}
+
+// The largest curvature of a parabola is 2: the bound may be reached.
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_bound_on_the_curvature, Traits, Planar_traits) {
+  const double below = 2 - 0x1p-40;
+  for (const Rows& rows : {parabola, mirrored(parabola)}) {
+    BOOST_CHECK(!excess<Traits>(rows, 2, 3, 5));
+    const std::optional<GC::Curvature_excess> e = excess<Traits>(rows, below, 3, 5);
+    BOOST_REQUIRE(e && !e->unbounded && e->piece == 0);
+    const double kappa = rows == parabola ? 2 : -2;
+    BOOST_CHECK((e->parameter == GC::Enclosure{4, 4}) && (e->curvature == GC::Enclosure{kappa, kappa}));
+  }
+  CHECK_ERROR(excess<Traits>(parabola, -1), unreachable_tolerance);
+  CHECK_ERROR(GC::curvature_excess(bezier<Traits>(parabola), infinity), not_finite);
+}
+
+// Places without a first derivative: what is drawn there counts.
+BOOST_AUTO_TEST_CASE_TEMPLATE(bounds_where_there_is_no_derivative, Traits, Planar_traits) {
+  const auto is_unbounded_at = [](const Rows& rows, double u) {
+    const std::optional<GC::Curvature_excess> e = excess<Traits>(rows, 1e9);
+    return e && e->unbounded && e->parameter.lower <= u && u <= e->parameter.upper && std::isinf(e->curvature.upper);
+  };
+  BOOST_CHECK(!excess<Traits>({{0, 0}, {1, 1}, {4, 4}}, 0) && !excess<Traits>({{1, 1}, {1, 1}}, 0));
+  BOOST_CHECK(!excess<Traits>({{1, 1}}, 0) && !excess<Traits>({{0, 0}, {0, 0}, {3, 1}, {3, 1}}, 0));
+  BOOST_CHECK(is_unbounded_at({{0, 0}, {1, 1}, {0, 1}, {1, 0}}, 0.5)); // a cusp
+  BOOST_CHECK(is_unbounded_at({{0, 0}, {2, 0}, {1, 0}}, 2 / 3.));      // there and back, along a line
+  BOOST_CHECK(is_unbounded_at({{0, 0}, {0, 0}, {0, 1}, {1, 0}}, 0) &&
+              is_unbounded_at({{0, 0}, {0, 1}, {1, 0}, {1, 0}}, 1));
+  // the parabola y = x^2 at x = t^2, which stands still at its vertex, and at x = (2t - 1)^2, which
+  // turns back there
+  const Rows still = {{0, 0}, {0, 0}, {1, 0}, {3, 0}, {6, 36}},
+             back = {{6, 36}, {-6, -36}, {-2, 36}, {-6, -36}, {6, 36}};
+  BOOST_CHECK(!excess<Traits>(still, 2) && is_unbounded_at(back, 0.5));
+  const std::optional<GC::Curvature_excess> e = excess<Traits>(still, 2 - 0x1p-20);
+  BOOST_REQUIRE(e && !e->unbounded);
+  BOOST_CHECK(2 - 0x1p-20 < e->curvature.lower && e->curvature.upper < 2 && e->parameter.upper < 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(random_bounds) {
+  std::mt19937 engine = seeded(seed + 2);
+  std::size_t exceeded = 0;
+  for (int dimension : {2, 3, 4})
+    for (int degree = 2; degree <= 5; ++degree)
+      for (int run = 0; run < 6; ++run) {
+        const Rows rows = random_rows(engine, degree, dimension, 1);
+        const GC::Enclosure largest = measured<Double_d>(rows).largest();
+        BOOST_CHECK(!excess<Double_d>(rows, largest.upper));
+        const double below = largest.lower * (1 - 0x1p-40);
+        const std::optional<GC::Curvature_excess> e = excess<Double_d>(rows, below);
+        BOOST_REQUIRE(e);
+        BOOST_CHECK(below < (std::max)(-e->curvature.lower, e->curvature.upper));
+        // the same over another field, for half of the bound, and for a curve of several pieces
+        BOOST_CHECK(excess<Exact_d>(rows, Q(largest.lower) / Q(2)) && !excess<Exact_d>(rows, Q(largest.upper)));
+        const auto parts = bezier<Exact_d>(rows).split(Q(1) / Q(3));
+        const std::vector<GC::Bezier_curve<Exact_d>> pieces = {parts.first, parts.second};
+        const auto f =
+            GC::curvature_excess(GC::Composite_bezier_curve<Exact_d>(pieces.begin(), pieces.end()), Q(below));
+        BOOST_REQUIRE(f && f->piece == std::size_t(e->parameter.lower > 1 / 3.));
+        exceeded += f->piece;
+      }
+  BOOST_CHECK(10 < exceeded && exceeded < 62);
+}
+
+// An arc of a circle of radius 5 has the curvature 1/5, exactly.
+BOOST_AUTO_TEST_CASE(bounds_of_rational_curves) {
+  const auto arc = GC::circular_arc<Exact_2>({1, 2}, {4, 6}, Q(1) / Q(2));
+  BOOST_CHECK(!GC::curvature_excess(arc, Q(1) / Q(5)));
+  BOOST_CHECK(GC::curvature_excess(arc, Q(199999) / Q(1000000)));
+  const auto ellipse = GC::ellipse<Exact_3>({0, 0, 0}, {3, 0, 0}, {0, 2, 0}); // at its vertices 3/4 and 2/9
+  BOOST_CHECK(!GC::curvature_excess(ellipse, 0.75) && GC::curvature_excess(ellipse, 0.75 - 0x1p-30));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

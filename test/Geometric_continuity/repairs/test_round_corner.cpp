@@ -9,6 +9,7 @@
 
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
+#include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
 BOOST_AUTO_TEST_SUITE(round_corner)
@@ -287,6 +288,85 @@ BOOST_AUTO_TEST_CASE(refused) {
   BOOST_CHECK_EQUAL(error_of([&] { GC::round_corner(out.reverse(), cusp.reverse(), half); }),
                     "zero_tangent: round_corner: at the cut of the right curve");
   BOOST_CHECK(GC::round_corner(cusp, out, half / 2).left_cut > Q(1) / 2); // beside it
+}
+
+typedef std::tuple<Exact_2, Epeck_2, Double_2, Exact_3, Double_3, Exact_d> All_traits;
+typedef std::tuple<Exact_2, Epeck_2, Exact_d> Exact_planar_traits;
+
+template <class Traits> std::vector<Curve<Traits>> segments(const GC::Composite_bezier_curve<Traits>& blend) {
+  std::vector<Curve<Traits>> result;
+  for (const auto& segment : blend.segments()) result.emplace_back(segment);
+  return result;
+}
+
+// All joins of two curves and the cubics between them are G2, and C1 between the cubics.
+template <class Traits> void check_cubics(const Curve<Traits>& left, const Curve<Traits>& right, bool single = true) {
+  const std::vector<Curve<Traits>> cubics = segments(GC::blend(left, right, GC::Cubics{single}));
+  BOOST_CHECK(cubics.size() == 2 && cubics[0].degree() == 3 && cubics[1].degree() == 3);
+  BOOST_CHECK(GC::is_g2_join(left, cubics.front()) && GC::is_g2_join(cubics.back(), right));
+  const auto inner = GC::continuity(cubics[0], cubics[1]);
+  BOOST_CHECK(inner.g_order >= 2 && inner.c_order >= 1);
+}
+
+// In the corner of two lines there is one cubic with both handles in it.
+TEST_FOR_EACH(a_cubic_between_lines, Traits, All_traits) {
+  const int dimension = std::is_same_v<Traits, Exact_d> ? 4 : GC::dimension_v<Traits>;
+  Rows left = {{-6, 8}, {0, 0}}, right = {{0, 0}, {5, 0}}, cubic = {{-1.5, 2}, {0, 0}, {0, 0}, {2.5, 0}};
+  for (Rows* rows : {&left, &right, &cubic})
+    for (std::vector<double>& row : *rows) row.resize(dimension, 0.5);
+  const auto c = GC::round_corner(curve<Traits>(left), curve<Traits>(right), 2.5, GC::Cubics());
+  const std::vector<Curve<Traits>> cubics = segments(c.blend);
+  BOOST_REQUIRE(cubics.size() == 1 && cubics[0].degree() == 3);
+  const Curve<Traits> expected = curve<Traits>(cubic);
+  for (int j = 0; j <= 3; ++j) BOOST_CHECK(cubics[0].coordinates(j) == expected.coordinates(j));
+  BOOST_CHECK(GC::is_g2_join(c.left, cubics[0]) && GC::is_g2_join(cubics[0], c.right));
+  CHECK_ERROR(GC::blend(curve<Traits>(left), curve<Traits>({right[1], right[1]}), GC::Cubics()), zero_tangent);
+}
+
+// Two cubics join ends in the plane: lines, curves that bend to one side or to both, and random
+// ones.
+TEST_FOR_EACH(two_cubics, Traits, Exact_planar_traits) {
+  const Curve<Traits> line = curve<Traits>({{-1, 0}, {0, 0}}), up = curve<Traits>({{1, 1}, {1, 2}}),
+                      along = curve<Traits>({{3, 1}, {5, 1}}), bent = curve<Traits>({{3, 1}, {4, 2}, {4, 5}}),
+                      other = curve<Traits>({{3, -1}, {4, -2}, {5, -2}});
+  const auto fuller = GC::blend(line, up, GC::Cubics{false}), tight = GC::blend(line, up, GC::Cubics());
+  BOOST_CHECK(4 * GC::fairness(fuller) < GC::fairness(tight));
+  // the ends are symmetric, and so are the cubics
+  for (int j = 0; j <= 6; ++j) {
+    const auto p = GC::coordinates<Traits>(fuller.control_points()[j]),
+               q = GC::coordinates<Traits>(fuller.control_points()[6 - j]);
+    BOOST_CHECK(p[0] == FT(1 - q[1]) && p[1] == FT(1 - q[0]));
+  }
+  check_cubics(line, up, false);
+  check_cubics(line, along);
+  check_cubics(line, bent);
+  check_cubics(line, other);
+  check_cubics(curve<Traits>(arc), bent);
+  const auto straight = GC::blend(line, curve<Traits>({{4, 0}, {5, 0}}), GC::Cubics());
+  BOOST_CHECK(straight.number_of_segments() == 1 && GC::curvature_extrema(straight).largest().upper == 0);
+  CHECK_ERROR(GC::blend(line, curve<Traits>({{-4, 1}, {-3, 1}}), GC::Cubics()), not_representable);
+  std::mt19937 engine = seeded(58);
+  int found = 0;
+  for (int run = 0; run < 20; ++run) {
+    const auto random = [&] { return (static_cast<int>(engine() % 201) - 100) / 100.; };
+    // both bend to the left
+    const Curve<Traits> x = curve<Traits>({{-2, 1 + random()}, {-1, random() / 4}, {0, 0}}),
+                        y = curve<Traits>({{3, 1.5}, {3.5 + random() / 4, 2.5}, {3.5 + random() / 4, 5}});
+    const auto bends_left = [](const auto& jet) { return GC::signed_curvature(jet)->sign > 0; };
+    if (!bends_left(x.end_jet(2)) || !bends_left(y.start_jet(2))) continue;
+    check_cubics(x, y);
+    ++found;
+  }
+  BOOST_CHECK(found > 5);
+}
+
+BOOST_AUTO_TEST_CASE(cubics_that_are_refused) {
+  const auto x = curve<Exact_3>(bent(arc, 3)), y = curve<Exact_3>(bent(hook, 3));
+  CHECK_ERROR(GC::round_corner(x, y, 0.5, GC::Cubics()), dimension_mismatch);
+  CHECK_ERROR(GC::blend(curve<Exact_d>(arc), curve<Exact_d>(bent(hook, 3)), GC::Cubics()), dimension_mismatch);
+  const auto line = curve<Exact_2>({{0, 0}, {4, 0}});
+  CHECK_ERROR(GC::round_corner(line, line.reverse(), 1, GC::Cubics()), zero_tangent);
+  CHECK_ERROR(GC::blend(line, line.reverse(), GC::Cubics()), zero_direction);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -299,4 +299,19 @@ BOOST_AUTO_TEST_CASE(rational_chains) {
               GC::is_g2_join(rounded.curves[1], rounded.curves[2]));
 }
 
+// With cubics a blend has one piece in a corner of lines, and two elsewhere.
+BOOST_AUTO_TEST_CASE(by_cubics) {
+  Chain chain = square;
+  chain[1] = Curve{Point(8, 0), Point(10, 4), Point(8, 8)};
+  const Rounded r = GC::round_corners(chain, 1, GC::Closure::closed, 2, GC::Cubics());
+  BOOST_REQUIRE(r.corners.size() == 4 && r.curves.size() == 10);
+  BOOST_CHECK(least_order(r, true) == 2);
+  for (std::size_t i = 0; i < 4; ++i) {
+    BOOST_CHECK(r.corners[i].pieces == (i < 2 ? 2u : 1u));
+    for (std::size_t k = 0; k < r.corners[i].pieces; ++k) BOOST_CHECK(r.curves[r.corners[i].blend + k].degree() == 3);
+  }
+  BOOST_CHECK(r.corners[0].blend == 1 && r.corners[1].blend == 4 && r.corners[2].blend == 7);
+  BOOST_CHECK(GC::round_corners(square, 1, GC::Closure::closed, 2, GC::Cubics{false}).curves.size() == 12);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -8,6 +8,7 @@
 #include "commands/blends/round_corners.h"
 #include "commands/blends/strategy_names.h"
 #include "commands/command_line.h"
+#include "commands/curvature_options.h"
 #include "commands/work_limit.h"
 #include "files/output.h"
 #include "formats/shapes/write_shapes.h"
@@ -82,7 +83,16 @@ within 1/1000 of R, and a fair blend with G2 joins is put between, with --order
 3 one with G3 joins. The report tells the true distances. --corners all rounds
 all joins that do not have this order, --corners not-g1 corners and kinks only;
 of short curves less than R is cut off, so that a quarter of each remains. The
-output is the whole chain.
+output is the whole chain. With --cubic the corners of lines are rounded by one
+cubic with both handles in the corner, others, in the plane, by two cubics; all
+joins are G2, as drawings and fonts can hold them.
+
+--max-curvature K, or --min-radius R for K = 1/R, is a condition: a blend may
+nowhere be bent more, which is decided exactly. Without --strategy all are
+tried, and the fairest of those that meet it is written; if there is none, the
+report has the least curvature, and nothing is written. Each corner takes the
+first of fair, energy3 and min_second that meets it, with --cubic of one and two
+cubics; corners that none rounds so are named, and get the least curvature.
 
 --surfaces makes a surface from the edge v1 of the surface in A to the edge v0
 of that in B, or from and to those of --edges. Its degree across is 5, and it is
@@ -103,7 +113,8 @@ examples:
 
 Exit code: 0 when both joins of every blend have the order that is asked for, 1
 when rounding has broken one or more (--kernel double; the files are written
-nevertheless), 2 on bad input, and with --corners when there is no join.
+nevertheless), and when no blend, or not each corner, is within the bound on the
+curvature, 2 on bad input, and with --corners when there is no join.
 )";
 
 // The given curves around the blend: all of A, or the curves after the replaced one; then those
@@ -226,13 +237,15 @@ Arguments chosen_strategies(const Command_line& line, const Arguments& names, co
 template <class FT> int blend(const Command_line& line) {
   const int order = line.integer("order", 2, 3);
   const Arguments names = order == 2 ? quintic_names() : septic_names();
-  const Arguments chosen = chosen_strategies(line, names, order == 2 ? "energy3" : "energy4_g3");
+  const std::optional<Curvature_bound> bound = curvature_bound(line);
+  const bool takes_one = bound && !line.has("strategy"); // of those within the bound
+  const Arguments chosen = takes_one ? names : chosen_strategies(line, names, order == 2 ? "energy3" : "energy4_g3");
   check_parameters(line, order, chosen.front() == "free");
 
   const Scene<FT> scene = read_scene<FT>(line);
   const Program_curve<FT>&phi = left_of_blend(scene), &psi = right_of_blend(scene);
   const Blender<FT> blender(line, phi, psi);
-  const bool chain = line.has("replace") && chosen.size() == 1; // is written
+  const bool chain = line.has("replace") && (takes_one || chosen.size() == 1); // is written
   const bool limited = line.has("max-work");
   const GC::Work_scope each(line.work_limit());
   // the neighbours as they are given, if they can be read again, unless they are written with the
@@ -258,13 +271,31 @@ template <class FT> int blend(const Command_line& line) {
     reports.push_back({r.strategy, moved ? exact(r.curve) : as_written(r.curve), moved ? exact(r.neighbours[0]) : left,
                        moved ? exact(r.neighbours[1]) : right, Exact(r.shape.beta), Exact(r.shape.eta),
                        r.parameters + r.fallback, r.report, limited});
+    if (bound) reports.back().is_within = !curvature_excess(reports.back().curve, *bound);
   }
   const bool proved =
       std::all_of(reports.begin(), reports.end(), [order](const Blend_report& r) { return r.is_proved(order); });
+  // which results are written and drawn
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (!bound || *reports[i].is_within) kept.push_back(i);
+  if (takes_one && kept.size() > 1)
+    kept = {*std::min_element(kept.begin(), kept.end(),
+                              [&](std::size_t i, std::size_t j) { return reports[i].fairness < reports[j].fairness; })};
   if (line.has("json"))
-    write_json(report_stream(line), reports, order);
-  else
+    write_json(report_stream(line), reports, order, bound);
+  else {
     write_table(report_stream(line), reports, order, limited);
+    if (bound) write_choice(report_stream(line), reports, *bound, takes_one && !kept.empty() ? chosen[kept[0]] : "");
+  }
+  if (kept.empty()) return requirement_not_met;
+  const auto keep = [&](auto& all) {
+    std::decay_t<decltype(all)> some;
+    for (const std::size_t i : kept) some.push_back(all[i]);
+    all = std::move(some);
+  };
+  keep(results);
+  keep(reports);
 
   std::optional<GC::Svg_figure> figure;
   if (line.has("plot")) figure = picture(line.text("title"), scene, results, reports, phi, psi);
@@ -297,6 +328,8 @@ void describe_blend(po::options_description_easy_init add) {
   add("corner", po::value<int>(), "I, round the join after this curve of a chain");
   add("corners", po::value<std::string>(), "all or not-g1, round these joins of a chain");
   add("distance", po::value<std::string>(), "R > 0, from a corner to where its curves are cut");
+  add("cubic", "with --corner or --corners: round by cubics, one or two, with G2 joins");
+  describe_curvature_bound(add);
   add("closed", "with --corners: the last curve leads back to the first");
   add("surfaces", "blend an edge of one surface into an edge of another one");
   add("edges", po::value<std::string>(), "EDGE,EDGE of A and B with --surfaces: u0, u1, v0 or v1 (default v1,v0)");
@@ -321,10 +354,11 @@ int run_blend(const Command_line& line) {
   const auto bounded = [&](auto work) {
     return within_work_limit([&] { return line.files().empty() ? "blend" : input_name(line.files().front()); }, work);
   };
-  line.refuse({"distance", "closed"}, "only with --corner or --corners");
+  line.refuse({"distance", "closed", "cubic"}, "only with --corner or --corners");
   if (line.has("surfaces")) {
-    line.refuse({"beta", "eta", "s1", "s2", "start", "end", "replace", "kernel", "json", "plot"},
-                "not with --surfaces");
+    line.refuse(
+        {"beta", "eta", "s1", "s2", "start", "end", "replace", "kernel", "json", "plot", "max-curvature", "min-radius"},
+        "not with --surfaces");
     return bounded([&] { return blend_surfaces(line); });
   }
   line.refuse({"edges"}, "only with --surfaces");

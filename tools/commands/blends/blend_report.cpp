@@ -197,7 +197,27 @@ void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int
      << '\n';
 }
 
-void write_json(std::ostream& os, const std::vector<Blend_report>& reports, int order) {
+void write_choice(std::ostream& os, const std::vector<Blend_report>& reports, const Curvature_bound& bound,
+                  const std::string& taken) {
+  std::string names;
+  const Blend_report* least = nullptr;
+  const auto largest = [](const Blend_report& r) { return r.curvature->largest().upper; };
+  for (const Blend_report& r : reports) {
+    if (*r.is_within) names += (names.empty() ? "" : ", ") + r.strategy;
+    if (r.curvature && (least == nullptr || largest(r) < largest(*least))) least = &r;
+  }
+  if (!names.empty())
+    os << bound.words << ", proved exactly: " << names
+       << (taken.empty() ? "" : "; the fairest, " + taken + ", is taken") << '\n';
+  else if (least == nullptr)
+    os << "none is " << bound.words << "; every one has a cusp\n";
+  else
+    os << "none is " << bound.words << "; the least curvature is " << six_digits(largest(*least)) << ", the radius "
+       << six_digits(1 / largest(*least)) << ", of " << least->strategy << '\n';
+}
+
+void write_json(std::ostream& os, const std::vector<Blend_report>& reports, int order,
+                const std::optional<Curvature_bound>& bound) {
   os << "{\"blends\":[";
   const char* separator = "\n";
   for (const Blend_report& r : reports) {
@@ -216,8 +236,15 @@ void write_json(std::ostream& os, const std::vector<Blend_report>& reports, int 
     write_value(os << ",\"bending_energy\":", r.bending_energy);
     write_members(os << ',', r.curvature);
     if (r.search) write_members(os << ',', *r.search);
+    if (r.is_within) os << ",\"max_curvature_met\":" << (*r.is_within ? "true" : "false");
     os << '}';
     separator = ",\n";
   }
-  os << "\n]}\n";
+  os << "\n]";
+  if (bound)
+    os << ",\n"
+       << json_member(*bound) << ",\"max_curvature_met\":"
+       << (std::any_of(reports.begin(), reports.end(), [](const Blend_report& r) { return *r.is_within; }) ? "true"
+                                                                                                           : "false");
+  os << "}\n";
 }

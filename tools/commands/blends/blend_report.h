@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_BLENDS_BLEND_REPORT_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_BLENDS_BLEND_REPORT_H
 
+#include "commands/chains/curvature_bound.h"
 #include "commands/chains/join_report.h"
 #include "formats/g2_text/curves.h"
 
@@ -32,6 +33,8 @@ struct Blend_report {
   std::optional<GC::Fair_report> search;          // of the strategies that search
   // why it is hardly what is wanted, smooth as it is; may be empty
   std::string warning;
+  // whether the curvature is within the bound, if there is one
+  std::optional<bool> is_within = {};
 
   // How many of both joins do not have the order 2 or 3 that was asked for.
   std::size_t broken_joins(int order) const;
@@ -41,6 +44,12 @@ struct Blend_report {
 // Write the reports on blends of order 2 or 3 as a table, and as JSON. Energies that cost more than
 // the limit are left out, unless the user has set it.
 void write_table(std::ostream& os, const std::vector<Blend_report>& reports, int order, bool limited);
-void write_json(std::ostream& os, const std::vector<Blend_report>& reports, int order);
+void write_json(std::ostream& os, const std::vector<Blend_report>& reports, int order,
+                const std::optional<Curvature_bound>& bound);
+
+// Writes which strategies are within the bound, or which is nearest to it. `taken` is the one that
+// is chosen, or empty.
+void write_choice(std::ostream& os, const std::vector<Blend_report>& reports, const Curvature_bound& bound,
+                  const std::string& taken);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_BLENDS_BLEND_REPORT_H

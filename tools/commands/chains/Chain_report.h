@@ -14,6 +14,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -35,6 +36,7 @@ class Chain_report {
   GC::Chain_summary summary_;
   Drawn_counts drawn_;
   Certificate certificate_;
+  std::size_t curves_ = 0, bent_ = 0;
 
   static Report_subject subject(const Join_demand& demand) {
     Report_subject s{"join", "every join"};
@@ -43,6 +45,7 @@ class Chain_report {
       s.required = demand.order->text() + (demand.tolerance ? " within the tolerance" : "");
       s.required_in_json = "\"required\":\"" + demand.order->text() + '"';
     }
+    if (demand.curvature) demand_curvature(s, *demand.curvature);
     return s;
   }
 
@@ -53,6 +56,7 @@ public:
                      ",\"max_order\":" + std::to_string(demand.max_order) +
                          ",\"closed\":" + (closed ? "true" : "false")) {
     report_.row("joins");
+    if (demand.curvature) report_.row("bent_curves");
     for (const std::string& file : files) report_.begin_file(input_name(file));
   }
 
@@ -65,6 +69,31 @@ public:
     for (const std::string& certificate : joins.certificates) certificate_.add(certificate);
   }
 
+  // Adds a curve: where it exceeds the bound on the curvature, if it does.
+  void add(std::size_t number, const std::string& file, long long line,
+           const std::optional<GC::Curvature_excess>& excess) {
+    ++curves_;
+    const std::string place = "curve " + std::to_string(number);
+    report_.add(file, {excess ? Claim::not_met : Claim::met, "curve"}, false, [&]() -> Finding {
+      Finding f;
+      f.file = file;
+      f.line = line;
+      f.kind = "curve";
+      f.place = place;
+      f.rule = Finding_rule::bend;
+      f.message = "not " + demand_.curvature->words + ": " + to_string(*excess);
+      f.properties = members(number, *excess);
+      f.object = "curve";
+      f.spot = std::to_string(number);
+      if (!excess->unbounded) f.measure = Measure{"curvature", size_of(*excess)};
+      return f;
+    });
+    if (!excess) return;
+    ++bent_;
+    report_.row("bent_curves", report_.mode().format == Report_format::json ? ",\n {" + members(number, *excess) + '}'
+                                                                            : place + ": " + to_string(*excess) + '\n');
+  }
+
   // Prints the report and returns the exit code.
   int print(std::ostream& os) {
     certificate_.finish();
@@ -72,6 +101,12 @@ public:
   }
 
 private:
+  static std::string members(std::size_t number, const GC::Curvature_excess& excess) {
+    std::ostringstream os;
+    write_json_members(os << "\"curve\":" << number << ',', excess);
+    return os.str();
+  }
+
   std::map<int, std::size_t> counts() const { return summary_.counts(GC::Continuity_kind::G); }
 
   std::string json_summary() const {
@@ -83,6 +118,7 @@ private:
       os << ",\"c_order\":" << *summary_.c_order() << ",\"g_order\":" << *summary_.g_order()
          << ",\"f_order\":" << *summary_.f_order();
     if (drawn_.all > 0) os << ",\"zero_tangent\":" << drawn_.all << ",\"drawn_g1\":" << drawn_.smooth;
+    if (demand_.curvature) os << ",\"curves\":" << curves_ << ",\"bent_curves\":" << bent_;
     os << '}';
     return os.str();
   }
@@ -97,6 +133,7 @@ private:
       separator = ", ";
     }
     if (drawn_.all > 0) os << "; " << drawn_.all << " with a zero tangent, " << drawn_.smooth << " of them drawn as G1";
+    if (demand_.curvature) os << "; " << counted(curves_, "curve");
     os << '\n';
     return os.str();
   }

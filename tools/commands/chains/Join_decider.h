@@ -215,6 +215,7 @@ private:
       if (d.torsion_jump) return Measure{"torsion_jump", *d.torsion_jump};
       break;
     case Finding_rule::tangent:
+    case Finding_rule::bend:
     case Finding_rule::undecided:
     case Finding_rule::not_verified:
     case Finding_rule::rounding: break;

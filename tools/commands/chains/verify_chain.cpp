@@ -18,6 +18,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -48,6 +49,24 @@ template <class Span> struct Span_batch {
   const Span& last() const { return spans[size - 1]; }
 };
 
+// Reads the curves of all files again, in numbers of this type, and decides how far they are bent.
+// `lines` are those where they end, or nothing.
+template <class FT>
+void decide_curvatures(const Arguments& files, const Curvature_bound& bound, const std::vector<long long>& lines,
+                       Chain_report& report) {
+  Progress progress("curves");
+  Curve_stream<GC::G2_piece_reader<Program_traits<FT>>> stream(files);
+  std::size_t number = 0;
+  for (std::optional<Program_curve<FT>> curve; stream.next(curve); ++number) {
+    const std::optional<GC::Curvature_excess> excess =
+        within_work_limit([&] { return stream.file() + ": curve " + std::to_string(number); },
+                          [&] { return curvature_excess(exact(*curve), bound); });
+    report.add(number, stream.file(), lines.empty() ? 0 : lines[number], excess);
+    progress.step(number, [&] { return stream.part_read(); });
+  }
+  progress.clear();
+}
+
 // Reads the spans of all files in batches, and decides their joins.
 template <class Number>
 int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, const Join_demand& demand) {
@@ -62,6 +81,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
   for (const std::string& file : files) names.push_back(input_name(file));
   std::optional<Span> first, last; // of those that have been read
   Span_end last_end{0, 0, 0};
+  std::vector<long long> lines; // of curves, for findings
   std::size_t size = 0;
   bool ended = false;
 
@@ -90,6 +110,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
         last_end = {file, mode.has_findings() ? stream.line() : 0,
                     size > 1 && last_end.file == file ? last_end.in_file + 1 : 0};
         batch.ends.push_back(last_end);
+        if (demand.curvature && mode.has_findings()) lines.push_back(last_end.line);
       }
     } catch (...) {
       batch.error = std::current_exception();
@@ -127,7 +148,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
   for_batches<Batch>(read, work, take);
 
   progress.clear();
-  if (size == 1 && !closed && !mode.allow_empty) throw std::invalid_argument(no_join);
+  if (size == 1 && !closed && !mode.allow_empty && !demand.curvature) throw std::invalid_argument(no_join);
   if (closed && size > 0) {
     Decided_joins joins{Report_part(mode)};
     within_work_limit(
@@ -137,6 +158,9 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
         });
     report.add(joins);
   }
+  if (demand.curvature)
+    decide_curvatures<std::conditional_t<std::is_same_v<Number, double>, double, Exact>>(files, *demand.curvature,
+                                                                                         lines, report);
   return report.print(std::cout);
 }
 

@@ -8,6 +8,7 @@
 #include "commands/drawings/drawing_kink.h"
 #include "commands/drawings/drawing_remark.h"
 #include "commands/drawings/read_drawing.h"
+#include "commands/drawings/segment_curvature.h"
 #include "commands/work_limit.h"
 #include "files/input.h"
 #include "files/progress.h"
@@ -59,6 +60,7 @@ class Drawing_report : public Drawing_handler {
   const bool several_; // there are several files, so that each line names its own
   const std::optional<Requirement> required_;
   const Kink_rule kinks_;
+  const std::optional<Curvature_bound> bound_;
   Report report_;
   Certificate certificate_;
   Progress progress_{"joins"};
@@ -67,6 +69,7 @@ class Drawing_report : public Drawing_handler {
   GC::Chain_summary summary_;  // of what is decided
   std::map<GC::Visual_class, std::size_t> grades_;
   std::size_t joins_ = 0, left_out_ = 0, undecided_ = 0, not_read_ = 0, subpaths_ = 0, segments_ = 0;
+  std::size_t bent_ = 0;                          // curves
   std::size_t rounding_ = 0, looked_through_ = 0; // joins and segments, see Subpath_joins
 
   // A subpath, and what its lines begin with.
@@ -80,12 +83,15 @@ class Drawing_report : public Drawing_handler {
   typedef std::optional<GC::Join_continuity<Exact>> Decision;
   typedef std::optional<GC::Visual_class> Grade; // empty where a join is undecided
 
-  static Report_subject subject(const std::optional<Requirement>& required) {
+  static Report_subject subject(const std::optional<Requirement>& required,
+                                const std::optional<Curvature_bound>& bound) {
     Report_subject s{"join", "every join"};
-    if (!required) return s;
-    if (leaves_corners(*required)) s.every += " but the corners";
-    s.required = required->text();
-    s.required_in_json = "\"required\":\"" + required->text() + '"';
+    if (required) {
+      if (leaves_corners(*required)) s.every += " but the corners";
+      s.required = required->text();
+      s.required_in_json = "\"required\":\"" + required->text() + '"';
+    }
+    if (bound) demand_curvature(s, *bound);
     return s;
   }
 
@@ -148,11 +154,13 @@ class Drawing_report : public Drawing_handler {
 
 public:
   Drawing_report(int max_order, const Report_mode& mode, const Arguments& files,
-                 const std::optional<Requirement>& required, const Kink_rule& kinks)
-      : max_order_(max_order), several_(files.size() > 1), required_(required), kinks_(kinks),
-        report_(mode, subject(required)),
+                 const std::optional<Requirement>& required, const Kink_rule& kinks,
+                 const std::optional<Curvature_bound>& bound)
+      : max_order_(max_order), several_(files.size() > 1), required_(required), kinks_(kinks), bound_(bound),
+        report_(mode, subject(required, bound)),
         certificate_(mode.certificate, "drawings", files, ",\"max_order\":" + std::to_string(max_order)) {
     report_.row("joins");
+    if (bound) report_.row("bent_curves");
     report_.row("not_verified");
   }
 
@@ -187,6 +195,8 @@ public:
       if (is_certified && !has_rounding) certify(place, i, j, join, decision);
       report(place, i, j, looked_through, join, decision);
     });
+    if (bound_)
+      for (const Segment& segment : path.segments) report_curvature(place, segment);
     segments_ += path.segments.size();
     left_out_ += path.left_out;
     looked_through_ += joins.rounding();
@@ -221,6 +231,44 @@ public:
   }
 
 private:
+  // Reports how far a segment is bent.
+  void report_curvature(const Place& place, const Segment& segment) {
+    static const char* const irrational = "an arc of an ellipse, whose curvature is known for rational numbers only";
+    const Drawing_element& element = place.element;
+    std::optional<GC::Curvature_excess> excess;
+    const bool is_decided = within_work_limit([&] { return "command " + std::to_string(segment.command); },
+                                              [&] { return decide_curvature(segment, *bound_, excess); });
+    const Claim claim = !is_decided ? Claim::not_covered : excess ? Claim::not_met : Claim::met;
+    std::string where = ", subpath " + std::to_string(place.number) + ", command ";
+    append(where, segment.command, ' ', segment.letter);
+    const auto members = [&] {
+      std::ostringstream os;
+      os << json_element(element) << ",\"subpath\":" << place.number << ",\"command\":" << segment.command
+         << ",\"letter\":\"" << segment.letter << "\",";
+      write_json_members(os, *excess);
+      return os.str();
+    };
+    report_.add(element.file, {claim, is_decided ? "curve" : "arc", irrational}, false, [&]() -> Finding {
+      Finding f;
+      f.file = element.file;
+      f.line = element.line_of(segment);
+      f.kind = "curve";
+      f.place = element.text() + where;
+      f.rule = is_decided ? Finding_rule::bend : Finding_rule::not_verified;
+      f.message = is_decided ? "not " + bound_->words + ": " + to_string(*excess) : irrational;
+      if (excess) f.properties = members();
+      f.object = element.path();
+      append(f.spot, place.number, ' ', segment.command);
+      if (excess && !excess->unbounded) f.measure = Measure{"curvature", size_of(*excess)};
+      return f;
+    });
+    if (!excess) return;
+    ++bent_;
+    report_.row("bent_curves", report_.mode().format == Report_format::json
+                                   ? ",\n {" + members() + '}'
+                                   : place.name + where + ": " + to_string(*excess) + '\n');
+  }
+
   Decision decide(const Drawing_join& join) const {
     return within_work_limit(
         [&] {
@@ -398,6 +446,7 @@ private:
       os << "; drawn as " << counted(count(GC::Visual_class::corner), "corner") << ", "
          << counted(count(GC::Visual_class::kink), "kink") << " of at most " << kinks_.degrees << " degrees, "
          << count(GC::Visual_class::g1) << " G1, " << count(GC::Visual_class::g2) << " G2 or more";
+    if (bound_) os << "; " << counted(segments_, "curve");
     if (left_out_ != 0) os << "; " << counted(left_out_, "segment") << " without length left out";
     if (rounding_ != 0)
       os << "; rounding at " << counted(rounding_, "join") << ": " << counted(looked_through_, "segment")
@@ -412,7 +461,9 @@ private:
     for (const auto& [order, count] : counts()) os << ",\"G" << order << "\":" << count;
     os << ",\"undecided\":" << undecided_ << ",\"corners\":" << count(GC::Visual_class::corner)
        << ",\"kinks\":" << count(GC::Visual_class::kink) << ",\"left_out\":" << left_out_
-       << ",\"rounding\":" << rounding_ << ",\"looked_through\":" << looked_through_ << '}';
+       << ",\"rounding\":" << rounding_ << ",\"looked_through\":" << looked_through_;
+    if (bound_) os << ",\"curves\":" << segments_ << ",\"bent_curves\":" << bent_;
+    os << '}';
     return os.str();
   }
 };
@@ -420,9 +471,10 @@ private:
 } // namespace
 
 int verify_drawings(const Arguments& files, int max_order, const Report_mode& mode,
-                    const std::optional<Requirement>& required, const Kink_rule& kinks) {
+                    const std::optional<Requirement>& required, const Kink_rule& kinks,
+                    const std::optional<Curvature_bound>& bound) {
   if (required) required->check_dimension(2);
-  Drawing_report report(max_order, mode, files, required, kinks);
+  Drawing_report report(max_order, mode, files, required, kinks, bound);
   report.read(files);
   return report.print(std::cout);
 }

@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_VERIFY_DRAWINGS_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_VERIFY_DRAWINGS_H
 
+#include "commands/chains/curvature_bound.h"
 #include "commands/chains/join_report.h"
 #include "commands/commands.h"
 
@@ -23,6 +24,7 @@ struct Kink_rule {
 // Runs `verify` for SVG drawings: prints the joins of all paths and basic shapes, and returns the
 // exit code.
 int verify_drawings(const Arguments& files, int max_order, const Report_mode& mode,
-                    const std::optional<Requirement>& required, const Kink_rule& kinks);
+                    const std::optional<Requirement>& required, const Kink_rule& kinks,
+                    const std::optional<Curvature_bound>& bound = std::nullopt);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_VERIFY_DRAWINGS_H

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/command_line.h"
+#include "commands/curvature_options.h"
 #include "commands/points/points_report.h"
 #include "files/output.h"
 #include "reports/words.h"
@@ -33,22 +34,25 @@ proved, and the report has the bound.
 POINTS has the coordinates of a vertex in each line, decimals or fractions p/q
 with blanks or commas between them; what follows # is skipped. With --closed the
 last vertex leads back to the first. Where the polyline turns by more than the
-angle of --corner, the curve has a corner, too.
+angle of --corner, the curve has a corner, too. --max-curvature K, or
+--min-radius R for K = 1/R, asks whether the curvature is at most K between the
+joins, which is decided exactly.
 
 examples:
   geometric_continuity fit outline.txt --closed --tolerance 0.5 -o outline.g2
   geometric_continuity fit track.txt --order G2 --tolerance 1/100 -o track.g2 \
       --plot track.svg
 
-Exit code: 0 when the joins have the order that is asked for, 1 when they do
-not, 2 on bad input.
+Exit code: 0 when the joins have the order that is asked for, and the curves the
+curvature, 1 when they do not (the files are written nevertheless), 2 on bad
+input.
 )";
 
 typedef Program_traits<Exact> Traits;
 typedef GC::Fitted_curve<Traits> Fitted;
 
 void write_json(std::ostream& os, const Command_line& line, const Fitted& curve, std::size_t points,
-                const Joins_of_pieces& joins) {
+                const Joins_of_pieces& joins, const std::string& curvature) {
   os << "{\"points\":" << points << ",\"closed\":" << (line.has("closed") ? "true" : "false") << ",\"order\":\""
      << line.text("order") << "\",\"pieces\":" << joins.pieces << ",\"tolerance\":";
   GC::write_json(os, line.text("tolerance"));
@@ -59,7 +63,7 @@ void write_json(std::ostream& os, const Command_line& line, const Fitted& curve,
     os << ']';
   }
   os << ",\"joins\":" << joins.joins << ",\"g_order\":" << (joins.joins == 0 ? "null" : std::to_string(joins.g_order))
-     << "}\n";
+     << curvature << "}\n";
 }
 
 void write_text(std::ostream& os, const Command_line& line, const Fitted& curve, std::size_t points,
@@ -92,12 +96,15 @@ int run_fit(const Command_line& line) {
   for (const auto& piece : curve.segments()) GC::write_g2(text, piece);
   const Joins_of_pieces joins = decide_joins<double>(text.str(), closure_of(line), curve.corners);
   const bool proved = joins.joins == 0 || joins.g_order >= order;
+  const Bent_report bent = bent_report(line, text.str());
   if (line.has("json"))
-    write_json(report_stream(line), line, curve, points.size(), joins);
-  else
+    write_json(report_stream(line), line, curve, points.size(), joins, bent.text);
+  else {
     write_text(report_stream(line), line, curve, points.size(), joins, proved);
+    report_stream(line) << bent.text;
+  }
   write_curves<Traits>(line, text.str(), points, "fit");
-  return proved ? requirement_met : requirement_not_met;
+  return proved && bent.is_met ? requirement_met : requirement_not_met;
 }
 
 void describe_fit(po::options_description_easy_init add) {
@@ -105,6 +112,7 @@ void describe_fit(po::options_description_easy_init add) {
   add("order", po::value<std::string>()->default_value("G1"), "G1 for cubics, G2 for quintics");
   add("closed", "the last point leads back to the first");
   add("corner", po::value<std::string>(), "A, from how many degrees on a corner is kept (default 45)");
+  describe_curvature_bound(add);
   add("json", "print the report as JSON");
   add_shape_output(add, "the curves");
   add("plot", po::value<std::string>(), "draw the polyline and the curves, .svg");

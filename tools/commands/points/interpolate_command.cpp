@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/command_line.h"
+#include "commands/curvature_options.h"
 #include "commands/points/points_report.h"
 #include "commands/work_limit.h"
 #include "reports/words.h"
@@ -30,6 +31,9 @@ made of quintics with G2 joins, whose curvature varies little; in the plane it
 has no more inflections than the polygon of the points, or the report says where
 it may have. The joins are decided exactly on the numbers that are written.
 
+--max-curvature K, or --min-radius R for K = 1/R, asks whether the curvature is
+at most K on the whole curve, which is decided exactly.
+
 POINTS has the coordinates of a point in each line, decimals or fractions p/q
 with blanks or commas between them; what follows # is skipped.
 
@@ -43,9 +47,9 @@ examples:
   geometric_continuity interpolate outline.txt --closed --kernel double \
       --parameters centripetal -o outline.g2
 
-Exit code: 0 when the curve is proved to be C2, with --fair G2, 1 when rounding
-has broken that (--kernel double; the files are written nevertheless), 2 on bad
-input.
+Exit code: 0 when the curve is proved to be C2, with --fair G2, and bent by no
+more than is allowed, 1 when it is bent more, or when rounding has broken the
+joins (--kernel double); the files are written nevertheless. 2 on bad input.
 )";
 
 GC::Parametrisation parametrisation_of(const Command_line& line) {
@@ -97,6 +101,7 @@ template <class FT> int interpolate(const Command_line& line) {
       with_name(line, [&] { return fair ? fair_spline<FT>(line, points) : cubic_spline<FT>(line, points); });
   const Joins_of_pieces& joins = written.joins;
   const bool none = joins.joins == 0, proved = none || (fair ? joins.g_order : joins.c_order) >= 2;
+  const Bent_report bent = bent_report(line, written.text);
   std::ostream& report = report_stream(line);
   const std::string parameters = fair ? "" : to_string(parametrisation_of(line));
   if (line.has("json")) {
@@ -110,7 +115,7 @@ template <class FT> int interpolate(const Command_line& line) {
       for (std::size_t k = 0; k < written.waves.size(); ++k) report << (k == 0 ? "" : ",") << written.waves[k];
       report << ']';
     }
-    report << "}\n";
+    report << bent.text << "}\n";
   } else
     report << counted(points.size(), "point") << ", " << (fair ? "" : parameters + " parameters, ")
            << counted(joins.pieces, fair ? "fair quintic" : "cubic piece") << '\n'
@@ -120,9 +125,10 @@ template <class FT> int interpolate(const Command_line& line) {
                    ? ", decided in exact arithmetic: " + broken_joins(fair ? joins.not_g2 : joins.not_c2, joins.joins)
                : fair ? ", G2, proved in exact arithmetic"
                       : ", C2, proved in exact arithmetic")
-           << '\n';
+           << '\n'
+           << bent.text;
   write_curves<Program_traits<FT>>(line, written.text, points, "spline");
-  return proved ? requirement_met : requirement_not_met;
+  return proved && bent.is_met ? requirement_met : requirement_not_met;
 }
 
 void describe_interpolate(po::options_description_easy_init add) {
@@ -132,6 +138,7 @@ void describe_interpolate(po::options_description_easy_init add) {
   add("fair", "make fair quintics with G2 joins in place of a cubic spline");
   add("kernel", po::value<std::string>()->default_value("exact"),
       "exact: construct in exact numbers; double: in floating-point numbers");
+  describe_curvature_bound(add);
   add("max-work", po::value<std::string>(), "the steps of work that are allowed");
   add("json", "print the report as JSON");
   add_shape_output(add, "the curve");

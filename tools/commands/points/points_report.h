@@ -7,6 +7,7 @@
 
 #include "commands/chains/decided_join.h"
 #include "commands/command_line.h"
+#include "commands/curvature_options.h"
 #include "commands/points/read_points.h"
 #include "files/output.h"
 #include "formats/shapes/write_shapes.h"
@@ -52,6 +53,24 @@ template <class Work> auto with_name(const Command_line& line, Work work) {
     if (e.code() == GC::Error_code::work_limit) throw;
     throw std::invalid_argument(input_name(line.files()[0]) + ": " + e.what());
   }
+}
+
+// A report on the curvature of curves, as they are written, if there is a bound: lines of text, or
+// a member of a JSON object with a comma before it.
+struct Bent_report {
+  bool is_met = true;
+  std::string text = {};
+};
+inline Bent_report bent_report(const Command_line& line, const std::string& curves) {
+  const std::optional<Curvature_bound> bound = curvature_bound(line);
+  if (!bound) return {};
+  const Bent_curves bent = bent_curves(curves, *bound);
+  std::ostringstream os;
+  if (line.has("json"))
+    write_json_member(os, bent, *bound);
+  else
+    write_text(os, bent, *bound);
+  return {bent.is_met(), os.str()};
 }
 
 // Writes curves as they are, and draws them with the lines from point to point, where that is asked

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <ostream>
 #include <type_traits>
 #include <utility>
@@ -445,6 +446,106 @@ template <class Curve> Curvature_extrema curvature_extrema(const Curve& curve) {
     walk.add(rows, internal::Is_rational<Curve>::value, a, b);
   });
   return walk.result();
+}
+
+/// \ingroup PkgGeometricContinuityCurves
+/// A place where the curvature of a curve is larger than it may be.
+struct Curvature_excess : Curvature_at {
+  /// the number of the Bézier curve among those that the curve is made of, from 0 on
+  std::size_t piece;
+  /// whether the curvature has no bound there: a cusp, or a curve that turns back on itself
+  bool unbounded;
+};
+
+namespace internal {
+
+// A place in [0, 1] where a polynomial is negative: one of the ends of intervals that are halved.
+// \pre there is such a place inside of an interval
+template <class NT> NT negative_place(const Bernstein_polynomial<NT>& polynomial) {
+  struct Part {
+    Bernstein_polynomial<NT> p;
+    NT begin, end;
+  };
+  std::vector<Part> parts = {{polynomial, NT(0), NT(1)}};
+  for (;;) {
+    std::vector<Part> halves;
+    for (const Part& part : parts) {
+      const std::vector<NT>& c = part.p.coefficients();
+      if (c.front() < NT(0)) return part.begin;
+      if (c.back() < NT(0)) return part.end;
+      if (std::all_of(c.begin(), c.end(), [](const NT& x) { return !(x < NT(0)); })) continue;
+      const NT half = NT(1) / NT(2), middle = (part.begin + part.end) * half;
+      auto split = part.p.split(half);
+      halves.push_back({std::move(split.first), part.begin, middle});
+      halves.push_back({std::move(split.second), middle, part.end});
+    }
+    parts = std::move(halves);
+  }
+}
+
+// Where a Bezier curve with these rows is bent most, if its curvature exceeds a bound.
+template <class NT, int N>
+std::optional<Curvature_excess> excess(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational, const NT& a,
+                                       const NT& b, const NT& bound, std::size_t piece) {
+  const Curvature_polynomials<NT> curve(rows, rational);
+  const auto parameter = [&](const NT& begin, const NT& end) -> Enclosure {
+    return {enclosure(NT(a + (b - a) * begin)).lower, enclosure(NT(a + (b - a) * end)).upper};
+  };
+  const bool is_regular = curve.is_regular();
+  if (!is_regular)
+    if (const auto r = curve.cusp(NT(NT(1) / NT(1 << 20)) / NT(1 << 20)))
+      return Curvature_excess{
+          {parameter(r->begin, r->end), {(std::numeric_limits<double>::max)(), HUGE_VAL}}, piece, true};
+  const Bernstein_polynomial<NT> rest = curve.rest(bound);
+  const Sign_pattern signs = sign_pattern(rest);
+  if (signs != Sign_pattern::negative && signs != Sign_pattern::nonpositive && signs != Sign_pattern::mixed)
+    return std::nullopt;
+  if (!is_regular) { // the extrema are not known
+    const NT t = negative_place(rest);
+    return Curvature_excess{{parameter(t, t), *curve.curvature(t, t)}, piece, false};
+  }
+  Curvature_walk<NT> walk;
+  walk.add(rows, rational, a, b);
+  const Curvature_at &least = walk.result().least, &greatest = walk.result().greatest;
+  return Curvature_excess{greatest.curvature.upper < -least.curvature.lower ? least : greatest, piece, false};
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityCurves
+/// Decides whether the curvature of a curve is nowhere larger than a bound, in the plane its
+/// absolute value: exactly with every kernel, for the control points, the knots and the bound as
+/// given. Returns nothing if that is so, also where the bound is reached, and otherwise the place
+/// where the curve is bent most.
+///
+/// It is the sign of the polynomial \f$ K^2 g^3 - |d_1\wedge d_2|^2 \f$, of degree `6m - 6`, for a
+/// rational curve \f$ K^2 g^3 - |d_1\wedge d_2|^2 w^4 \f$ with the numerators of the derivatives
+/// and the denominator `w`. Straight lines and points have the curvature 0. Where the first
+/// derivative vanishes, the curvature is that of what is drawn: it has no bound in a cusp, and
+/// where the curve turns back on itself; it may have one elsewhere, as that of a line with handles
+/// of length 0 has. On such a curve the place is one where the curvature exceeds the bound, and
+/// need not be where it is largest. The angles at the joins of pieces are not asked for.
+///
+/// \param curve a `Bezier_curve`, a `Composite_bezier_curve`, a `Bspline_curve`, or what is derived
+///   from them, or a rational one
+/// \param bound not negative, `1/R` where no radius of curvature may be less than `R`
+/// \throws Error `unreachable_tolerance` when the bound is negative
+/// \throws Error `not_finite` when the bound is infinite or undefined, and as `curvature_extrema()`
+/// \throws Error `work_limit` as `curvature_extrema()`
+template <class Curve>
+std::optional<Curvature_excess> curvature_excess(const Curve& curve,
+                                                 const internal::Convertible_number<typename Curve::FT>& bound) {
+  typedef internal::Decision_number<typename Curve::Traits> NT;
+  const NT limit = internal::decision_number<typename Curve::Traits>(bound.value);
+  if (limit < NT(0)) throw Error(Error_code::unreachable_tolerance, "curvature_excess: a negative bound");
+  std::optional<Curvature_excess> worst;
+  std::size_t piece = 0;
+  const auto size = [](const Curvature_at& x) { return (std::max)(-x.curvature.lower, x.curvature.upper); };
+  internal::for_each_exact_piece(curve, [&](const auto& rows, const NT& a, const NT& b) {
+    const auto found = internal::excess(rows, internal::Is_rational<Curve>::value, a, b, limit, piece++);
+    if (found && (!worst || size(*worst) < size(*found))) worst = found;
+  });
+  return worst;
 }
 
 } // namespace Geometric_continuity

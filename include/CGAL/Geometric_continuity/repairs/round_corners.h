@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
@@ -15,6 +16,7 @@
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/repairs/internal/Corner_side.h>
+#include <CGAL/Geometric_continuity/repairs/internal/Cubic_blend.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,13 +32,75 @@
 
 /// \file round_corners.h
 /// A corner in which two curves meet is cut off at a given distance on both sides, and a blend is
-/// put in its place: one corner, or all corners of a chain of curves or of a closed outline.
+/// put in its place: one corner, or all corners of a chain of curves or of a closed outline. The
+/// blend is a quintic, or made of the cubics that drawings and fonts can hold.
 
 namespace CGAL {
 
 template <class Kernel, class Container> class Polygon_2;
 
 namespace Geometric_continuity {
+
+/// \ingroup PkgGeometricContinuityExtensions
+/// Blends two ends by cubics, with \f$ G^2 \f$ joins; given to `round_corner()` and
+/// `round_corners()` in place of a `BlendStrategy`.
+///
+/// Two straight ends whose tangents meet, as in the corner of two lines, are joined by one cubic,
+/// both of whose handles lie in that point, in any dimension. All others, which must be in the
+/// plane, are joined by two cubics that are \f$ G^2 \f$ where they meet, too; their curvature
+/// varies little. Only field operations construct them, so that the joins are exact with an exact
+/// kernel. Floating-point numbers are rounded once, in the end.
+struct Cubics {
+  /// whether one cubic is taken where there is one; two of them are fuller
+  bool single = true;
+};
+
+namespace internal {
+
+template <class Left, class Right>
+Composite_bezier_curve<typename Left::Traits> blend_by_cubics(const Left& phi, const Right& psi, const Cubics& cubics,
+                                                              const std::string& place) {
+  typedef typename Left::Traits Traits;
+  typedef typename Traits::FT FT;
+  typedef typename Exact_field<FT>::type Field;
+  if (phi.dimension() != psi.dimension()) throw Error(Error_code::dimension_mismatch, place);
+  const auto x = end_jet<Field>(phi, 2), y = start_jet<Field>(psi, 2);
+  if (is_zero(x[1])) throw Error(Error_code::zero_tangent, place + ": end of the left curve");
+  if (is_zero(y[1])) throw Error(Error_code::zero_tangent, place + ": start of the right curve");
+  const Cubic_blend<Field, dimension_v<Traits>> result(x, y, cubics.single, place);
+  const auto number = [](const Field& z) -> FT {
+    if constexpr (std::is_floating_point_v<FT>)
+      return CGAL::to_double(z);
+    else
+      return FT(z);
+  };
+  std::vector<typename Traits::Point> points;
+  for (const auto& p : result.points) {
+    Coordinates<Traits> c(p.dimension());
+    for (int i = 0; i < p.dimension(); ++i) c[i] = number(p[i]);
+    points.push_back(to_point<Traits>(c));
+  }
+  std::vector<FT> knots = {FT(0), FT(1)};
+  if (points.size() > 4) knots.push_back(number(Field(Field(1) + result.ratio)));
+  return {points.begin(), points.end(), knots};
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityExtensions
+/// Returns the blend by cubics from the end of the curve `phi` to the start of the curve `psi`: a
+/// curve of one or two segments, the first over [0, 1]. Some thousand evaluations of floating-point
+/// formulas search for two cubics; besides them the number of field operations is constant.
+/// \tparam Left, Right models of `ParametricCurve` with one traits class
+/// \throws Error `dimension_mismatch` when the dimensions differ, and in space unless one cubic is
+///   enough; `zero_tangent` when a first derivative is zero; `zero_direction` when both ends lie in
+///   one point
+/// \throws Error `not_representable` when no two cubics are found that do not turn back, as where
+///   `psi` starts behind the end of `phi`
+template <class Left, class Right>
+Composite_bezier_curve<typename Left::Traits> blend(const Left& phi, const Right& psi, const Cubics& cubics) {
+  return internal::blend_by_cubics(phi, psi, cubics, "blend by cubics");
+}
 
 /// \ingroup PkgGeometricContinuityExtensions
 /// A rounded corner: three curves, one after the other.
@@ -108,11 +172,15 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
   const auto incoming = end_jet<FT>(left, 1)[1], outgoing = start_jet<FT>(right, 1)[1];
   if (is_zero(incoming)) throw Error(Error_code::zero_tangent, place + ": at the cut of the left curve");
   if (is_zero(outgoing)) throw Error(Error_code::zero_tangent, place + ": at the cut of the right curve");
-  if (turn_back<typename Exact_field<FT>::type>(left, right, is_quintic_strategy_v<Strategy, Traits> ? 2 : 3))
+  constexpr bool has_order_2 = std::is_same_v<Strategy, Cubics> || is_quintic_strategy_v<Strategy, Traits>;
+  if (turn_back<typename Exact_field<FT>::type>(left, right, has_order_2 ? 2 : 3))
     throw Error(Error_code::zero_tangent, place + ": the curves turn back on one line, where every blend has a cusp");
   if (left.coordinates(left.degree()) == right.coordinates(0))
     throw Error(Error_code::zero_direction, place + ": both cuts lie in one point");
-  return blend(at_unit_speed(left, incoming), at_unit_speed(right, outgoing), strategy);
+  if constexpr (std::is_same_v<Strategy, Cubics>)
+    return blend_by_cubics(at_unit_speed(left, incoming), at_unit_speed(right, outgoing), strategy, place);
+  else
+    return blend(at_unit_speed(left, incoming), at_unit_speed(right, outgoing), strategy);
 }
 
 } // namespace internal
@@ -137,7 +205,7 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 ///
 /// \param distance positive, and less than the length of each curve
 /// \tparam Left, Right `Bezier_curve` or `Rational_bezier_curve`, with one traits class
-/// \tparam Strategy a model of `BlendStrategy` that is called without shape parameters
+/// \tparam Strategy `Cubics`, or a model of `BlendStrategy` that is called without shape parameters
 /// \returns a `Rounded_corner`
 /// \throws Error `not_finite` when the distance, or a curve as numbers of type `double`, is
 ///   infinite or undefined
@@ -148,7 +216,7 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 ///   in a cusp and both lie on one line; `zero_direction` when both cuts lie in one point, e.g.
 ///   where one curve is the other one reversed
 /// \throws Error `dimension_mismatch`, `not_representable` when a cut has no parameter of type
-///   `double`
+///   `double`, and as `blend()` with `Cubics` does
 template <class Left, class Right, class Strategy = Fair>
 auto round_corner(const Left& left, const Right& right, const internal::Convertible_number<typename Left::FT>& distance,
                   const Strategy& strategy = Strategy()) {
@@ -175,6 +243,8 @@ template <class FT> struct Rounded_join {
   FT left_cut;       ///< the parameter where the curve before the corner is cut
   FT right_cut;      ///< the parameter where the curve after the corner is cut
   std::size_t blend; ///< the number of the blend in the rounded chain
+  /// of how many curves the blend is made: 1, or with `Cubics` up to 2
+  std::size_t pieces = 1;
 };
 
 /// \ingroup PkgGeometricContinuityExtensions
@@ -273,7 +343,7 @@ void add_bezier_pieces(const Rational_bspline_curve<Traits>& curve,
 /// \param closure whether the end of the last curve and the start of the first are a join too,
 ///   which may be a corner
 /// \param order the \f$ G \f$ order that joins need in order to stay
-/// \param strategy a model of `BlendStrategy` that is called without shape parameters
+/// \param strategy `Cubics`, or a model of `BlendStrategy` that is called without shape parameters
 /// \throws Error `negative_count` for a negative order, `not_finite` when the distance, or a curve
 ///   as numbers of type `double`, is infinite or undefined
 /// \throws Error `curves_do_not_meet` when there is a gap, with the number of the Bézier curve
@@ -340,7 +410,9 @@ Rounded_chain<internal::Bezier_piece<typename std::iterator_traits<ForwardIterat
     if (!is_corner[i]) continue;
     corner->blend = result.curves.size();
     ++corner;
-    result.curves.push_back(internal::blend_of_parts(parts[i], parts[(i + 1) % n], strategy, place(i)));
+    internal::for_each_piece(internal::blend_of_parts(parts[i], parts[(i + 1) % n], strategy, place(i)),
+                             [&](const auto& piece) { result.curves.emplace_back(piece); });
+    std::prev(corner)->pieces = result.curves.size() - std::prev(corner)->blend;
   }
   return result;
 }

@@ -58,7 +58,7 @@ public:
   // From the control points of the curve, or the homogeneous ones of a rational curve.
   template <int N> Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational) {
     const int dimension = rows.front().dimension() - (rational ? 1 : 0);
-    const Work_guard work("curvature_extrema");
+    const Work_guard work("the curvature of a curve");
     // S is of degree 4 in the points, and the degree below 4n; with a denominator both are twice as
     // high
     const double n = static_cast<double>(rows.size()) * (rational ? 2 : 1);
@@ -119,6 +119,28 @@ public:
     return roots;
   }
 
+  // A polynomial with the sign of bound^2 - kappa^2 where the curve has a tangent.
+  Polynomial rest(const NT& bound) const {
+    charge_cubes();
+    const Polynomial v2 = v_ * v_;
+    return Polynomial{NT(bound * bound)} * g_ * g_ * g_ - s_ * v2 * v2;
+  }
+
+  // The first place where the curvature has no bound: what divides S and g^3 is cancelled; and
+  // where the curve turns back, because d1 is an odd power of t - t0 times what is not zero.
+  std::optional<Isolated_root<NT>> cusp(const NT& width) const {
+    charge_cubes();
+    Power_polynomial<NT> cube(g_ * g_ * g_);
+    const Power_polynomial<NT> common = greatest_common_divisor(cube, Power_polynomial<NT>(s_));
+    std::vector<Isolated_root<NT>> places;
+    if (!cube.is_zero()) places = isolate_roots(cube.divide(common).bernstein(), width, default_bisections);
+    for (const Isolated_root<NT>& r : isolate_roots(g_, width, default_bisections))
+      if (r.multiplicity % 4 == 2 && !(r.end == NT(0) || r.begin == NT(1))) places.push_back(r);
+    const auto first = std::min_element(places.begin(), places.end(),
+                                        [](const auto& x, const auto& y) { return bool(x.end < y.end); });
+    return first == places.end() ? std::nullopt : std::optional<Isolated_root<NT>>(*first);
+  }
+
   // The curvature at an end of the curve.
   Signed_square<NT> start_curvature() const { return end_curvature(false); }
   Signed_square<NT> end_curvature() const { return end_curvature(true); }
@@ -150,6 +172,13 @@ public:
   }
 
 private:
+  // Charges what products of degree 6n or, with a denominator, 12n, take.
+  void charge_cubes() const {
+    const Work_guard work("the curvature of a curve");
+    const double n = g_.degree() + 1;
+    work_meter().charge_products(8 * n * n, 3 * number_words(g_[0]));
+  }
+
   // The least and the greatest coefficient on an interval.
   static std::pair<NT, NT> range(const Polynomial& p, const NT& from, const NT& to) {
     const Polynomial part = p.restricted(from, to);
