@@ -36,10 +36,11 @@ struct Reader {
   unsigned kinds;
 };
 constexpr unsigned everything = curves | drawings | fonts | models | toolpaths;
-constexpr Reader readers[] = {{"verify", everything},  {"report", everything}, {"repair", curves | drawings | fonts},
-                              {"blend", curves},       {"connect", curves},    {"match", curves},
-                              {"extend", curves},      {"plot", curves},       {"tessellate", curves},
-                              {"round-edges", curves}, {"fit", points},        {"interpolate", points}};
+constexpr Reader readers[] = {
+    {"verify", everything},       {"report", everything}, {"repair", curves | drawings | fonts},
+    {"blend", curves | drawings}, {"connect", curves},    {"match", curves},
+    {"extend", curves},           {"plot", curves},       {"tessellate", curves},
+    {"round-edges", curves},      {"fit", points},        {"interpolate", points}};
 
 constexpr struct {
   Kind kind;

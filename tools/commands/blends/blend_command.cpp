@@ -9,9 +9,11 @@
 #include "commands/blends/strategy_names.h"
 #include "commands/command_line.h"
 #include "commands/curvature_options.h"
+#include "commands/drawings/round_drawing.h"
 #include "commands/work_limit.h"
 #include "files/output.h"
 #include "formats/shapes/write_shapes.h"
+#include "formats/svg/svg_drawing.h"
 
 #include <Geometric_continuity_figures/Svg_figure.h>
 
@@ -33,6 +35,7 @@ const char* const blend_usage = R"(usage: geometric_continuity blend A.g2 B.g2 [
        geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]
        geometric_continuity blend CHAIN.g2 --corner I --distance R
        geometric_continuity blend CHAIN.g2 --corners all|not-g1 --distance R
+       geometric_continuity blend DRAWING.svg --corners all --distance R -o OUT.svg
        geometric_continuity blend --surfaces A.g2 B.g2 [--edges v1,v0]
 
 Blends the end of the last curve of A into the start of the first curve of B,
@@ -86,6 +89,12 @@ of short curves less than R is cut off, so that a quarter of each remains. The
 output is the whole chain. With --cubic the corners of lines are rounded by one
 cubic with both handles in the corner, others, in the plane, by two cubics; all
 joins are G2, as drawings and fonts can hold them.
+
+Of a drawing (.svg) all corners are rounded in place by such cubics: those that
+turn by more than --kink-angle degrees. R is in the units of the drawing. Path
+data changes, and polygons, polylines and rectangles with corners become paths;
+all else stays byte for byte. Corners of lines are exactly G2 on the decimals
+that are written, others exactly G1, and G2 up to the decimals.
 
 --max-curvature K, or --min-radius R for K = 1/R, is a condition: a blend may
 nowhere be bent more, which is decided exactly. Without --strategy all are
@@ -329,6 +338,7 @@ void describe_blend(po::options_description_easy_init add) {
   add("corners", po::value<std::string>(), "all or not-g1, round these joins of a chain");
   add("distance", po::value<std::string>(), "R > 0, from a corner to where its curves are cut");
   add("cubic", "with --corner or --corners: round by cubics, one or two, with G2 joins");
+  add("kink-angle", po::value<std::string>(), "D, of drawings: corners are what turns by more degrees (default 5)");
   describe_curvature_bound(add);
   add("closed", "with --corners: the last curve leads back to the first");
   add("surfaces", "blend an edge of one surface into an edge of another one");
@@ -344,6 +354,15 @@ void describe_blend(po::options_description_easy_init add) {
 }
 
 int run_blend(const Command_line& line) {
+  const Arguments files = line.files();
+  if (std::any_of(files.begin(), files.end(), is_svg_file)) {
+    line.refuse({"strategy", "beta",   "eta",    "s1",       "s2",       "start",         "end",
+                 "replace",  "corner", "closed", "surfaces", "edges",    "representable", "json",
+                 "max-work", "plot",   "title",  "decimals", "flatness", "max-curvature", "min-radius"},
+                "not for drawings");
+    return round_drawing(line);
+  }
+  line.refuse({"kink-angle"}, "only for drawings");
   check_shape_output(line);
   if (!line.has("plot")) line.refuse({"title"}, "only with --plot");
   if (line.has("corner") || line.has("corners")) {

@@ -51,7 +51,7 @@ Fraction with_digits(const Fraction& x, int digits) {
   return negative ? Fraction(-r) : r;
 }
 
-// The same with so many digits from the first that is not zero on.
+// Rounds to so many digits from the first that is not zero on.
 Fraction with_significant_digits(const Fraction& x, int digits) {
   const double size = std::abs(CGAL::to_double(x));
   if (size == 0) return x;
@@ -93,9 +93,22 @@ class Rounded_subpath {
 
   std::size_t next(std::size_t i) const { return i + 1 == curves_.size() ? 0 : i + 1; }
 
+  // The parameter of the point at exactly the distance that is asked for, where its coordinates are
+  // short decimals and no less of the line is to be cut off.
+  std::optional<Fraction> exact_cut(const Plane_curve& line, bool from_end, double distance) const {
+    const Plane_point chord = point_of(line, 1) - point_of(line, 0);
+    const std::optional<Fraction> length = GC::rational_square_root(Fraction(dot(chord, chord)));
+    if (!length || distance < CGAL::to_double(distance_)) return std::nullopt;
+    const Fraction t = from_end ? Fraction(1 - distance_ / *length) : Fraction(distance_ / *length);
+    const Plane_point p = point_of(line, 0) + t * chord;
+    return rounded(p) == p ? std::optional<Fraction>(t) : std::nullopt;
+  }
+
   // The parameter of the point at a distance along a curve from its start, or from its end, as a
   // short decimal: by the lengths of chords.
-  static Fraction cut(const Plane_curve& c, bool from_end, double distance) {
+  Fraction cut(const Plane_curve& c, bool from_end, double distance) const {
+    if (c.degree() == 1)
+      if (const std::optional<Fraction> t = exact_cut(c, from_end, distance)) return *t;
     constexpr int chords = 256;
     const auto point = [&](int i) {
       const auto p = c(Fraction(from_end ? chords - i : i) / chords);
@@ -146,7 +159,9 @@ class Rounded_subpath {
 
   // A handle in the direction of a vector, of short decimals if that is one.
   static Plane_point handle(const Plane_point& node, const Plane_point& direction, const Plane_point& wanted) {
-    const Fraction ratio = dot(wanted - node, direction) / dot(direction, direction);
+    const Fraction square = dot(direction, direction);
+    const Fraction ratio = square == 0 ? square : Fraction(dot(wanted - node, direction) / square);
+    if (!(0 < ratio)) throw GC::Error(GC::Error_code::not_representable, "a handle has no length in short decimals");
     return node + with_significant_digits(ratio, 6) * direction;
   }
 
@@ -166,7 +181,7 @@ class Rounded_subpath {
     const auto segments = blend.segments();
     const std::size_t n = static_cast<std::size_t>(blend.number_of_segments());
     const Plane_curve first(blend.segment(0)), last(blend.segment(static_cast<int>(n) - 1));
-    const Plane_point b1 = handle(p, d, point_of(first, 1)), b2 = handle(q, e, point_of(last, 2));
+    const Plane_point b1 = handle(p, d, point_of(first, 1)), b2 = handle(q, Fraction(-1) * e, point_of(last, 2));
     if (n == 1) return result.push_back(cubic(p, b1, b2, q));
     const Plane_point c1 = rounded(point_of(first, 2)), c2 = rounded(point_of(last, 1)), chord = c2 - c1;
     const Plane_point middle = handle(c1, chord, point_of(last, 0));
@@ -271,7 +286,7 @@ class Drawing_rounder : public Drawing_handler {
     return scale == 1 || !(scale > 0) ? distance_ : Fraction(distance_ / with_significant_digits(Fraction(scale), 9));
   }
 
-  // Returns path data of all subpaths with rounded corners; empty where there is none, or where that
+  // Returns path data of all subpaths with rounded corners; empty where there is none, or where it
   // is not possible.
   std::string rounded(const Drawing_element& element, const std::vector<Drawing_subpath>& paths) {
     std::ostringstream data;

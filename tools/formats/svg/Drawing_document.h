@@ -25,7 +25,8 @@ struct Drawing_node {
   std::size_t bytes_before = 0;   // a measure of what is written before it
   long long animated_in_line = 0; // where an element stands that moves it; 0 where there is none
   Drawing_attributes attributes;
-  // as it is written: of a path where that is needed for its lines, otherwise with Drawing_tags::all
+  // as it is written: of a path where that is needed for its lines, otherwise with
+  // Drawing_tags::all
   std::string tag;
   std::size_t tag_begin = 0; // in the file
 };

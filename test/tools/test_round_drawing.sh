@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# blend --corners of drawings: what is rounded, what stays byte for byte, and what is left.
+. "$(dirname "$0")/functions.sh"
+
+cat >shapes.svg <<'SVG'
+<?xml version="1.0"?>
+<svg xmlns="http://www.w3.org/2000/svg" xmlns:s="http://www.w3.org/2000/svg" viewBox="0 0 200 200">
+  <!-- a comment -->
+  <rect x="10" y='10' width="50" height="30" class="r" fill="none"/>
+  <polygon points="80,10 130,10 105,55.5" id="tri"><title>T</title></polygon>
+  <polyline points="10 100 30 60 50 100 70,60" fill="none"  stroke="red" />
+  <path id="p" d="m 100,100 h 40 v 40 q -20 20 -40 0 z M 10 150 C 20 120 40 120 50 150 L 10 150 Z"/>
+  <circle cx="150" cy="150" r="20"/><s:polygon points="150 60 190 60 170 90"/>
+  <g transform="scale(2)"><polygon points="60,80 90,80 90,95"/></g>
+</svg>
+SVG
+run 0 blend shapes.svg --corners all --distance 5 -o round.svg
+says out "21 corners of 6 elements are rounded: 17 with exactly continuous curvature, 4 with tangents that are so exactly"
+run 0 verify round.svg --require G1 && says out "0 corners, 0 kinks" "8 G1, 38 G2, 4 G3 or more"
+# the cuts are where they are asked for, with both handles in the corner; other attributes stay
+says round.svg '<path d="M 15 10L 55 10C 60 10 60 10 60 15L 60 35C 60 40 60 40 55 40L 15 40C 10 40 10 40 10 35L 10 15C 10 10 10 10 15 10Z" class="r" fill="none"/>' \
+  'id="tri"><title>T</title></path>' '<s:path d="M 155 60L' 'fill="none"  stroke="red" />' '<!-- a comment -->'
+for line in 1 2 3 10; do holds [ "$(sed -n ${line}p shapes.svg)" = "$(sed -n ${line}p round.svg)" ]; done
+# in the units of the drawing: the group is scaled
+says round.svg "M 62.5 80L 87.5 80C 90 80 90 80 90 82.5L 90 92.5"
+# nothing to round: the same bytes
+svg '<path d="M0 0 C 1 1 2 1 3 0"/><circle r="3"/><rect width="5" height="4" rx="1"/>' && cp drawing.svg same.svg
+run 0 blend same.svg --corners all --distance 1 -o out.svg && says out "0 corners" && cmp -s same.svg out.svg || holds false
+# small angles are kinks, which are not rounded; short sides are cut by 3/8
+svg '<path d="M0 0 L10 0 L20 0.5"/><polygon points="0 0 1 0 1 1"/>'
+run 0 blend drawing.svg --corners all --distance 5 -o out.svg && says out "3 corners of 1 element are rounded: 3 with exactly" && says out.svg 'd="M0 0 L10 0 L20 0.5"' "M 0.375 0L 0.625 0"
+run 0 blend drawing.svg --corners all --distance 5 --kink-angle 1 -o out.svg && says out "4 corners of 2 elements are rounded"
+# what is left, with the reason
+svg '<path id="a" d="M0 0 L10 0 A 5 5 0 0 1 10 20 L 0 20"/><path id="b" d="M0 0 L1 1 L x"/><polygon points="0 0 9 0 9 9"/>'
+run 0 blend drawing.svg --corners all --distance 1 -o out.svg && says out "3 corners of 1 element" 'path "a" (line 2): it has an arc; it is left as it is' 'path "b" (line 2)'
+# what is refused
+run 2 blend shapes.svg --distance 5 -o out.svg && says err "--corners all is needed"
+run 2 blend shapes.svg --corners not-g1 --distance 5 -o out.svg && says err "all corners of a drawing are rounded"
+run 2 blend shapes.svg --corners all -o out.svg && says err "--distance is needed"
+run 2 blend shapes.svg --corners all --distance 0 -o out.svg && says err "--distance: 0 is not positive"
+run 2 blend shapes.svg --corners all --distance 1 && says err "-o OUT.svg is needed"
+run 2 blend shapes.svg --corners all --distance 1 -o out.g2 && says err "the format is .svg"
+run 2 blend shapes.svg --corners all --distance 1 --strategy fair -o out.svg && says err "not for drawings"
+run 2 blend "$S" --corners all --distance 1 --kink-angle 3 -o out.g2 && says err "only for drawings"
