@@ -107,3 +107,7 @@ spline $'4 2\n0 0 1 1 3 3\n0 0 0\n1 0 0\n1 1 0\n2 1 0' >jump.g2
 run 1 verify jump.g2 --require C0 && says out "1 gap"
 spline $'4 2\n0 0 1 .5 3 3\n0 0 0\n1 0 0\n1 1 0\n2 1 0' >bad.g2
 run 2 verify bad.g2 && says err "bad.g2:4" "the knots decrease"
+
+# a curve that runs backwards
+cubic $'0 0 0\n1 0 0\n2 0 0\n3 0 0' >forwards.g2 && cubic $'6 1 0\n5 0 0\n4 0 0\n3 0 0' >backwards.g2 && cubic $'6 1 0\n7 2 0\n8 2 0\n9 2 0' >on.g2
+run 0 verify forwards.g2 backwards.g2 on.g2 && says out "apart; it closes when the right curve is reversed" "apart; it closes when the left curve is reversed"

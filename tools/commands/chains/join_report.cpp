@@ -114,18 +114,33 @@ std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<Int
   return numbers.certain() ? std::optional<std::string>(text) : std::nullopt;
 }
 
+// Tells which of two curves with a gap between them would close it if it were reversed; empty for
+// none.
+template <class Span> const char* reversal(const GC::Span_join<Span>& ends) {
+  const auto point = [](const Span& span, bool at_end) {
+    return at_end ? span.jets().end_jet(0)[0] : span.jets().start_jet(0)[0];
+  };
+  if (point(ends.left(), true) == point(ends.right(), true)) return "; it closes when the right curve is reversed";
+  if (point(ends.left(), false) == point(ends.right(), false)) return "; it closes when the left curve is reversed";
+  return "";
+}
+
 template <class Span>
 Join_words join_words(const Join& join, const GC::Span_join<Span>& ends, const GC::Corner_threshold& bound) {
   Join_words words;
+  const char* const gap = join.c_order < 0 ? reversal(ends) : "";
   bool certain = false;
   ends.visit_enclosures([&](const auto& x, const auto& y) {
     const Enclosed_numbers numbers(x, y);
     words = words_of(join, x.dimension(), numbers, bound);
     certain = numbers.certain();
   });
-  if (certain) return words;
-  const Jet x = ends.left().jets().end_jet(3), y = ends.right().jets().start_jet(3);
-  return words_of(join, x.dimension(), Exact_numbers(x, y), bound);
+  if (!certain) {
+    const Jet x = ends.left().jets().end_jet(3), y = ends.right().jets().start_jet(3);
+    words = words_of(join, x.dimension(), Exact_numbers(x, y), bound);
+  }
+  words.remark += gap;
+  return words;
 }
 
 std::string table_head() { return "join         orders      point                     remark\n"; }
