@@ -31,8 +31,9 @@ svg '<path d="M0 0 L10 0 L20 0.5"/><polygon points="0 0 1 0 1 1"/>'
 run 0 blend drawing.svg --corners all --distance 5 -o out.svg && says out "3 corners of 1 element are rounded: 3 with exactly" && says out.svg 'd="M0 0 L10 0 L20 0.5"' "M 0.375 0L 0.625 0"
 run 0 blend drawing.svg --corners all --distance 5 --kink-angle 1 -o out.svg && says out "4 corners of 2 elements are rounded"
 # what is left, with the reason
-svg '<path id="a" d="M0 0 L10 0 A 5 5 0 0 1 10 20 L 0 20"/><path id="b" d="M0 0 L1 1 L x"/><polygon points="0 0 9 0 9 9"/>'
-run 0 blend drawing.svg --corners all --distance 1 -o out.svg && says out "3 corners of 1 element" 'path "a" (line 2): it has an arc; it is left as it is' 'path "b" (line 2)'
+svg '<path id="a" d="M0 0 L10 0 A 5 5 0 0 1 10 20 L 0 20 z M 0 0 h9 a1.5,1 0 01 4 0 v5"/><path id="b" d="M0 0 L1 1 L x"/><polygon points="0 0 9 0 9 9"/>'
+run 0 blend drawing.svg --corners all --distance 1 -o out.svg && says out "5 corners of 2 elements" 'path "a" (line 2): 1 corner at an arc' 'path "b" (line 2)'
+says out.svg 'L 10 0A 5 5 0 0 1 10 20L' 'L 9 0A 1.5 1 0 0 1 13 0L 13 5'
 # what is refused
 run 2 blend shapes.svg --distance 5 -o out.svg && says err "--corners all is needed"
 run 2 blend shapes.svg --corners not-g1 --distance 5 -o out.svg && says err "all corners of a drawing are rounded"

@@ -86,8 +86,9 @@ void write_decimal(std::ostream& os, const Fraction& x) {
 class Rounded_subpath {
   const GC::Corner_threshold& bound_;
   const Fraction distance_;
-  const int decimals_; // of the coordinates
-  std::vector<Plane_curve> curves_;
+  const int decimals_;              // of the coordinates
+  std::vector<Plane_curve> curves_; // in the place of an arc its chord
+  std::vector<std::string> arcs_;   // of each curve, the numbers of an arc before its end; or empty
   const bool closed_;
   std::vector<bool> is_corner_; // behind each curve
 
@@ -191,15 +192,24 @@ class Rounded_subpath {
 
 public:
   std::size_t corners = 0, exact = 0; // rounded, and those with exactly continuous curvature
+  std::size_t at_arcs = 0;            // corners that stay
 
+  // `arc_text` returns the numbers of an arc before its end, as they are written.
+  template <class Arc_text>
   Rounded_subpath(const Drawing_subpath& path, const GC::Corner_threshold& bound, const Fraction& distance,
-                  int decimals)
+                  int decimals, Arc_text arc_text)
       : bound_(bound), distance_(distance), decimals_((std::max)(decimals, 0)), closed_(path.closed) {
-    for (const auto& segment : path.segments) curves_.push_back(segment.bezier()->with_domain(0, 1));
+    for (const auto& segment : path.segments) {
+      arcs_.push_back(segment.arc() ? arc_text(segment) : "");
+      curves_.push_back(segment.arc() ? Plane_curve{segment.start(), segment.end()}
+                                      : segment.bezier()->with_domain(0, 1));
+    }
     is_corner_.assign(curves_.size(), false);
     for (std::size_t i = 0; i < path.joins(); ++i) {
-      is_corner_[i] = segment_class(curves_[i], curves_[next(i)], bound_) == GC::Visual_class::corner;
-      corners += is_corner_[i] ? 1 : 0;
+      const std::size_t j = next(i);
+      if (segment_class(path.segments[i], path.segments[j], bound_) != GC::Visual_class::corner) continue;
+      is_corner_[i] = arcs_[i].empty() && arcs_[j].empty();
+      ++(is_corner_[i] ? corners : at_arcs);
     }
   }
 
@@ -214,9 +224,12 @@ public:
       from[next(i)] = cut(curves_[next(i)], false, d);
     }
     std::vector<Plane_curve> parts, result;
+    std::vector<std::string> arcs; // of the result
     for (std::size_t i = 0; i < n; ++i) parts.push_back(part(curves_[i], from[i], to[i]));
     for (std::size_t i = 0; i < n; ++i) {
       result.push_back(parts[i]);
+      arcs.resize(result.size());
+      arcs.back() = arcs_[i];
       if (!is_corner_[i]) continue;
       const std::size_t before = result.size();
       add_blend(parts[i], parts[next(i)], point_of(curves_[next(i)], 0), result);
@@ -224,15 +237,20 @@ public:
       chain.push_back(parts[next(i)]);
       if (GC::failing_joins(chain, GC::is_g2_join).empty()) ++exact;
     }
-    const auto write_point = [&](const Plane_point& p) {
-      write_decimal(os << ' ', p[0]);
-      write_decimal(os << ' ', p[1]);
+    const auto write_point = [](std::ostream& stream, const Plane_point& p) {
+      write_decimal(stream << ' ', p[0]);
+      write_decimal(stream << ' ', p[1]);
     };
-    os << 'M';
-    write_point(point_of(result[0], 0));
-    for (const Plane_curve& c : result) {
+    write_point(os << 'M', point_of(result[0], 0));
+    arcs.resize(result.size());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      const Plane_curve& c = result[i];
+      if (!arcs[i].empty()) {
+        write_point(os << 'A' << arcs[i], point_of(c, 1));
+        continue;
+      }
       os << " ?LQC"[c.degree() + 1] << "";
-      for (int j = 1; j <= c.degree(); ++j) write_point(point_of(c, j));
+      for (int j = 1; j <= c.degree(); ++j) write_point(os, point_of(c, j));
     }
     if (closed_) os << 'Z';
   }
@@ -288,16 +306,13 @@ class Drawing_rounder : public Drawing_handler {
 
   // Returns path data of all subpaths with rounded corners; empty where there is none, or where it
   // is not possible.
-  std::string rounded(const Drawing_element& element, const std::vector<Drawing_subpath>& paths) {
+  template <class Arc_text>
+  std::string rounded(const Drawing_element& element, const std::vector<Drawing_subpath>& paths, Arc_text arc_text) {
     std::ostringstream data;
-    std::size_t found = 0, exact = 0;
+    std::size_t found = 0, exact = 0, at_arcs = 0;
     for (const Drawing_subpath& path : paths) {
       if (path.segments.empty()) continue;
-      if (std::any_of(path.segments.begin(), path.segments.end(), [](const auto& s) { return s.arc() != nullptr; })) {
-        leave(element, "it has an arc; it is left as it is");
-        return "";
-      }
-      Rounded_subpath rounded(path, bound_, own_distance(element), element.decimals);
+      Rounded_subpath rounded(path, bound_, own_distance(element), element.decimals, arc_text);
       try {
         rounded.write(data);
       } catch (const GC::Error& error) {
@@ -306,7 +321,9 @@ class Drawing_rounder : public Drawing_handler {
       }
       found += rounded.corners;
       exact += rounded.exact;
+      at_arcs += rounded.at_arcs;
     }
+    if (at_arcs != 0) leave(element, counted(at_arcs, "corner") + " at an arc");
     if (found == 0) return "";
     corners += found;
     exact_corners += exact;
@@ -331,8 +348,9 @@ public:
     if (path.role == Path_role::repetition) return;
     if (!path.text.refusal().empty()) return leave(element, path.text.refusal());
     std::vector<Drawing_subpath> subpaths;
+    GC::Svg_path_places places;
     try {
-      GC::Svg_path_reader<Drawing_traits> reader(path.value, "d");
+      GC::Svg_path_reader<Drawing_traits> reader(path.value, "d", &places);
       while (std::optional<Drawing_subpath> subpath = reader.next()) {
         subpath->leave_out_points();
         subpaths.push_back(*std::move(subpath));
@@ -340,7 +358,16 @@ public:
     } catch (const GC::Error& error) {
       return leave(element, GC::svg_reason(error));
     }
-    const std::string data = rounded(element, subpaths);
+    const auto arc_text = [&](const auto& segment) {
+      std::string numbers;
+      const std::size_t first = places.commands[static_cast<std::size_t>(segment.command) - 1].first_number;
+      for (std::size_t i = first; i < first + 5; ++i) {
+        const GC::Text_range& range = places.numbers[i];
+        numbers += ' ' + path.value.substr(range.begin, range.end - range.begin);
+      }
+      return numbers;
+    };
+    const std::string data = rounded(element, subpaths, arc_text);
     if (!data.empty()) edits_.push_back({path.text[0], path.text[path.value.size()], data});
   }
 
@@ -350,7 +377,8 @@ public:
         std::any_of(path.segments.begin(), path.segments.end(), [](const auto& s) { return s.arc(); });
     if (is_rounded) return; // a rectangle with rx and ry
     if (element.has_percentages) return leave(element, "its size depends on the viewport");
-    const std::string data = rounded(element, {path.transform(element.transform.inverse())});
+    const std::string data =
+        rounded(element, {path.transform(element.transform.inverse())}, [](const auto&) { return std::string(); });
     if (data.empty()) return;
     const std::size_t end = element.tag_begin + element.tag.size();
     edits_.push_back({element.tag_begin, end, tag_of_path(element.tag, data)});
