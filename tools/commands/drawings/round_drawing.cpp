@@ -353,6 +353,7 @@ public:
       GC::Svg_path_reader<Drawing_traits> reader(path.value, "d", &places);
       while (std::optional<Drawing_subpath> subpath = reader.next()) {
         subpath->leave_out_points();
+        if (element.is_filled) subpath->join_ends();
         subpaths.push_back(*std::move(subpath));
       }
     } catch (const GC::Error& error) {
