@@ -12,6 +12,9 @@ holds python3 "$extension/geometric_continuity.py" --id=roof --kink_angle=5 --to
 says smooth.svg '<!-- kept --><path id="roof" d="M 0,0 H 10 C 20,0.0 30,4 30,20 V 30"/>'
 run 0 verify smooth.svg --require G1
 holds python3 "$extension/geometric_continuity.py" --kink_angle=2 --to=G1 kink.svg >same.svg && holds cmp kink.svg same.svg
+echo '<svg xmlns="http://www.w3.org/2000/svg"><rect width="8" height="6"/></svg>' >rectangle.svg
+holds python3 "$extension/geometric_continuity.py" --kink_angle=5 --distance=1 rectangle.svg >round.svg && says round.svg 'M 1 0L 7 0C 8 0 8 0 8 1L 8 5'
+run 0 verify round.svg --require G2
 echo '<svg' >bad.svg
 python3 "$extension/geometric_continuity.py" bad.svg >none.svg 2>refused && holds false
 says refused "malformed_input" && holds [ ! -s none.svg ]
