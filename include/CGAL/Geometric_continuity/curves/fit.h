@@ -153,10 +153,9 @@ public:
 template <int N, int degree>
 typename Polyline_fit<N, degree>::Result fitted_pieces(const Fit_polyline<N>& polyline, double largest) {
   const Polyline_fit<N, degree> fit(polyline.points, polyline.stop, polyline.tolerance, polyline.periodic, largest);
-  std::vector<int> vertices;
-  const auto pieces = fit.pieces(vertices);
+  const auto spans = fit.spans();
   const Protect_FPU_rounding<true> upwards;
-  return fit.proved(pieces, std::move(vertices), polyline.radius);
+  return fit.proved(spans, polyline.radius);
 }
 
 // N is the dimension of the computation.
