@@ -23,7 +23,7 @@ namespace internal {
 // make the distances orthogonal to the curve small, with weights that grow where a distance is
 // large (Lawson), so that the largest one is what becomes small. See Polyline_fit.h.
 template <int N, int degree> class Fit_chain {
-  static constexpr int free_points = (degree - 1) / 2, parts = free_points + 1, samples_of_piece = 20, most_steps = 40;
+  static constexpr int free_points = (degree - 1) / 2, parts = free_points + 1, samples_of_piece = 20, most_steps = 100;
   static constexpr double part_of_all = 0.02;
   typedef Fit_path<N> Path;
   typedef typename Path::Vector Vector;
@@ -41,7 +41,7 @@ public:
 private:
   struct Sample {
     Vector x;
-    double s, t, weight, distance; // t: the number of the piece, plus the parameter on it
+    double s, t, distance; // t: the number of the piece, plus the parameter on it
   };
 
   const Path& path_;
@@ -60,7 +60,7 @@ public:
       const double s = places[0] + i / double(n) * (places[pieces] - places[0]);
       while (k + 1 < pieces && places[k + 1] < s) ++k;
       const double t = k + (std::min)((std::max)((s - places[k]) / (places[k + 1] - places[k]), 0.), 1.);
-      samples_.push_back({path_.point_at(s), s, t, 1, 0});
+      samples_.push_back({path_.point_at(s), s, t, 0});
     }
     set_pieces();
   }
@@ -78,19 +78,36 @@ public:
   }
   const Joint& joint(int k) const { return joints_[k]; }
 
-  // The same in integers.
+  // The same in integers. Of many lengths of D it takes that for which multiples are next to
+  // integers.
   Fit_joint<N> rounded_joint(int k) const {
-    const std::array<Vector, parts>& v = joints_[k].v;
-    const double f = path_.difference(degree * joints_[k].length) / Path::length(v[1]);
-    Fit_joint<N> result{Path::rounded(v[0]), Path::rounded(f * v[1]), Vector(v[0].dimension())};
-    if constexpr (free_points == 2) result.second_difference = Path::rounded(f * f * v[2]);
+    const Joint& joint = joints_[k];
+    const double length = Path::length(joint.v[1]), longest = Path::difference(degree * joint.length, degree);
+    double best = longest, least = 1;
+    for (int i = 0; i < 500; ++i) {
+      const double d = longest * (1 - i / 2000.);
+      double error = 0;
+      for (const Multiples* h : {&joint.before, &joint.after})
+        for (const double x : *h) {
+          const double multiple = x * length / d;
+          error = (std::max)(error, std::abs(multiple - std::nearbyint(multiple)));
+        }
+      if (error < least) best = d;
+      least = (std::min)(least, error);
+    }
+    const double f = best / length;
+    Fit_joint<N> result{Path::rounded(joint.v[0]), Path::rounded(f * joint.v[1]), Vector(joint.v[0].dimension())};
+    if constexpr (free_points == 2) result.second_difference = Path::rounded(f * f * joint.v[2]);
     return result;
   }
-  // By which multiples are longer in integers.
-  double unit(int k, const Fit_joint<N>& rounded) const {
-    return Path::length(joints_[k].v[1]) / Path::length(rounded.difference);
-  }
 
+  // The parameter at an arc length of the polyline.
+  double parameter(double s) const {
+    const auto b = std::upper_bound(samples_.begin() + 1, samples_.end() - 1, s,
+                                    [](double x, const Sample& sample) { return x < sample.s; }),
+               a = b - 1;
+    return b->s > a->s ? a->t + (s - a->s) / (b->s - a->s) * (b->t - a->t) : a->t;
+  }
   // Where on the polyline the joint between two pieces is.
   Fit_place place(int k) const {
     std::size_t i = 1;
@@ -125,9 +142,9 @@ public:
       if (worst <= tolerance) {
         take_worst_vertices();
         if (project() <= tolerance && succeeds()) return true;
-        if (++asked == 6) return false;
+        if (++asked == 12) return false;
       } else if (after > 0.9 * before) {
-        if (++slow == 4) return false;
+        if (++slow == (worst < 2 * tolerance ? 20 : 4)) return false;
         take_worst_vertices();
       }
     }
@@ -269,7 +286,6 @@ private:
       for (int i = 0; i < 2; ++i) project(x);
       worst = (std::max)(worst, x.distance);
     }
-    for (std::size_t k = 1; k < samples_.size(); ++k) samples_[k].t = (std::max)(samples_[k].t, samples_[k - 1].t);
     return worst;
   }
 
@@ -282,11 +298,10 @@ private:
       while (k + 1 < samples_.size() && samples_[k].s < s) ++k;
       const Sample &a = samples_[k - 1], &b = samples_[k];
       const double part = b.s > a.s ? (s - a.s) / (b.s - a.s) : 0;
-      Sample x{path_.vertex(v), s, a.t + part * (b.t - a.t), 1, 0};
+      Sample x{path_.vertex(v), s, a.t + part * (b.t - a.t), 0};
       for (int i = 0; i < 3; ++i) project(x);
       const std::size_t nearest = part < 0.5 ? k - 1 : k;
       if (nearest == 0 || nearest + 1 == samples_.size()) continue;
-      x.weight = samples_[nearest].weight;
       if (x.distance > worst[nearest].distance) worst[nearest] = x;
     }
     samples_ = std::move(worst);

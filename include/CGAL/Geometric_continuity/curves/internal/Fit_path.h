@@ -135,7 +135,7 @@ public:
       const Window next = window(k, w, side);
       // equivalent [16 -> 17, 1]: wider windows are still farther
       if (!(next.residual <= 16 * tolerance_)) break;
-      const double speed = length(next.c[1]), difference = this->difference(w);
+      const double speed = length(next.c[1]), difference = this->difference(4 * w, degree);
       if (next.residual <= 0.75 * tolerance_ && speed > w / 16) {
         const Vector normal = next.c[2] - (dot(next.c[2], next.c[1]) / (speed * speed)) * next.c[1];
         const double curvature = 2 * difference * difference / (speed * speed) * degree / (degree - 1);
@@ -171,8 +171,12 @@ public:
     return v;
   }
 
-  // How long the difference of a joint is, from how long pieces are.
-  static double difference(double length_of_piece) { return (std::max)(length_of_piece / 4096, 64.); }
+  // How long the difference of a joint is, from how long pieces are: of the longest error by
+  // rounding it (times the square of a multiple, for second differences) and of that by rounding
+  // multiples, the larger one is least.
+  static double difference(double length, int degree) {
+    return (std::max)(degree == 3 ? 2 * std::sqrt(length) : 0.6 * std::cbrt(length * length), 64.);
+  }
 
 private:
 

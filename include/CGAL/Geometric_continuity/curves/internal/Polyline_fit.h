@@ -55,6 +55,7 @@ private:
   typedef Fit_piece<N, degree> Piece;
   typedef Fit_side Side;
   typedef Fit_place Place;
+  typedef Fit_chain<N, degree> Chain;
   static constexpr int free_points = (degree - 1) / 2, unknowns = 2 * free_points;
   static constexpr int most_samples = 24, most_steps = 12;
   typedef std::array<double, unknowns> Handles;
@@ -179,38 +180,43 @@ private:
 
   // Tries to do with one piece less. The tangents at both ends move where the polyline stops.
   bool has_one_less(std::vector<Span>& row) const {
-    typedef Fit_chain<N, degree> Chain;
-    const int count = static_cast<int>(row.size()), less = count - 1;
+      const int count = static_cast<int>(row.size()), less = count - 1;
     const Place first = row.front().first, last = row.back().last;
     const auto is_free = [&](const Place& x) { return path_.stops(x.vertex) && !path_.is_periodic(); };
     const bool moves_first = is_free(first), moves_last = is_free(last);
     if (last.vertex - first.vertex < 2 * less || less == 0 || (less == 1 && !moves_first && !moves_last)) return false;
-    std::vector<double> places; // arc lengths where joints are at first
-    for (int m = 0; m < less; ++m) {
-      const double u = m * count / double(less);
-      const int k = static_cast<int>(u);
-      const double from = path_.arc_length(row[k].first), to = path_.arc_length(row[k].last);
-      places.push_back(from + (u - k) * (to - from));
-    }
-    places.push_back(path_.arc_length(last));
-    std::vector<typename Chain::Joint> joints_at;
-    for (int m = 0; m <= less; ++m) {
-      const double before = m > 0 ? (places[m] - places[m - 1]) / degree : 0,
-                   after = m < less ? (places[m + 1] - places[m]) / degree : before;
-      if (!(after > 0)) return false; // by rounding
-      if (m == 0)
-        joints_at.push_back(Chain::joint_of(row.front().start, moves_first ? 1 : 3, after, after));
-      else if (m == less)
-        joints_at.push_back(Chain::joint_of(row.back().end, moves_last ? 1 : 3, before, before));
-      else {
-        const int v =
-            (std::min)((std::max)(path_.vertex_after(places[m]), first.vertex + 1), last.vertex - 1);
-        joints_at.push_back(Chain::joint_of(joints(v, Side::both)[0], 0, before, after));
+    // with one joint less, or with all joints moved evenly
+    std::vector<Chain> chains;
+    for (int without = 0; without < count; ++without) {
+      std::vector<double> places; // arc lengths where joints are at first
+      std::vector<typename Chain::Joint> joints_at;
+      for (int m = 0; m < less; ++m) {
+        const double u = without > 0 ? m + (m < without ? 0 : 1) : m * count / double(less);
+        const int k = static_cast<int>(u);
+        const double from = path_.arc_length(row[k].first), to = path_.arc_length(row[k].last);
+        places.push_back(from + (u - k) * (to - from));
       }
+      places.push_back(path_.arc_length(last));
+      for (int m = 0; m <= less; ++m) {
+        const double before = m > 0 ? (places[m] - places[m - 1]) / degree : 0,
+                     after = m < less ? (places[m + 1] - places[m]) / degree : before;
+        if (!(after > 0)) return false; // by rounding
+        if (m == 0)
+          joints_at.push_back(Chain::joint_of(row.front().start, moves_first ? 1 : 3, after, after));
+        else if (m == less)
+          joints_at.push_back(Chain::joint_of(row.back().end, moves_last ? 1 : 3, before, before));
+        else if (without > 0)
+          joints_at.push_back(Chain::joint_of(row[m + (m < without ? 0 : 1)].start, 0, before, after));
+        else {
+          const int v = (std::min)((std::max)(path_.vertex_after(places[m]), first.vertex + 1), last.vertex - 1);
+          joints_at.push_back(Chain::joint_of(joints(v, Side::both)[0], 0, before, after));
+        }
+      }
+      chains.emplace_back(path_, first.vertex, last.vertex + (last.part > 0 ? 1 : 0), std::move(joints_at), places);
     }
     std::vector<Span> spans;
-    Chain chain(path_, first.vertex, last.vertex + (last.part > 0 ? 1 : 0), std::move(joints_at), places);
-    if (!chain.improve([&] {
+    for (Chain& chain : chains)
+    if (chain.improve([&] {
           Work_meter::pause();
           spans.clear();
           for (int m = 0; m < less; ++m) {
@@ -220,22 +226,17 @@ private:
             if (!(span.first < span.last) || (m + 1 < less && !(span.last < last))) return false;
             span.start = m > 0 ? spans.back().end : moves_first ? chain.rounded_joint(0) : row.front().start;
             span.end = m + 1 < less || moves_last ? chain.rounded_joint(m + 1) : row.back().end;
-            Handles handles;
-            const double before = chain.unit(m, span.start), after = chain.unit(m + 1, span.end);
-            for (int f = 0; f < free_points; ++f) {
-              handles[f] = chain.joint(m).after[f] * before;
-              handles[free_points + f] = chain.joint(m + 1).before[f] * after;
-            }
-            std::optional<Piece> piece = fitted(span.first, span.last, span.start, span.end, &handles);
+            std::optional<Piece> piece = fitted(span.first, span.last, span.start, span.end, &chain, m);
             if (!piece) return false;
             span.piece = std::move(*piece);
             spans.push_back(std::move(span));
           }
           return true;
-        }))
-      return false;
+        })) {
     row = std::move(spans);
     return true;
+    }
+    return false;
   }
 
   std::vector<Joint> joints(int k, Side side) const { return path_.joints(k, side, degree); }
@@ -276,7 +277,7 @@ private:
 
   // A piece from the vertex i to the vertex j by least squares, if it is near.
   std::optional<Piece> fitted(const Place& first, const Place& last, const Joint& start, const Joint& end,
-                              const Handles* given = nullptr) const {
+                              const Chain* chain = nullptr, int number = 0) const {
     const int i = first.vertex, j = last.vertex;
     // equivalent [- -> +, 1]: at how many points a search looks; what it finds is proved
     const int samples = (std::min)((std::max)(4 * (j - i), 8), most_samples);
@@ -292,11 +293,19 @@ private:
     Handles handles; // where the search starts
     for (int k = 0; k < unknowns; ++k) handles[k] = (1 + k % free_points) * total / degree / lengths[k / free_points];
     const Handles natural = handles;
-    if (given) handles = *given;
+    if (chain)
+      for (int k = 0; k < unknowns; ++k) {
+        const bool is_start = k < free_points;
+        const auto& joint = chain->joint(number + (is_start ? 0 : 1));
+        handles[k] = (is_start ? joint.after : joint.before)[k % free_points] * length(joint.v[1]) /
+                     lengths[is_start ? 0 : 1];
+      }
     Piece piece;
     set_points(piece, start, end, handles);
+    if (chain)
+      for (int k = 1; k < samples; ++k) u[k] = chain->parameter(from + u[k] * total) - number;
     double worst = 0;
-    if (given)
+    if (chain)
       for (const int repetition : {0, 1, 2, 3}) {
         (void)repetition;
         for (int k = 1; k < samples; ++k) u[k] = piece.projected(u[k], x[k]);
