@@ -87,8 +87,9 @@ public:
     for (int i = 0; i < 500; ++i) {
       const double d = longest * (1 - i / 2000.);
       double error = 0;
-      for (const Multiples* h : {&joint.before, &joint.after})
-        for (const double x : *h) {
+      for (const bool is_before : {true, false})
+        for (const double x : is_before ? joint.before : joint.after) {
+          if (k == (is_before ? 0 : static_cast<int>(pieces_.size()))) continue; // beyond the chain
           const double multiple = x * length / d;
           error = (std::max)(error, std::abs(multiple - std::nearbyint(multiple)));
         }
@@ -119,7 +120,7 @@ public:
 
   // Moves the joints until `succeeds` is true, which is asked when all samples are near. Returns
   // whether it was.
-  template <class Predicate> bool improve(Predicate succeeds) {
+  template <class Predicate> bool improve(int patience, Predicate succeeds) {
     const double tolerance = path_.tolerance();
     double damping = 1e-3;
     int asked = 0, slow = 0;
@@ -142,9 +143,9 @@ public:
       if (worst <= tolerance) {
         take_worst_vertices();
         if (project() <= tolerance && succeeds()) return true;
-        if (++asked == 12) return false;
+        if (++asked == 3 * patience) return false;
       } else if (after > 0.9 * before) {
-        if (++slow == (worst < 2 * tolerance ? 20 : 4)) return false;
+        if (++slow >= (worst < 2 * tolerance ? 5 : 1) * patience) return false;
         take_worst_vertices();
       }
     }
@@ -172,8 +173,8 @@ private:
   void move_joints(double relative) {
     const int d = joints_[0].v[0].dimension(), block = parts * d + 2 * free_points, width = 2 * block,
               n = block * static_cast<int>(joints_.size());
-    std::vector<std::vector<double>> a(n, std::vector<double>(width, 0)); // a[i][j-i], a band
-    std::vector<double> r(n, 0), row(width);
+    std::vector<double> band(n * width, 0), r(n, 0), row(width);
+    const auto a = [&](int i, int j) -> double& { return band[i * width + j - i]; };
     double total = 0;
     for (const Sample& sample : samples_) {
       const int k = piece_of(sample);
@@ -188,15 +189,13 @@ private:
       else
         w = {u * u * u * u * u,      5 * u * u * u * u * t, 10 * u * u * u * t * t,
              10 * u * u * t * t * t, 5 * u * t * t * t * t, t * t * t * t * t};
-      for (int x = 0; x < (d == 2 ? 1 : d); ++x) { // directions orthogonal to the curve
-        Vector q(d);
-        if (d == 2) {
-          q[0] = -tangent[1];
-          q[1] = tangent[0];
-        } else {
-          q[x] = 1;
-          q -= tangent[x] * tangent;
-        }
+      // columns of the reflection that takes the tangent to the last axis, or away from it
+      Vector normal = tangent;
+      normal[d - 1] += tangent[d - 1] < 0 ? -1 : 1;
+      const double square = dot(normal, normal);
+      for (int x = 0; x < d - 1; ++x) { // directions orthogonal to the curve
+        Vector q = (-2 * normal[x] / square) * normal;
+        q[x] += 1;
         std::fill(row.begin(), row.end(), 0);
         for (const int side : {0, 1}) {
           const Joint& joint = joints_[k + side];
@@ -222,23 +221,28 @@ private:
           if (row[i] == 0) continue;
           const double f = weight_of_all * row[i];
           r[k * block + i] -= f * rest;
-          for (int j = i; j < width; ++j) a[k * block + i][j - i] += f * row[j];
+          double* const to = &a(k * block + i, k * block + i);
+          for (int j = i; j < width; ++j) to[j - i] += f * row[j];
         }
       }
       total += 1;
     }
     const double damping = relative * total / static_cast<double>(pieces_.size());
-    for (int i = 0; i < n; ++i) a[i][0] += damping;
-    for (int i = 0; i < n; ++i)
-      for (int j = 1; j < width && i + j < n; ++j) {
-        const double f = a[i][j] / a[i][0];
+    for (int i = 0; i < n; ++i) a(i, i) += damping;
+    for (int i = 0; i < n; ++i) {
+      const int end = (std::min)(i + width, n);
+      const double* const pivot = &a(i, i);
+      for (int j = i + 1; j < end; ++j) {
+        const double f = pivot[j - i] / pivot[0];
         if (f == 0) continue;
-        for (int l = j; l < width && i + l < n; ++l) a[i + j][l - j] -= f * a[i][l];
-        r[i + j] -= f * r[i];
+        double* const to = &a(j, j);
+        for (int l = j; l < end; ++l) to[l - j] -= f * pivot[l - i];
+        r[j] -= f * r[i];
       }
+    }
     for (int i = n; i-- > 0;) {
-      for (int j = 1; j < width && i + j < n; ++j) r[i] -= a[i][j] * r[i + j];
-      r[i] /= a[i][0];
+      for (int j = i + 1; j < (std::min)(i + width, n); ++j) r[i] -= a(i, j) * r[j];
+      r[i] /= a(i, i);
     }
     for (std::size_t k = 0; k < joints_.size(); ++k) {
       Joint& joint = joints_[k];
@@ -283,7 +287,7 @@ private:
   double project() {
     double worst = 0;
     for (Sample& x : samples_) {
-      for (int i = 0; i < 2; ++i) project(x);
+      project(x);
       worst = (std::max)(worst, x.distance);
     }
     return worst;

@@ -167,11 +167,12 @@ private:
   std::vector<Span> shortened(std::vector<Span> spans) const {
     constexpr std::size_t most = 8; // pieces in a row
     std::vector<Span> result, row;
+    int tries = 100; // with other starts, so that time is linear
     for (std::size_t next = 0; next < spans.size() || !row.empty();) {
       const auto is_whole = [&] { return next == spans.size() || path_.stops(row.back().last.vertex); };
       while (row.empty() || (row.size() < most && !is_whole())) row.push_back(std::move(spans[next++]));
-      if (has_one_less(row)) continue;
-      const std::ptrdiff_t done = static_cast<std::ptrdiff_t>(is_whole() ? row.size() : most / 2);
+      if (has_one_less(row, tries)) continue;
+      const std::ptrdiff_t done = static_cast<std::ptrdiff_t>(is_whole() || tries <= 0 ? row.size() : most / 2);
       result.insert(result.end(), std::make_move_iterator(row.begin()), std::make_move_iterator(row.begin() + done));
       row.erase(row.begin(), row.begin() + done);
     }
@@ -179,7 +180,7 @@ private:
   }
 
   // Tries to do with one piece less. The tangents at both ends move where the polyline stops.
-  bool has_one_less(std::vector<Span>& row) const {
+  bool has_one_less(std::vector<Span>& row, int& tries) const {
       const int count = static_cast<int>(row.size()), less = count - 1;
     const Place first = row.front().first, last = row.back().last;
     const auto is_free = [&](const Place& x) { return path_.stops(x.vertex) && !path_.is_periodic(); };
@@ -187,7 +188,7 @@ private:
     if (last.vertex - first.vertex < 2 * less || less == 0 || (less == 1 && !moves_first && !moves_last)) return false;
     // with one joint less, or with all joints moved evenly
     std::vector<Chain> chains;
-    for (int without = 0; without < count; ++without) {
+    for (int without = 0; without < (tries > 0 ? count : 1); ++without) {
       std::vector<double> places; // arc lengths where joints are at first
       std::vector<typename Chain::Joint> joints_at;
       for (int m = 0; m < less; ++m) {
@@ -215,8 +216,10 @@ private:
       chains.emplace_back(path_, first.vertex, last.vertex + (last.part > 0 ? 1 : 0), std::move(joints_at), places);
     }
     std::vector<Span> spans;
+    const int patience = tries > 0 ? 4 : 1;
+    tries -= static_cast<int>(chains.size()) - 1;
     for (Chain& chain : chains)
-    if (chain.improve([&] {
+    if (chain.improve(patience, [&] {
           Work_meter::pause();
           spans.clear();
           for (int m = 0; m < less; ++m) {
