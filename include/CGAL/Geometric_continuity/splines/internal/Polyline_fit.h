@@ -2,16 +2,16 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_POLYLINE_FIT_H
-#define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_POLYLINE_FIT_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_POLYLINE_FIT_H
+#define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_POLYLINE_FIT_H
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
-#include <CGAL/Geometric_continuity/curves/internal/Fit_chain.h>
-#include <CGAL/Geometric_continuity/curves/internal/Fit_path.h>
-#include <CGAL/Geometric_continuity/curves/internal/Fit_piece.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/splines/internal/Fit_chain.h>
+#include <CGAL/Geometric_continuity/splines/internal/Fit_path.h>
+#include <CGAL/Geometric_continuity/splines/internal/Fit_piece.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
@@ -77,8 +77,8 @@ public:
       : path_(p, stop, tolerance, periodic), p_(p), tolerance_(tolerance), largest_(largest) {}
 
   // Takes the longest piece that is found, again and again, and then fewer of them where that
-  // succeeds. Rounds to nearest. Short pieces may fail where long ones succeed: the search goes from
-  // long ones to short ones.
+  // succeeds. Rounds to nearest. Short pieces may fail where long ones succeed: the search goes
+  // from long ones to short ones.
   std::vector<Span> spans() const {
     const int n = path_.segments();
     std::vector<Span> result;
@@ -156,6 +156,7 @@ public:
   }
 
 private:
+  bool stops(const Place& x) const { return x.part == 0 && path_.stops(x.vertex); }
   // The vertex that is next to a place, and no corner unless it is at the place.
   int nearest_vertex(const Place& x) const {
     if (x.part == 0) return x.vertex;
@@ -169,7 +170,7 @@ private:
     std::vector<Span> result, row;
     int tries = 100; // with other starts, so that time is linear
     for (std::size_t next = 0; next < spans.size() || !row.empty();) {
-      const auto is_whole = [&] { return next == spans.size() || path_.stops(row.back().last.vertex); };
+      const auto is_whole = [&] { return next == spans.size() || stops(row.back().last); };
       while (row.empty() || (row.size() < most && !is_whole())) row.push_back(std::move(spans[next++]));
       if (has_one_less(row, tries)) continue;
       const std::ptrdiff_t done = static_cast<std::ptrdiff_t>(is_whole() || tries <= 0 ? row.size() : most / 2);
@@ -181,9 +182,9 @@ private:
 
   // Tries to do with one piece less. The tangents at both ends move where the polyline stops.
   bool has_one_less(std::vector<Span>& row, int& tries) const {
-      const int count = static_cast<int>(row.size()), less = count - 1;
+    const int count = static_cast<int>(row.size()), less = count - 1;
     const Place first = row.front().first, last = row.back().last;
-    const auto is_free = [&](const Place& x) { return path_.stops(x.vertex) && !path_.is_periodic(); };
+    const auto is_free = [&](const Place& x) { return stops(x) && !path_.is_periodic(); };
     const bool moves_first = is_free(first), moves_last = is_free(last);
     if (last.vertex - first.vertex < 2 * less || less == 0 || (less == 1 && !moves_first && !moves_last)) return false;
     // with one joint less, or with all joints moved evenly
@@ -219,26 +220,26 @@ private:
     const int patience = tries > 0 ? 4 : 1;
     tries -= static_cast<int>(chains.size()) - 1;
     for (Chain& chain : chains)
-    if (chain.improve(patience, [&] {
-          Work_meter::pause();
-          spans.clear();
-          for (int m = 0; m < less; ++m) {
-            Span span;
-            span.first = m == 0 ? first : spans.back().last;
-            span.last = m + 1 == less ? last : chain.place(m + 1);
-            if (!(span.first < span.last) || (m + 1 < less && !(span.last < last))) return false;
-            span.start = m > 0 ? spans.back().end : moves_first ? chain.rounded_joint(0) : row.front().start;
-            span.end = m + 1 < less || moves_last ? chain.rounded_joint(m + 1) : row.back().end;
-            std::optional<Piece> piece = fitted(span.first, span.last, span.start, span.end, &chain, m);
-            if (!piece) return false;
-            span.piece = std::move(*piece);
-            spans.push_back(std::move(span));
-          }
-          return true;
-        })) {
-    row = std::move(spans);
-    return true;
-    }
+      if (chain.improve(patience, [&] {
+            Work_meter::pause();
+            spans.clear();
+            for (int m = 0; m < less; ++m) {
+              Span span;
+              span.first = m == 0 ? first : spans.back().last;
+              span.last = m + 1 == less ? last : chain.place(m + 1);
+              if (!(span.first < span.last) || (m + 1 < less && !(span.last < last))) return false;
+              span.start = m > 0 ? spans.back().end : moves_first ? chain.rounded_joint(0) : row.front().start;
+              span.end = m + 1 < less || moves_last ? chain.rounded_joint(m + 1) : row.back().end;
+              std::optional<Piece> piece = fitted(span.first, span.last, span.start, span.end, &chain, m);
+              if (!piece) return false;
+              span.piece = std::move(*piece);
+              spans.push_back(std::move(span));
+            }
+            return true;
+          })) {
+        row = std::move(spans);
+        return true;
+      }
     return false;
   }
 
@@ -278,7 +279,7 @@ private:
     return true;
   }
 
-  // A piece from the vertex i to the vertex j by least squares, if it is near.
+  // A piece from one place to another, if it is near: by least squares, or that of a chain.
   std::optional<Piece> fitted(const Place& first, const Place& last, const Joint& start, const Joint& end,
                               const Chain* chain = nullptr, int number = 0) const {
     const int i = first.vertex, j = last.vertex;
@@ -296,30 +297,29 @@ private:
     Handles handles; // where the search starts
     for (int k = 0; k < unknowns; ++k) handles[k] = (1 + k % free_points) * total / degree / lengths[k / free_points];
     const Handles natural = handles;
-    if (chain)
-      for (int k = 0; k < unknowns; ++k) {
-        const bool is_start = k < free_points;
-        const auto& joint = chain->joint(number + (is_start ? 0 : 1));
-        handles[k] = (is_start ? joint.after : joint.before)[k % free_points] * length(joint.v[1]) /
-                     lengths[is_start ? 0 : 1];
-      }
     Piece piece;
-    set_points(piece, start, end, handles);
-    if (chain)
+    if (chain) {
+      for (int k = 0; k < unknowns; ++k) {
+        const int side = k / free_points;
+        const typename Chain::Joint& joint = chain->joint(number + side);
+        handles[k] = (side == 0 ? joint.after : joint.before)[k % free_points] * length(joint.v[1]) / lengths[side];
+      }
+      set_points(piece, start, end, handles);
       for (int k = 1; k < samples; ++k) u[k] = chain->parameter(from + u[k] * total) - number;
-    double worst = 0;
-    if (chain)
-      for (const int repetition : {0, 1, 2, 3}) {
-        (void)repetition;
+      for (int repetition = 0; repetition < 4; ++repetition) {
         for (int k = 1; k < samples; ++k) u[k] = piece.projected(u[k], x[k]);
         make_monotone(u.begin(), u.begin() + samples + 1);
       }
-    else for (int repetition = 0; repetition < most_steps; ++repetition) {
-      const double last = worst;
-      worst = improve(piece, start, end, x, u, samples, natural, handles);
-      if (repetition <= 3) continue;
-      if (worst > 4 * tolerance_ && worst > last / 2) return std::nullopt;
-      if (worst > 0.9 * last) break;
+    } else {
+      set_points(piece, start, end, handles);
+      double worst = 0;
+      for (int repetition = 0; repetition < most_steps; ++repetition) {
+        const double last_worst = worst;
+        worst = improve(piece, start, end, x, u, samples, natural, handles);
+        if (repetition <= 3) continue;
+        if (worst > 4 * tolerance_ && worst > last_worst / 2) return std::nullopt;
+        if (worst > 0.9 * last_worst) break;
+      }
     }
     for (int k = 0; k < unknowns; ++k) {
       handles[k] = std::nearbyint(handles[k]);
@@ -469,4 +469,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_POLYLINE_FIT_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_POLYLINE_FIT_H

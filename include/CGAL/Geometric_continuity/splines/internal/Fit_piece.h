@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PIECE_H
-#define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PIECE_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_PIECE_H
+#define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_PIECE_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Interval_nt.h>
@@ -55,8 +55,7 @@ public:
 
   // Returns whether the piece is near its polyline; if so, `worst` is at least the square of its
   // distance.
-  template <class NT>
-  bool is_near(double squared_tolerance, double& worst) const {
+  template <class NT> bool is_near(double squared_tolerance, double& worst) const {
     Points_of<NT> b; // from the first one, which is the origin: small numbers have small errors
     const Vector_of<NT> origin = over<NT>(points[0]);
     for (int i = 0; i <= degree; ++i) b[i] = over<NT>(points[i]) - origin;
@@ -164,4 +163,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PIECE_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_PIECE_H

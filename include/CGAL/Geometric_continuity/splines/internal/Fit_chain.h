@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_CHAIN_H
-#define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_CHAIN_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_CHAIN_H
+#define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_CHAIN_H
 
-#include <CGAL/Geometric_continuity/curves/internal/Fit_path.h>
-#include <CGAL/Geometric_continuity/curves/internal/Fit_piece.h>
+#include <CGAL/Geometric_continuity/splines/internal/Fit_path.h>
+#include <CGAL/Geometric_continuity/splines/internal/Fit_piece.h>
 
 #include <algorithm>
 #include <array>
@@ -19,9 +19,9 @@ namespace Geometric_continuity {
 namespace internal {
 
 // Some pieces near a part of a polyline, whose joints all move at once: points A, tangents D,
-// second differences Q, and the multiples b, f before and behind each. Steps of Gauss and Newton
-// make the distances orthogonal to the curve small, with weights that grow where a distance is
-// large (Lawson), so that the largest one is what becomes small. See Polyline_fit.h.
+// second differences Q, and the multiples b, f before and behind each. Steps of Levenberg and
+// Marquardt reduce by how much distances orthogonal to the curve are above 4/5 of the tolerance, so
+// that points which are near have hardly any weight. See Polyline_fit.h.
 template <int N, int degree> class Fit_chain {
   static constexpr int free_points = (degree - 1) / 2, parts = free_points + 1, samples_of_piece = 20, most_steps = 100;
   static constexpr double part_of_all = 0.02;
@@ -78,7 +78,7 @@ public:
   }
   const Joint& joint(int k) const { return joints_[k]; }
 
-  // The same in integers. Of many lengths of D it takes that for which multiples are next to
+  // A joint in integers: among many lengths of D it takes that for which multiples are next to
   // integers.
   Fit_joint<N> rounded_joint(int k) const {
     const Joint& joint = joints_[k];
@@ -105,7 +105,7 @@ public:
   // The parameter at an arc length of the polyline.
   double parameter(double s) const {
     const auto b = std::upper_bound(samples_.begin() + 1, samples_.end() - 1, s,
-                                    [](double x, const Sample& sample) { return x < sample.s; }),
+                                    [](double x, const Sample&sample) { return x < sample.s; }),
                a = b - 1;
     return b->s > a->s ? a->t + (s - a->s) / (b->s - a->s) * (b->t - a->t) : a->t;
   }
@@ -119,7 +119,7 @@ public:
   }
 
   // Moves the joints until `succeeds` is true, which is asked when all samples are near. Returns
-  // whether it was.
+  // whether it was; the patience is with steps that help little.
   template <class Predicate> bool improve(int patience, Predicate succeeds) {
     const double tolerance = path_.tolerance();
     double damping = 1e-3;
@@ -168,7 +168,7 @@ private:
     }
   }
 
-  // One step of Gauss and Newton for all joints at once. The unknowns are lengths: of A, D, Q, and
+  // One damped step for all joints at once. The unknowns are lengths: of A, D, Q, and
   // multiples times the length of D.
   void move_joints(double relative) {
     const int d = joints_[0].v[0].dimension(), block = parts * d + 2 * free_points, width = 2 * block,
@@ -215,7 +215,7 @@ private:
           if constexpr (free_points == 2) multiple[0] += 2 * weight(2) * h[0] * dot(q, joint.v[2]) / joint.length;
         }
         const double excess = (std::max)(1 - aim() / Path::length(offset[0]), 0.), // of the distance
-                     weight_of_all = (excess > 0 ? 1 : 0) + part_of_all,
+            weight_of_all = (excess > 0 ? 1 : 0) + part_of_all,
                      rest = dot(q, offset[0]) * (excess + part_of_all) / weight_of_all;
         for (int i = 0; i < width; ++i) {
           if (row[i] == 0) continue;
@@ -316,4 +316,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_CHAIN_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_CHAIN_H

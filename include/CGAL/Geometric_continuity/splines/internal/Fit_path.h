@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PATH_H
-#define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PATH_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_PATH_H
+#define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_PATH_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
@@ -18,7 +18,7 @@
 
 // A polyline to which curves are fitted, by arc length, and the joints of these curves: points,
 // tangents and curvatures near its vertices. In floating-point numbers, in a unit of which all
-// coordinates are multiples. See curves/internal/Polyline_fit.h.
+// coordinates are multiples. See splines/internal/Polyline_fit.h.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -179,7 +179,6 @@ public:
   }
 
 private:
-
   // A cubic polynomial near a window of the polyline, in a parameter that is 0 at the vertex and 1
   // at the end of the window.
   struct Window {
@@ -225,4 +224,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PATH_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_PATH_H
