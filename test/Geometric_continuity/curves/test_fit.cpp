@@ -304,6 +304,16 @@ BOOST_AUTO_TEST_CASE(exact_numbers) {
       for (int x = 0; x < 3; ++x) BOOST_CHECK_EQUAL(any.control_point(i)[x], curve.control_point(i)[x]);
     check(GC::fit<Any>(four.begin(), four.end(), tolerance, Closure::open, order), four, 0.02, Closure::open, order);
   }
+  // so far away that doubles are too coarse: the same curve at any place
+  std::vector<std::vector<Space::Point>> far(2);
+  for (const int k : {0, 1})
+    for (const auto& x : p) far[k].emplace_back(x.x() + Q(k == 0 ? 1e15 : 1e18), x.y(), x.z());
+  const auto curve = GC::fit<Space>(far[0].begin(), far[0].end(), tolerance),
+             same_curve = GC::fit<Space>(far[1].begin(), far[1].end(), tolerance);
+  BOOST_CHECK_LE(curve.number_of_segments(), 6);
+  BOOST_REQUIRE_EQUAL(curve.control_points().size(), same_curve.control_points().size());
+  for (std::size_t i = 0; i < curve.control_points().size(); ++i)
+    BOOST_CHECK(same_curve.control_point(i).x() - curve.control_point(i).x() == Q(1e18) - Q(1e15));
   // vertices that are one double
   const Q tiny = Q(1e-30);
   const std::vector<Space::Point> two = {{1, 1, 1}, {Q(1) + tiny, 1, 1}, {2, 1, 1}};
@@ -338,7 +348,8 @@ BOOST_AUTO_TEST_CASE(floating_point_numbers_of_boost) {
   std::vector<Plain::Point> same;
   for (const auto& x : p) same.push_back({{Number(x.x()), Number(x.y())}});
   for (const int order : {1, 2}) {
-    const auto curve = GC::fit<Epick_2>(p.begin(), p.end(), 0.02, Closure::open, order);
+    const double rounded = 0.02 * (1 - 0x1p-40); // the tolerance, whose rounding is not known
+    const auto curve = GC::fit<Epick_2>(p.begin(), p.end(), rounded, Closure::open, order);
     const auto plain = GC::fit<Plain>(same.begin(), same.end(), Number(0.02), Closure::open, order);
     BOOST_REQUIRE_EQUAL(plain.control_points().size(), curve.control_points().size());
     for (std::size_t i = 0; i < curve.control_points().size(); ++i)

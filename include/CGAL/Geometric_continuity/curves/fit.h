@@ -9,11 +9,11 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/internal/Polyline_fit.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 #include <CGAL/Geometric_continuity/numbers/internal/short_numbers.h>
+#include <CGAL/Geometric_continuity/splines/internal/Polyline_fit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -114,8 +114,9 @@ template <int N> class Corner_finder {
   bool turns(const Vector& u, const Vector& v) const { return dot(u, v) < cosine_ * std::sqrt(dot(u, u) * dot(v, v)); }
 
   // The way from the vertex k to where the polyline leaves the ball about it, in one direction;
-  // none if it does not. Of many segments in the ball, longer and longer parts are taken as chords.
-  std::optional<Vector> way_out(int k, int direction, double radius) const {
+  // none if it does not, or to the end. Of many segments in the ball, longer and longer parts are
+  // taken as chords.
+  std::optional<Vector> way_out(int k, int direction, double radius, bool to_end) const {
     const int n = static_cast<int>(p_.size()) - 1, all = closed_ ? n : direction > 0 ? n - k : k;
     Vector last(p_[k].dimension());
     for (int done = 0; done < all;) {
@@ -126,12 +127,13 @@ template <int N> class Corner_finder {
       if (dot(v, v) >= radius * radius) return Vector(last + ((std::sqrt(b * b - a * c) - b) / a) * step);
       last = v;
     }
+    if (to_end && !closed_) return last;
     return std::nullopt;
   }
 
   // Tells whether it turns at a vertex between the points where it leaves the ball.
   bool turns_within(int k, double radius, bool otherwise) const {
-    const std::optional<Vector> before = way_out(k, -1, radius), after = way_out(k, 1, radius);
+    const std::optional<Vector> before = way_out(k, -1, radius, otherwise), after = way_out(k, 1, radius, otherwise);
     return before && after ? turns(-1. * *before, *after) : otherwise;
   }
 
@@ -140,8 +142,8 @@ public:
       : p_(p), cosine_(cosine), tolerance_(tolerance), closed_(closed) {}
 
   // At the vertex itself, and seen from as far as the tolerance lets it be seen: from two
-  // tolerances away, and from four: the steps of a staircase that is near a smooth curve are not
-  // corners.
+  // tolerances away, and from four or from the end before: the steps of a staircase that is near a
+  // smooth curve are not corners.
   bool operator()(int k) const {
     Work_meter::pause();
     const int n = static_cast<int>(p_.size()) - 1, before = k == 0 ? n - 1 : k - 1, after = k + 1;
@@ -153,10 +155,9 @@ public:
 template <int N, int degree>
 typename Polyline_fit<N, degree>::Result fitted_pieces(const Fit_polyline<N>& polyline, double largest) {
   const Polyline_fit<N, degree> fit(polyline.points, polyline.stop, polyline.tolerance, polyline.periodic, largest);
-  std::vector<int> vertices;
-  const auto pieces = fit.pieces(vertices);
+  const auto spans = fit.spans();
   const Protect_FPU_rounding<true> upwards;
-  return fit.proved(pieces, std::move(vertices), polyline.radius);
+  return fit.proved(spans, polyline.radius);
 }
 
 // N is the dimension of the computation.
@@ -167,19 +168,33 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
   constexpr int digits = std::is_floating_point_v<FT> ? std::numeric_limits<FT>::digits : 53;
   const Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
   const int dimension = given[0].dimension();
-  double size = 0;
   Fit_polyline<N> polyline{{}, {}, {}, 0, 0, 0, closure == Closure::closed};
-  for (const Coordinates<Traits>& x : given)
-    for (const FT& c : x) size = (std::max)(size, std::abs(rounded_with_error(c).first));
-  // so that the coordinates have less than 2^(digits-3) units
-  polyline.exponent = (size > 0 ? std::ilogb(size) : 0) + 4 - digits;
+  // The unit, so that coordinates from an origin have less than 2^(digits-3) of them. Where these
+  // are too coarse for the tolerance, the origin is the first vertex, to which numbers are added
+  // that are not rounded.
+  Coordinates<Traits> origin(dimension);
+  const auto tolerance_from_origin = [&] {
+    double size = 0;
+    for (const Coordinates<Traits>& x : given)
+      for (const FT& c : Coordinates<Traits>(x - origin))
+        size = (std::max)(size, std::abs(rounded_with_error(c).first));
+    polyline.exponent = (size > 0 ? std::ilogb(size) : 0) + 4 - digits;
+    return std::ldexp(tolerance, -polyline.exponent);
+  };
+  polyline.tolerance = tolerance_from_origin();
+  if (!std::is_floating_point_v<FT> && has_interval_v<FT> && !(polyline.tolerance >= 1024)) {
+    origin = given[0];
+    polyline.tolerance = tolerance_from_origin();
+  }
+  polyline.tolerance = (std::min)(polyline.tolerance, std::ldexp(1., digits - 3));
   if (polyline.exponent < std::numeric_limits<double>::min_exponent)
     throw Error(Error_code::unreachable_tolerance, "fit: the coordinates are too small");
   for (std::size_t k = 0; k < given.size(); ++k) {
     Work_meter::pause();
     Coordinate_vector<double, N> p(dimension);
+    const Coordinates<Traits> from_origin = given[k] - origin;
     for (int x = 0; x < dimension; ++x) {
-      const std::pair<double, double> c = rounded_with_error(given[k][x]);
+      const std::pair<double, double> c = rounded_with_error(from_origin[x]);
       p[x] = std::ldexp(c.first, -polyline.exponent);
       polyline.radius = (std::max)(polyline.radius, std::ldexp(c.second, -polyline.exponent));
     }
@@ -195,9 +210,11 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
   if (polyline.points.size() < least)
     throw Error(Error_code::wrong_number_of_points,
                 "fit: " + std::to_string(polyline.points.size()) + " points that differ");
-  polyline.tolerance = (std::min)(std::ldexp(tolerance, -polyline.exponent), std::ldexp(1., digits - 3));
   if (!(polyline.tolerance >= 1024))
-    throw Error(Error_code::unreachable_tolerance, "fit: below 2^" + std::to_string(13 - digits) + " of a coordinate");
+    throw Error(Error_code::unreachable_tolerance,
+                "fit: the tolerance is below 2^" + std::to_string(13 - digits) + " of the largest coordinate" +
+                    (std::is_floating_point_v<FT> ? "; take a larger one, or move the points towards the origin"
+                                                  : " from the first point on; take a larger one"));
 
   // a closed polyline starts at a corner, if it has one
   std::vector<Coordinate_vector<double, N>>& p = polyline.points;
@@ -228,7 +245,7 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
     points.reserve(result.points.size());
     for (const Coordinate_vector<double, N>& x : result.points) {
       Coordinates<Traits> c(dimension);
-      for (int i = 0; i < dimension; ++i) c[i] = grid_number_in<FT>(x[i], polyline.exponent);
+      for (int i = 0; i < dimension; ++i) c[i] = origin[i] + grid_number_in<FT>(x[i], polyline.exponent);
       points.push_back(to_point<Traits>(c));
     }
     std::vector<FT> knots;
@@ -254,10 +271,12 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
 /// confirm; and that it is near is proved, with intervals, in both directions: see
 /// `Fitted_curve::distance`.
 ///
-/// A piece is the longest that is found from where the one before it ends: its ends are near
-/// vertices, points, tangents and curvatures there are those of one of several cubic polynomials
-/// near the polyline, in windows of different widths, and the rest is found by least squares of the
-/// distances orthogonal to the curve. How many pieces there are is not proved to be the least.
+/// A piece is at first the longest that is found from where the one before it ends: its ends are
+/// near vertices, points, tangents and curvatures there are those of one of several cubic
+/// polynomials near the polyline, in windows of different widths, and the rest is found by least
+/// squares of the distances orthogonal to the curve. Then up to 8 pieces in a row are replaced by
+/// one less where all their joints can move, also between vertices, so that it is near. How many
+/// pieces there are is not proved to be the least.
 /// Where the polyline bends sharply but less than at a corner, pieces are short, and so are
 /// tangents.
 ///
@@ -266,7 +285,8 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
 ///
 /// \f$ O(n \log n) \f$ for `n` vertices, all in `double`. With other numbers the vertices are
 /// rounded first, of which the proof takes account; control points have at most as many binary
-/// digits as a `double`.
+/// digits as a `double`, or, where that is too coarse for the tolerance, their differences from the
+/// first vertex have.
 ///
 /// \param first, last the vertices
 /// \param tolerance the bound of the distance, in the unit of the coordinates, at least about
@@ -275,8 +295,8 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
 /// \param order 1 for cubics with \f$ G^1 \f$ joins, 2 for quintics with \f$ G^2 \f$ joins
 /// \param corner_angle in degrees, from 0 to 180. A vertex is a corner where the polyline turns by
 ///   more than that, at the vertex and between the points where it leaves the balls of two and of
-///   four tolerances about it; also where it turns back there. Corners are kept: the curve has a
-///   kink there. Steps of a staircase that is near a smooth curve are none.
+///   four tolerances about it, or ends there; also where it turns back there. Corners are kept: the
+///   curve has a kink there. Steps of a staircase that is near a smooth curve are none.
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam InputIterator its value type is `Traits::Point`
 /// \throws Error `wrong_number_of_points` for fewer than 2 different vertices, or 3 if closed

@@ -2,21 +2,23 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_POLYLINE_FIT_H
-#define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_POLYLINE_FIT_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_POLYLINE_FIT_H
+#define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_POLYLINE_FIT_H
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
-#include <CGAL/Geometric_continuity/curves/internal/Fit_path.h>
-#include <CGAL/Geometric_continuity/curves/internal/Fit_piece.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
+#include <CGAL/Geometric_continuity/splines/internal/Fit_chain.h>
+#include <CGAL/Geometric_continuity/splines/internal/Fit_path.h>
+#include <CGAL/Geometric_continuity/splines/internal/Fit_piece.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -52,9 +54,17 @@ private:
   typedef Fit_joint<N> Joint;
   typedef Fit_piece<N, degree> Piece;
   typedef Fit_side Side;
+  typedef Fit_place Place;
+  typedef Fit_chain<N, degree> Chain;
   static constexpr int free_points = (degree - 1) / 2, unknowns = 2 * free_points;
   static constexpr int most_samples = 24, most_steps = 12;
   typedef std::array<double, unknowns> Handles;
+
+  struct Span {
+    Piece piece;
+    Place first, last;
+    Joint start, end;
+  };
 
   const Fit_path<N> path_;
   const std::vector<Vector>& p_; // its vertices
@@ -66,19 +76,18 @@ public:
                double largest)
       : path_(p, stop, tolerance, periodic), p_(p), tolerance_(tolerance), largest_(largest) {}
 
-  // Takes the longest piece that is found, again and again. Rounds to nearest. Short pieces may
-  // fail where long ones succeed: the search goes from long ones to short ones.
-  std::vector<Piece> pieces(std::vector<int>& vertices) const {
+  // Takes the longest piece that is found, again and again, and then fewer of them where that
+  // succeeds. Rounds to nearest. Short pieces may fail where long ones succeed: the search goes
+  // from long ones to short ones.
+  std::vector<Span> spans() const {
     const int n = path_.segments();
-    std::vector<Piece> result;
-    vertices.assign(1, 0);
+    std::vector<Span> result;
     std::vector<Joint> first = joints(0, path_.is_periodic() ? Side::both : Side::after);
     if (path_.is_periodic()) first.resize(1);
     std::vector<Joint> starts = first;
     for (int i = 0, steps = 8; i < n;) {
       const int longest = path_.stop_after(i) - i;
-      std::optional<Piece> best;
-      Joint best_end;
+      std::optional<Span> best;
       const auto succeeds = [&](int count) {
         Work_meter::pause();
         const int j = i + count;
@@ -87,11 +96,10 @@ public:
                                                               : joints(j, Side::before);
         for (const Joint& start : starts)
           for (const Joint& end : ends) {
-            std::optional<Piece> piece = fitted(i, j, start, end);
+            std::optional<Piece> piece = fitted({i, 0}, {j, 0}, start, end);
             if (!piece && count == 1) piece = short_piece(i, start, end);
             if (!piece) continue;
-            best = std::move(piece);
-            best_end = end;
+            best = Span{std::move(*piece), {i, 0}, {j, 0}, start, end};
             return true;
           }
         return false;
@@ -113,31 +121,34 @@ public:
       }
       steps = good;
       i += good;
-      vertices.push_back(i);
+      if (i < n) starts = path_.stops(i) ? joints(i, Side::after) : std::vector<Joint>{best->end};
       result.push_back(std::move(*best));
-      if (i < n) starts = path_.stops(i) ? joints(i, Side::after) : std::vector<Joint>{best_end};
     }
-    return result;
+    return shortened(std::move(result));
   }
 
   // Proves that the pieces are near: with intervals, under the protection of the rounding mode.
   // Every vertex is within `radius` of the given one in each coordinate.
-  Result proved(const std::vector<Piece>& pieces, std::vector<int> vertices, double radius) const {
+  Result proved(const std::vector<Span>& spans, double radius) const {
     typedef Interval_nt<false> Interval;
-    Result result{{}, std::move(vertices), 0};
-    const Interval all(tolerance_), error(Interval(radius) * Interval(static_cast<double>(p_[0].dimension())));
+    Result result{{}, {}, 0};
+    for (const Span& span : spans) result.vertices.push_back(nearest_vertex(span.first));
+    result.vertices.push_back(path_.segments());
+    // of places between vertices the rounding is less than one
+    const Interval all(tolerance_), error(Interval(radius + 1) * Interval(static_cast<double>(p_[0].dimension())));
     const Interval rest = all - error;
     // unreachable: the tolerance has 1024 units or more, and rounding is less than one
     if (!(rest.inf() > 0)) throw Error(Error_code::unreachable_tolerance, "fit: the points are too long");
     const double bound = (rest * rest).inf();
     double worst = 0;
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
+    for (std::size_t k = 0; k < spans.size(); ++k) {
       Work_meter::pause();
+      const Piece& piece = spans[k].piece;
       // unreachable: by rounding only: the search has a smaller tolerance
-      if (!pieces[k].template is_near<Interval>(p_.begin() + result.vertices[k], bound, worst))
+      if (!piece.template is_near<Interval>(bound, worst))
         // unreachable: by rounding only: the search has a smaller tolerance
         throw Error(Error_code::unreachable_tolerance, "fit: near the vertex " + std::to_string(result.vertices[k]));
-      result.points.insert(result.points.end(), pieces[k].points.begin() + (k == 0 ? 0 : 1), pieces[k].points.end());
+      result.points.insert(result.points.end(), piece.points.begin() + (k == 0 ? 0 : 1), piece.points.end());
     }
     const Interval distance = CGAL::sqrt(Interval(worst)) + error;
     result.squared_distance = (distance * distance).sup();
@@ -145,6 +156,93 @@ public:
   }
 
 private:
+  bool stops(const Place& x) const { return x.part == 0 && path_.stops(x.vertex); }
+  // The vertex that is next to a place, and no corner unless it is at the place.
+  int nearest_vertex(const Place& x) const {
+    if (x.part == 0) return x.vertex;
+    return path_.stops(x.vertex + 1) || (x.part < 0.5 && !path_.stops(x.vertex)) ? x.vertex : x.vertex + 1;
+  }
+
+  // Replaces some pieces in a row by one less, again and again, where all joints between them can
+  // move so that this succeeds.
+  std::vector<Span> shortened(std::vector<Span> spans) const {
+    constexpr std::size_t most = 8; // pieces in a row
+    std::vector<Span> result, row;
+    int tries = 100; // with other starts, so that time is linear
+    for (std::size_t next = 0; next < spans.size() || !row.empty();) {
+      const auto is_whole = [&] { return next == spans.size() || stops(row.back().last); };
+      while (row.empty() || (row.size() < most && !is_whole())) row.push_back(std::move(spans[next++]));
+      if (has_one_less(row, tries)) continue;
+      const std::ptrdiff_t done = static_cast<std::ptrdiff_t>(is_whole() || tries <= 0 ? row.size() : most / 2);
+      result.insert(result.end(), std::make_move_iterator(row.begin()), std::make_move_iterator(row.begin() + done));
+      row.erase(row.begin(), row.begin() + done);
+    }
+    return result;
+  }
+
+  // Tries to do with one piece less. The tangents at both ends move where the polyline stops.
+  bool has_one_less(std::vector<Span>& row, int& tries) const {
+    const int count = static_cast<int>(row.size()), less = count - 1;
+    const Place first = row.front().first, last = row.back().last;
+    const auto is_free = [&](const Place& x) { return stops(x) && !path_.is_periodic(); };
+    const bool moves_first = is_free(first), moves_last = is_free(last);
+    if (last.vertex - first.vertex < 2 * less || less == 0 || (less == 1 && !moves_first && !moves_last)) return false;
+    // with one joint less, or with all joints moved evenly
+    std::vector<Chain> chains;
+    for (int without = 0; without < (tries > 0 ? count : 1); ++without) {
+      std::vector<double> places; // arc lengths where joints are at first
+      std::vector<typename Chain::Joint> joints_at;
+      for (int m = 0; m < less; ++m) {
+        const double u = without > 0 ? m + (m < without ? 0 : 1) : m * count / double(less);
+        const int k = static_cast<int>(u);
+        const double from = path_.arc_length(row[k].first), to = path_.arc_length(row[k].last);
+        places.push_back(from + (u - k) * (to - from));
+      }
+      places.push_back(path_.arc_length(last));
+      for (int m = 0; m <= less; ++m) {
+        const double before = m > 0 ? (places[m] - places[m - 1]) / degree : 0,
+                     after = m < less ? (places[m + 1] - places[m]) / degree : before;
+        if (!(after > 0)) return false; // by rounding
+        if (m == 0)
+          joints_at.push_back(Chain::joint_of(row.front().start, moves_first ? 1 : 3, after, after));
+        else if (m == less)
+          joints_at.push_back(Chain::joint_of(row.back().end, moves_last ? 1 : 3, before, before));
+        else if (without > 0)
+          joints_at.push_back(Chain::joint_of(row[m + (m < without ? 0 : 1)].start, 0, before, after));
+        else {
+          const int v = (std::min)((std::max)(path_.vertex_after(places[m]), first.vertex + 1), last.vertex - 1);
+          joints_at.push_back(Chain::joint_of(joints(v, Side::both)[0], 0, before, after));
+        }
+      }
+      chains.emplace_back(path_, first.vertex, last.vertex + (last.part > 0 ? 1 : 0), std::move(joints_at), places);
+    }
+    std::vector<Span> spans;
+    const int patience = tries > 0 ? 4 : 1;
+    tries -= static_cast<int>(chains.size()) - 1;
+    for (Chain& chain : chains)
+      if (chain.improve(patience, [&] {
+            Work_meter::pause();
+            spans.clear();
+            for (int m = 0; m < less; ++m) {
+              Span span;
+              span.first = m == 0 ? first : spans.back().last;
+              span.last = m + 1 == less ? last : chain.place(m + 1);
+              if (!(span.first < span.last) || (m + 1 < less && !(span.last < last))) return false;
+              span.start = m > 0 ? spans.back().end : moves_first ? chain.rounded_joint(0) : row.front().start;
+              span.end = m + 1 < less || moves_last ? chain.rounded_joint(m + 1) : row.back().end;
+              std::optional<Piece> piece = fitted(span.first, span.last, span.start, span.end, &chain, m);
+              if (!piece) return false;
+              span.piece = std::move(*piece);
+              spans.push_back(std::move(span));
+            }
+            return true;
+          })) {
+        row = std::move(spans);
+        return true;
+      }
+    return false;
+  }
+
   std::vector<Joint> joints(int k, Side side) const { return path_.joints(k, side, degree); }
 
   static double length(const Vector& v) { return Fit_path<N>::length(v); }
@@ -181,31 +279,47 @@ private:
     return true;
   }
 
-  // A piece from the vertex i to the vertex j by least squares, if it is near.
-  std::optional<Piece> fitted(int i, int j, const Joint& start, const Joint& end) const {
+  // A piece from one place to another, if it is near: by least squares, or that of a chain.
+  std::optional<Piece> fitted(const Place& first, const Place& last, const Joint& start, const Joint& end,
+                              const Chain* chain = nullptr, int number = 0) const {
+    const int i = first.vertex, j = last.vertex;
     // equivalent [- -> +, 1]: at how many points a search looks; what it finds is proved
     const int samples = (std::min)((std::max)(4 * (j - i), 8), most_samples);
-    const double total = path_.arc_length(j) - path_.arc_length(i);
+    const double from = path_.arc_length(first), total = path_.arc_length(last) - from;
     if (!(total > 0)) return std::nullopt; // by rounding
     std::array<Vector, most_samples + 1> x;
     std::array<double, most_samples + 1> u;
     for (int k = 0; k <= samples; ++k) {
       u[k] = k / double(samples);
-      x[k] = path_.point_at(path_.arc_length(i) + u[k] * total);
+      x[k] = path_.point_at(from + u[k] * total);
     }
     const std::array<double, 2> lengths = {length(start.difference), length(end.difference)};
     Handles handles; // where the search starts
     for (int k = 0; k < unknowns; ++k) handles[k] = (1 + k % free_points) * total / degree / lengths[k / free_points];
     const Handles natural = handles;
     Piece piece;
-    set_points(piece, start, end, handles);
-    double worst = 0;
-    for (int repetition = 0; repetition < most_steps; ++repetition) {
-      const double last = worst;
-      worst = improve(piece, start, end, x, u, samples, natural, handles);
-      if (repetition <= 3) continue;
-      if (worst > 4 * tolerance_ && worst > last / 2) return std::nullopt;
-      if (worst > 0.9 * last) break;
+    if (chain) {
+      for (int k = 0; k < unknowns; ++k) {
+        const int side = k / free_points;
+        const typename Chain::Joint& joint = chain->joint(number + side);
+        handles[k] = (side == 0 ? joint.after : joint.before)[k % free_points] * length(joint.v[1]) / lengths[side];
+      }
+      set_points(piece, start, end, handles);
+      for (int k = 1; k < samples; ++k) u[k] = chain->parameter(from + u[k] * total) - number;
+      for (int repetition = 0; repetition < 4; ++repetition) {
+        for (int k = 1; k < samples; ++k) u[k] = piece.projected(u[k], x[k]);
+        make_monotone(u.begin(), u.begin() + samples + 1);
+      }
+    } else {
+      set_points(piece, start, end, handles);
+      double worst = 0;
+      for (int repetition = 0; repetition < most_steps; ++repetition) {
+        const double last_worst = worst;
+        worst = improve(piece, start, end, x, u, samples, natural, handles);
+        if (repetition <= 3) continue;
+        if (worst > 4 * tolerance_ && worst > last_worst / 2) return std::nullopt;
+        if (worst > 0.9 * last_worst) break;
+      }
     }
     for (int k = 0; k < unknowns; ++k) {
       handles[k] = std::nearbyint(handles[k]);
@@ -219,17 +333,21 @@ private:
     if (!is_exact(piece, start, end, handles)) return std::nullopt;
     std::vector<double>& t = piece.parameters;
     t.assign(1, 0);
+    piece.polyline.assign(1, path_.point(first));
     // equivalent [- -> +, 1]: memory only
-    t.reserve(j - i + 1);
-    for (int k = i + 1; k < j; ++k) {
-      const double place = (path_.arc_length(k) - path_.arc_length(i)) / total * samples;
+    t.reserve(j - i + 2);
+    piece.polyline.reserve(j - i + 2);
+    for (int k = i + 1; k <= j && (k < j || last.part > 0); ++k) {
+      const double place = (path_.arc_length(k) - from) / total * samples;
       const int cell = (std::min)(static_cast<int>(place), samples - 1);
       const double guess = u[cell] + (place - cell) * (u[cell + 1] - u[cell]);
       t.push_back(piece.projected(guess, p_[k]));
+      piece.polyline.push_back(p_[k]);
     }
     t.push_back(1);
+    piece.polyline.push_back(path_.point(last));
     make_monotone(t.begin(), t.end());
-    if (!near(piece, i)) return std::nullopt;
+    if (!near(piece)) return std::nullopt;
     return piece;
   }
 
@@ -329,20 +447,21 @@ private:
     for (int k = 0; k < unknowns; ++k) handles[k] = (1 + k % free_points) * multiple(k < free_points ? start : end);
     Piece piece;
     set_points(piece, start, end, handles);
+    piece.polyline = {p_[i], p_[i + 1]};
     piece.parameters = {0, 1};
     // unreachable: no tolerance that is taken is too small for one segment, but it is not proved
-    if (!is_exact(piece, start, end, handles) || !near(piece, i)) return std::nullopt;
+    if (!is_exact(piece, start, end, handles) || !near(piece)) return std::nullopt;
     return piece;
   }
 
-  bool near(const Piece& piece, int first) const {
+  bool near(const Piece& piece) const {
     double worst = 0, size = 0;
     for (const Vector& x : piece.points)
       for (const double c : Vector(x - piece.points[0])) size = (std::max)(size, std::abs(c));
     // so that intervals prove it
     const double tolerance = tolerance_ * (1 - 0x1p-20) - size * 0x1p-46;
     // unreachable: the tolerance has 1024 units or more, and rounding is less than that
-    return tolerance > 0 && piece.template is_near<double>(p_.begin() + first, tolerance * tolerance, worst);
+    return tolerance > 0 && piece.template is_near<double>(tolerance * tolerance, worst);
   }
 };
 
@@ -350,4 +469,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_POLYLINE_FIT_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_POLYLINE_FIT_H

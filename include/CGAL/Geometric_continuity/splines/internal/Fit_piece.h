@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PIECE_H
-#define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PIECE_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_PIECE_H
+#define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_PIECE_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Interval_nt.h>
@@ -34,7 +34,8 @@ public:
   typedef Coordinate_vector<double, N> Vector;
 
   std::array<Vector, degree + 1> points;
-  std::vector<double> parameters; // of the vertices, from its start to its end
+  std::vector<Vector> polyline;   // its vertices, from the start of the piece to its end
+  std::vector<double> parameters; // of these
 
   // x(t) - p, x'(t)
   std::array<Vector, 2> offset(double t, const Vector& p) const {
@@ -52,16 +53,15 @@ public:
     return square > 0 ? t - dot(x[0], x[1]) / square : t;
   }
 
-  // Returns whether the piece is near the polyline with the vertices p from the first one on; if
-  // so, `worst` is at least the square of its distance.
-  template <class NT>
-  bool is_near(typename std::vector<Vector>::const_iterator p, double squared_tolerance, double& worst) const {
+  // Returns whether the piece is near its polyline; if so, `worst` is at least the square of its
+  // distance.
+  template <class NT> bool is_near(double squared_tolerance, double& worst) const {
     Points_of<NT> b; // from the first one, which is the origin: small numbers have small errors
     const Vector_of<NT> origin = over<NT>(points[0]);
     for (int i = 0; i <= degree; ++i) b[i] = over<NT>(points[i]) - origin;
-    Place<NT> from = place<NT>(b, 0, over<NT>(*p) - origin);
+    Place<NT> from = place<NT>(b, 0, over<NT>(polyline[0]) - origin);
     for (std::size_t k = 1; k < parameters.size(); ++k) {
-      Place<NT> to = place<NT>(b, parameters[k], over<NT>(*++p) - origin);
+      Place<NT> to = place<NT>(b, parameters[k], over<NT>(polyline[k]) - origin);
       if (!near_segment(b, from, to, squared_tolerance, worst, 0)) return false;
       from = std::move(to);
     }
@@ -163,4 +163,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PIECE_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_PIECE_H

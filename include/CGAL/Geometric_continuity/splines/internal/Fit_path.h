@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PATH_H
-#define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PATH_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_PATH_H
+#define CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_PATH_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
@@ -12,18 +12,28 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
 // A polyline to which curves are fitted, by arc length, and the joints of these curves: points,
 // tangents and curvatures near its vertices. In floating-point numbers, in a unit of which all
-// coordinates are multiples. See curves/internal/Polyline_fit.h.
+// coordinates are multiples. See splines/internal/Polyline_fit.h.
 
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
 template <int N> struct Fit_joint { Coordinate_vector<double, N> point, difference, second_difference; };
+
+// A point on a polyline: a vertex, or a part of the segment behind it, less than 1.
+struct Fit_place {
+  int vertex;
+  double part;
+  bool operator<(const Fit_place& other) const {
+    return vertex < other.vertex || (vertex == other.vertex && part < other.part);
+  }
+};
 
 // On which sides of a vertex the polyline counts.
 enum class Fit_side { both, before, after };
@@ -59,6 +69,12 @@ public:
   int segments() const { return static_cast<int>(p_.size()) - 1; }
   const Vector& vertex(int k) const { return p_[k]; }
   double arc_length(int k) const { return s_[k]; } // up to the vertex k
+  double arc_length(const Fit_place& x) const {
+    return x.part == 0 ? s_[x.vertex] : s_[x.vertex] + x.part * (s_[x.vertex + 1] - s_[x.vertex]);
+  }
+  Vector point(const Fit_place& x) const {
+    return x.part == 0 ? p_[x.vertex] : Vector(p_[x.vertex] + x.part * (p_[x.vertex + 1] - p_[x.vertex]));
+  }
   bool stops(int k) const { return stop_[k] != 0; }
   int stop_after(int k) const { return stop_after_[k]; }
   bool is_periodic() const { return periodic_; }
@@ -69,9 +85,31 @@ public:
   // The point at an arc length; beyond an end this end, where the polyline is not periodic.
   Vector point_at(double s) const {
     if (periodic_) s -= std::floor(s / s_.back()) * s_.back();
-    const int k = static_cast<int>(std::upper_bound(s_.begin() + 1, s_.end() - 1, s) - s_.begin()) - 1;
+    const int k = vertex_after(s) - 1;
     const double h = s_[k + 1] - s_[k], t = h > 0 ? (std::min)((std::max)((s - s_[k]) / h, 0.), 1.) : 0;
     return p_[k] + t * (p_[k + 1] - p_[k]);
+  }
+
+  // The first vertex that is farther along than that, or the last one.
+  int vertex_after(double s) const {
+    return static_cast<int>(std::upper_bound(s_.begin() + 1, s_.end() - 1, s) - s_.begin());
+  }
+
+  // The place between two vertices that is next to a point, on one of some segments about an arc
+  // length.
+  Fit_place place_near(const Vector& x, double s, int first, int last) const {
+    const int about = vertex_after(s);
+    Fit_place best{first, 0};
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = (std::max)(first, about - 4); k <= (std::min)(last - 1, about + 3); ++k) {
+      const Vector u = p_[k + 1] - p_[k];
+      const double square = dot(u, u), part = (std::min)((std::max)(dot(x - p_[k], u) / square, 0.), 1.);
+      const double d = length(p_[k] + part * u - x);
+      if (!(d < least)) continue;
+      least = d;
+      best = part < 1 ? Fit_place{k, part} : Fit_place{k + 1, 0};
+    }
+    return best;
   }
 
   // Joints at a vertex, the most trusted one first: of the cubic polynomials on windows, each twice
@@ -97,7 +135,7 @@ public:
       const Window next = window(k, w, side);
       // equivalent [16 -> 17, 1]: wider windows are still farther
       if (!(next.residual <= 16 * tolerance_)) break;
-      const double speed = length(next.c[1]), difference = (std::max)(w / 4096, 64.);
+      const double speed = length(next.c[1]), difference = this->difference(4 * w, degree);
       if (next.residual <= 0.75 * tolerance_ && speed > w / 16) {
         const Vector normal = next.c[2] - (dot(next.c[2], next.c[1]) / (speed * speed)) * next.c[1];
         const double curvature = 2 * difference * difference / (speed * speed) * degree / (degree - 1);
@@ -128,12 +166,19 @@ public:
     return result;
   }
 
-private:
   static Vector rounded(Vector v) {
     for (int x = 0; x < v.dimension(); ++x) v[x] = std::nearbyint(v[x]);
     return v;
   }
 
+  // How long the difference of a joint is, from how long pieces are: of the longest error by
+  // rounding it (times the square of a multiple, for second differences) and of that by rounding
+  // multiples, the larger one is least.
+  static double difference(double length, int degree) {
+    return (std::max)(degree == 3 ? 2 * std::sqrt(length) : 0.6 * std::cbrt(length * length), 64.);
+  }
+
+private:
   // A cubic polynomial near a window of the polyline, in a parameter that is 0 at the vertex and 1
   // at the end of the window.
   struct Window {
@@ -179,4 +224,4 @@ private:
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_FIT_PATH_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_SPLINES_INTERNAL_FIT_PATH_H
