@@ -147,7 +147,7 @@ def round_corner(left, right, distance, strategy: str = "fair", *, exact: Option
     left, right = (bezier_points(curve, "round_corner") for curve in (left, right))
     record = _native.round_corner(left, right, distance, strategy, exact)
     knots = record.pop("knots")
-    if len(knots) > 0:
+    if knots is not None:
         record["blend"] = Segmented_curve(3, record["blend"], knots)
     return Rounded_corner(**record)
 

@@ -479,7 +479,7 @@ PYBIND11_MODULE(_native, m) {
     py::dict record;
     record["left"] = array_of(std::move(r.left), wish.exact);
     record["blend"] = array_of(std::move(r.blend), wish.exact);
-    record["knots"] = array_of(std::move(r.knots), wish.exact);
+    record["knots"] = r.knots.size() == 0 ? py::object(py::none()) : array_of(std::move(r.knots), wish.exact);
     record["right"] = array_of(std::move(r.right), wish.exact);
     record["left_cut"] = number(r.left_cut, wish.exact);
     record["right_cut"] = number(r.right_cut, wish.exact);

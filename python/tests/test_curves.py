@@ -113,7 +113,7 @@ class Blends(unittest.TestCase):
         self.assertIsNone(gc.curvature_excess(arc, Fraction(1, 5)))
         self.assertIsNotNone(gc.curvature_excess(arc, Fraction(199, 1000)))
         spline = gc.interpolate([(0, 0), (1, 2), (3, 2), (4, 0)])
-        place = gc.curvature_excess(spline, 1)
+        place = gc.curvature_excess(spline, Fraction(1, 10))
         self.assertLessEqual(abs(gc.curvature(spline, [place.parameter.lower])[0] - place.curvature.lower), 1e-6)
         self.assertTrue(gc.curvature_excess([(0, 0), (1, 1), (0, 1), (1, 0)], 10**9).unbounded)
         with self.assertRaises(gc.Error) as caught:

@@ -70,7 +70,7 @@ formats chains 0 0 0 0 1 parabola.g2 --min-radius 1/2
 
 # drawings
 printf '<svg xmlns="http://www.w3.org/2000/svg"><path id="p" d="M-1 1 Q 0 -1 1 1 A 1 1 0 0 1 2 2 A 4 1 30 0 1 3 3"/></svg>\n' >bent.svg
-formats drawings 1 1 1 0 3 bent.svg --max-curvature 1.75 && says sarif '"ruleId":"bend"' '"ruleId":"not-verified"' 'whose curvature is known for rational numbers only'
+formats drawings 1 2 0 0 3 bent.svg --max-curvature 1.75 && says sarif '"ruleId":"bend"' '"ruleId":"not-verified"' 'whose curvature is known for rational numbers only'
 formats drawings 0 0 1 0 4 bent.svg --max-curvature 2 --allow-uncovered
 leaf=$data/leaf_inkscape.svg badge=$data/badge_illustrator.svg
 formats drawings 0 0 0 1 27 "$leaf"
@@ -103,7 +103,7 @@ formats surfaces 1 1 0 0 2 --surfaces low.g2 near.g2 --within 0.001,0.01deg --re
 # the rules and their numbers agree
 if command -v python3 >/dev/null; then
   run 1 verify --surfaces "$teapot" --require G2 --format sarif
-  holds python3 -c "import json; r = json.load(open('out'))['runs'][0]; rules = r['tool']['driver']['rules']; assert len(rules) == 9 and \
+  holds python3 -c "import json; r = json.load(open('out'))['runs'][0]; rules = r['tool']['driver']['rules']; assert len(rules) == 10 and \
     all(rules[x['ruleIndex']]['id'] == x['ruleId'] for x in r['results']) and not r['properties']['met'] and \
     all(x['properties']['order'] in x['message']['text'] for x in r['results'] if x['ruleId'] != 'not-verified')"
 fi

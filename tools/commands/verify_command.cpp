@@ -112,7 +112,6 @@ the bound, the report names the place where it is bent most.
 
 examples:
   geometric_continuity verify outline.g2 --closed --require G2
-  geometric_continuity verify track.g2 --require G2 --min-radius 12.5
   geometric_continuity verify drawing.svg --require G1 --kink-angle 3
 
 With --format sarif and junit, what does not meet the requirement is an error;

@@ -51,6 +51,10 @@ test('chains and models', async () => {
   const line = (a, b) => `100 1 0 0\n2 0\n2 2\n0 0 1 1\n${a}\n${b}\n`;
   const report = await gc.verifyG2(line('0 0', '0.1 0.3') + line('0.1 0.3', '0.3 0.9'), { require: 'G2' });
   assert.deepEqual([report.joins[0].g_order, report.joins[0].betas[0], report.met], [3, '2', true]);
+  const parabola = '100 1 0 0\n2 0\n3 3\n0 0 0 1 1 1\n-1 1\n0 -1\n1 1\n';
+  const bent = await gc.verifyG2(parabola, { maxCurvature: 1 });
+  assert.deepEqual([bent.met, bent.bent_curves], [false, [{ curve: 0, parameter: [0.5, 0.5], curvature: [2, 2] }]]);
+  assert.equal((await gc.verifyG2(parabola, { maxCurvature: 2 })).met, true);
 });
 
 test('bad files are refused with code, line and reason', async () => {

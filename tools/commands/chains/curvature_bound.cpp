@@ -40,7 +40,7 @@ std::string to_string(const GC::Curvature_excess& excess) {
   std::ostringstream os;
   const GC::Enclosure k = size_of(excess);
   if (excess.unbounded)
-    os << "a cusp, or it turns back,";
+    os << "curvature without a bound, as in a cusp,";
   else
     os << "curvature " << k << ", radius " << GC::Enclosure{1 / k.upper, 1 / k.lower};
   os << " at the parameter " << excess.parameter;
