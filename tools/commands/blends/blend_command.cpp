@@ -87,12 +87,13 @@ output is the whole chain.
 of that in B, or from and to those of --edges. Its degree across is 5, and it is
 G2 with both along the whole edges, or with --order 3, by a strategy of order 3
 with joins G3, it is 7, and the surface is G3. This is decided exactly. The
-default of order 2 is a strategy that only surfaces have:
-  fairest     the least variation of curvature, in the mean of all curves across,
-              found from c2, energy2, energy3 and fair; and no fold, where one
-              of these has none
-All other strategies take --beta R at A and --eta R at B, and free (your numbers,
-by default 1 and 0) takes --delta R,R as well: S_v = beta L_v and
+default of order 2 (energy3 with --representable) is a strategy that only
+surfaces have:
+  fairest     the least variation of curvature, in the mean of all curves
+              across, found from c2, energy2, energy3 and fair; and no fold,
+              where one of these has none
+All other strategies take --beta R at A and --eta R at B, and free (your
+numbers, by default 1 and 0) takes --delta R,R as well: S_v = beta L_v and
 S_vv = beta^2 L_vv + delta L_v, with the surface L of A or B. A warning names
 a place where it may be folded. --json tells the order along both edges, the
 constants there, the fold and the variation of curvature. -o writes it; with
