@@ -40,7 +40,6 @@ for strategy in fairest energy3 fair; do proved steep.g2 opposite.g2 --strategy 
 # a denominator that given numbers make negative, next to an edge with a negative weight: the pair
 # and the place
 printf '200 1 0 0\n3 1\n3 3\n0 0 0 1 1 1\n2 2\n0 0 1 1\n0 0 0 1\n2 0 0 1\n6 0 0 1\n0 3 0 1\n-3/8 -3/8 0 -1/8\n6 3 0 1\n' >negative.g2
-run 0 blend --surfaces negative.g2 opposite.g2 --strategy free
 refused "negative.g2 and opposite.g2: blend: its denominator is not positive near (u, v) = (" blend --surfaces negative.g2 opposite.g2 --strategy free --delta 99,0
 
 # the report as JSON; numbers that are given, and a direction
