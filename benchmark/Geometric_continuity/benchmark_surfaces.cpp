@@ -224,8 +224,10 @@ void register_blends() {
     benchmark::ClobberMemory();
   });
   at_once(BLEND "blend()", 1, [] { benchmark::DoNotOptimize(input()); });
-  at_once(BLEND "blend(), with the shape of least energy", 1,
-          [] { benchmark::DoNotOptimize(GC::blend(input.a, GC::Patch_edge::v1, input.b, GC::Patch_edge::v0)); });
+  at_once(BLEND "blend(), with the shape of least energy", 1, [] {
+    benchmark::DoNotOptimize(
+        GC::blend(input.a, GC::Patch_edge::v1, input.b, GC::Patch_edge::v0, GC::Minimal_energy<3>()));
+  });
 #ifdef GEOMETRIC_CONTINUITY_WITH_OCCT
   static peers::Filling_input between;
   between.a = peers::occt_patch(input.a);

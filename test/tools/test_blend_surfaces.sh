@@ -16,7 +16,7 @@ printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n3 3\n0 0 0 1 1 1\n0 8 0\n5 8 1\n0 9.5 1\n4
 proved a.g2 b.g2
 says blend.g2 "6 6"
 run 0 blend --surfaces a.g2 b.g2 && says out "a.g2, edge v1: G2, beta = " "b.g2, edge v0: G2, beta = "
-for strategy in c2 normal min_second near_line energy2 energy3 fair; do proved a.g2 b.g2 --strategy $strategy; done
+for strategy in fairest c2 normal min_second near_line energy2 energy3 fair; do proved a.g2 b.g2 --strategy $strategy; done
 proved a.g2 b.g2 --edges v1,u0
 proved a.g2 b.g2 --edges u1,v0
 proved a.g2 b.g2 --edges u0,u1
@@ -33,6 +33,29 @@ proved cylinder.g2 a.g2 --edges v0,v0
 says blend.g2 "200 1 0 0" "3 1"
 proved a.g2 cylinder.g2
 
+# all weights are positive, and steep: the default and others
+printf '200 1 0 0\n3 1\n2 2\n-1/2 -1/2 1/2 1/2\n4 4\n-2 -2 -2 -2 6 6 6 6\n0 -32 4 8\n125/4 -20 5/4 5\n0 -55/4 -5/4 5\n48 -20 -2 8\n0 -5/4 1/4 1\n23/4 -5/4 1/4 1\n0 1/4 1/4 1\n25 0 0 4\n' >steep.g2
+printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 6 0\n6 6 0\n0 10 0\n6 10 0\n' >opposite.g2
+for strategy in fairest energy3 fair; do proved steep.g2 opposite.g2 --strategy $strategy; done
+# a denominator that given numbers make negative, next to an edge with a negative weight: the pair
+# and the place
+printf '200 1 0 0\n3 1\n3 3\n0 0 0 1 1 1\n2 2\n0 0 1 1\n0 0 0 1\n2 0 0 1\n6 0 0 1\n0 3 0 1\n-3/8 -3/8 0 -1/8\n6 3 0 1\n' >negative.g2
+refused "negative.g2 and opposite.g2: blend: its denominator is not positive near (u, v) = (" blend --surfaces negative.g2 opposite.g2 --strategy free --delta 99,0
+
+# the report as JSON; numbers that are given, and a direction
+run 0 blend --surfaces a.g2 b.g2 --json && says out '{"strategy":"fairest","order":2,"direction":"same","edges":[' \
+  '{"file":"a.g2","edge":"v1","order":"G2","proved":true,"beta":"' '],"proved":true,"fold":null,"fairness":'
+run 0 blend --surfaces a.g2 b.g2 --direction opposite --json && says out '"direction":"opposite"'
+proved a.g2 b.g2 --strategy free --beta 1/3 --eta 0.7 --delta 2/7,-1
+run 0 blend --surfaces a.g2 b.g2 --strategy free --beta 1/3 --eta 0.7 --delta 2/7,-1
+says out "a.g2, edge v1: G2, beta = 1/3, delta = 2/7" "b.g2, edge v0: G2, beta = 7/10, delta = -1"
+run 0 blend --surfaces a.g2 b.g2 --strategy energy3 --beta 5 --order 2 && says out "edge v1: G2, beta = 5,"
+refused "fairest chooses them" blend --surfaces a.g2 b.g2 --beta 5
+refused "--delta: only with --strategy free" blend --surfaces a.g2 b.g2 --strategy fair --delta 1,2
+refused "--delta: two numbers are needed" blend --surfaces a.g2 b.g2 --strategy free --delta 1
+refused "--eta: it must be positive" blend --surfaces a.g2 b.g2 --strategy c2 --eta 0
+refused "--direction: 'up' is none of same, opposite" blend --surfaces a.g2 b.g2 --direction up
+
 # order 3: decided here; verify decides up to G2
 smooth() { # smooth A B ARGUMENTS...
   run 0 blend --surfaces "$@" --order 3 -o blend.g2 && says out "G3 along both edges, proved exactly" "delta3 = "
@@ -44,6 +67,8 @@ run 0 blend --surfaces a.g2 b.g2 --order 3 && says out "a.g2, edge v1: G3, beta 
 for strategy in c3 seq_g3 joint_g3 energy3_g3 energy4_g3 fair_g3; do smooth a.g2 b.g2 --strategy $strategy; done
 smooth a.g2 spline.g2 --edges u1,v0
 smooth cylinder.g2 a.g2 --edges v0,v0
+smooth steep.g2 opposite.g2
+run 0 blend --surfaces a.g2 b.g2 --order 3 --strategy free --delta 1,2 --json && says out '"beta":"1","delta":"1","delta3":"0"'
 refused "--strategy" blend --surfaces a.g2 b.g2 --order 3 --strategy seq_f3
 refused "--strategy" blend --surfaces a.g2 b.g2 --order 3 --strategy fair
 refused "--strategy" blend --surfaces a.g2 b.g2 --strategy fair_g3
@@ -84,10 +109,9 @@ refused "two files are needed" blend --surfaces a.g2 b.g2 spline.g2
 refused "'v2' is none of u0, u1, v0, v1" blend --surfaces a.g2 b.g2 --edges v1,v2
 refused "two names are needed" blend --surfaces a.g2 b.g2 --edges v1
 refused "--edges: only with --surfaces" blend "$L" "$R" --edges v1,v0
-for option in "--beta 1" "--replace 1" --json "--kernel double" "--plot no.svg"; do
+for option in "--s1 1" "--replace 1" "--kernel double" "--plot no.svg"; do
   refused "${option%% *}: not with --surfaces" blend --surfaces a.g2 b.g2 $option
 done
-refused "--strategy" blend --surfaces a.g2 b.g2 --strategy free
 cat a.g2 b.g2 >both.g2
 refused "both.g2: 2 surfaces where one is expected" blend --surfaces both.g2 b.g2
 refused "$(basename "$L")" blend --surfaces "$L" b.g2

@@ -28,8 +28,8 @@ run 2 blend "$L" "$R" --strategy fiar && says err "'fiar' is none of c2, normal,
 # the name is missing.
 run 2 blend --strategy help && says err "'help' is none of c2, normal, min_second, near_line, energy2, energy3, fair, free, all"
 run 2 blend --strategy help --order 3 && says err "'help' is none of c3, seq_g3, seq_f3, joint_g3, energy3_g3, energy4_g3, fair_g3, fair_f3, free, all"
-run 2 blend --surfaces --strategy help && says err "'help' is none of c2, normal, min_second, near_line, energy2, energy3, fair"
-run 2 blend --surfaces --strategy help --order 3 && says err "'help' is none of c3, seq_g3, joint_g3, energy3_g3, energy4_g3, fair_g3"
+run 2 blend --surfaces --strategy help && says err "'help' is none of c2, normal, min_second, near_line, energy2, energy3, fair, fairest, free"
+run 2 blend --surfaces --strategy help --order 3 && says err "'help' is none of c3, seq_g3, joint_g3, energy3_g3, energy4_g3, fair_g3, free"
 run 2 blend --corners all --distance 1 --strategy help && says err "'help' is none of fair"
 run 2 blend "$L" "$R" --strategy c2,help && says err "'help' is none of those that can be compared, which are c2, normal," ", fair"
 for strategy in seq_g3 c2,seq_g3; do

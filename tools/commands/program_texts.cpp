@@ -42,6 +42,7 @@ std::string joined(const Arguments& words) {
 
 std::map<std::string, Arguments> option_words() {
   Arguments strategies = quintic_names();
+  strategies.push_back("fairest"); // of surfaces
   for (const std::string& name : septic_names()) strategies.push_back(name);
   strategies.insert(strategies.end(), {"free", "all"});
   return {{"strategy", strategies},

@@ -504,6 +504,10 @@ TEST_FOR_EACH(errors, Traits, All_traits) {
   // a denominator that becomes negative
   const Patch<Traits> steep({{P(0, 0, 0), P(0, 1, 0)}, {P(1, 0, 0), P(1, 1, 0)}}, {{9, 1}, {9, 1}});
   CHECK_ERROR(blend(steep, v1, b, v0, shape), zero_weight);
+  const std::string place = error_of([&] { blend(steep, v1, b, v0, shape); });
+  BOOST_CHECK_EQUAL(place.substr(0, place.find(';')),
+                    "zero_weight: blend: its denominator is not positive near (u, v) = (0.000000, 0.400000), where a "
+                    "control point has the weight -2.200000");
   GC::Rational_surface_blend_shape<FT> factor = shape;
   factor.end.lambda = FT(0);
   CHECK_ERROR(blend(weighted, v0, b, v0, factor), zero_weight);
@@ -613,6 +617,111 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(floating_point, Traits, Rounded_traits) {
           BOOST_CHECK_SMALL(CGAL::to_double(e.coordinates(k, l)[x]) - t.coordinates(k, l)[x], 1e-11);
   }
   BOOST_CHECK_GT(rounded, 0);
+}
+
+// All curves u = const are one curve but for a translation. A common factor of all homogeneous
+// points changes nothing, here 1 + v.
+BOOST_AUTO_TEST_CASE(mean_fairness_of_translated_curves) {
+  const Translated_curves<Double> curves;
+  const GC::Minimal_energy<3> strategy;
+  const Bezier<Double> s = blend(curves.first, v1, curves.second, v0, curves.shape(strategy), Edge_direction::same);
+  const double e = GC::fairness(boundary_curve(s, u0));
+  BOOST_CHECK_CLOSE(mean_fairness(s), e, 1e-6);
+  std::vector<std::vector<Double::Point>> net(2);
+  std::vector<std::vector<double>> weights(2);
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j <= 6; ++j) { // of degree 6
+      const double before = 2 * j / 6., here = (6 - j) / 6.;
+      const Double::Point &p = s.control_point(i, (std::max)(j - 1, 0)), &q = s.control_point(i, (std::min)(j, 5));
+      net[i].push_back(CGAL::ORIGIN + (before * (p - CGAL::ORIGIN) + here * (q - CGAL::ORIGIN)) / (before + here));
+      weights[i].push_back(before + here);
+    }
+  BOOST_CHECK_CLOSE(mean_fairness(Patch<Double>(net, weights)), e, 1e-6);
+}
+
+struct Bent_surfaces : Random_surfaces {
+  double number(double size) { return size * integer(-1000, 1000) / 1000; }
+  // From y on, or up to y.
+  Bezier<Double> surface(double y, double z, bool before, double noise) {
+    const int p = integer(1, 3), q = integer(1, 4);
+    const double tilt = number(noise);
+    std::vector<std::vector<Double::Point>> net(p + 1);
+    for (int i = 0; i <= p; ++i)
+      for (int j = 0; j <= q; ++j) {
+        const double across = 2. * (before ? j - q : j) + number(noise), up = number(noise);
+        net[i].push_back({6. * i / p + number(noise), y + std::cos(tilt) * across - std::sin(tilt) * up,
+                          z + std::sin(tilt) * across + std::cos(tilt) * up});
+      }
+    return Bezier<Double>(net);
+  }
+};
+
+// The fairest blend is never less fair than those of the four strategies, has no fold where one of
+// them has none, and is nearly always a minimum: others near it have folds or are less fair. `Fair`
+// has no fold where the least energy has none.
+BOOST_AUTO_TEST_CASE(fairest_blends) {
+  Bent_surfaces random;
+  int not_least = 0, smooth = 0;
+  for (int round = 0; round < 40; ++round) {
+    const double noise = round % 2 == 0 ? 0.4 : 1;
+    const Bezier<Double> a = random.surface(0, 0, true, noise),
+                         b = random.surface(5 + random.number(2), random.number(3), false, noise);
+    const auto of_shape = [&](const GC::Surface_blend_shape<double>& shape) {
+      return blend(a, v1, b, v0, shape, Edge_direction::same);
+    };
+    double best = std::numeric_limits<double>::infinity();
+    const auto is_unfolded = [&](const auto& strategy) {
+      const Bezier<Double> s = blend(a, v1, b, v0, strategy, Edge_direction::same);
+      if (possible_fold(s)) return false;
+      best = (std::min)(best, mean_fairness(s));
+      return true;
+    };
+    is_unfolded(GC::Matching_second_derivative());
+    is_unfolded(GC::Minimal_energy<2>());
+    if (is_unfolded(GC::Minimal_energy<3>()))
+      BOOST_CHECK(is_unfolded(GC::Fair()));
+    else
+      is_unfolded(GC::Fair());
+    const auto shape = automatic_surface_shape(a, v1, b, v0, GC::Fairest(), Edge_direction::same);
+    if (!std::isfinite(best)) continue;
+    ++smooth;
+    BOOST_CHECK(!possible_fold(of_shape(shape)));
+    const double least = mean_fairness(of_shape(shape));
+    BOOST_CHECK_LE(least, best);
+    for (const auto end : {&GC::Surface_blend_shape<double>::start, &GC::Surface_blend_shape<double>::end})
+      for (const double sign : {-1., 1.})
+        for (const bool changes_beta : {false, true}) {
+          GC::Surface_blend_shape<double> near = shape;
+          const double beta = (near.*end).beta[0];
+          if (changes_beta)
+            (near.*end).beta = {beta * (1 + 0.15 * sign)};
+          else
+            (near.*end).delta = {(near.*end).delta[0] + beta * sign};
+          const Bezier<Double> s = of_shape(near);
+          if (mean_fairness(s) < 0.98 * least && !possible_fold(s)) ++not_least;
+        }
+  }
+  BOOST_CHECK_GE(smooth, 35);
+  BOOST_CHECK_LE(not_least, 4); // next to a fold
+}
+
+// Surfaces with positive weights always have a blend, whatever the weights are.
+BOOST_AUTO_TEST_CASE(weights_stay_positive) {
+  Numbers random;
+  for (int round = 0; round < 30; ++round) {
+    const Patch<Exact> a = random_patch(random, random.integer(1, 2), random.integer(1, 3)),
+                       b = random_patch(random, random.integer(1, 2), random.integer(1, 3));
+    const auto check = [&](const auto& strategy) {
+      const Patch<Exact> s = blend(a, v1, b, v0, strategy, Edge_direction::same);
+      for (const Q& weight : s.weights()) BOOST_CHECK_GT(weight, Q(0));
+      BOOST_CHECK_EQUAL(whole_edge_order(a, v1, s, v0), 2);
+      BOOST_CHECK_EQUAL(whole_edge_order(s, v1, b, v0), 2);
+    };
+    check(GC::Matching_second_derivative());
+    check(GC::Minimal_energy<3>());
+    check(GC::Minimal_energy_g3<4>());
+    if (round < 3) check(GC::Fairest());
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -106,8 +106,17 @@ cubics; corners that none rounds so are named, and get the least curvature.
 --surfaces makes a surface from the edge v1 of the surface in A to the edge v0
 of that in B, or from and to those of --edges. Its degree across is 5, and it is
 G2 with both along the whole edges, or with --order 3, by a strategy of order 3
-with joins G3, it is 7, and the surface is G3. This is decided exactly. A
-warning names a place where it may be folded. -o writes it; with
+with joins G3, it is 7, and the surface is G3. This is decided exactly. The
+default of order 2 (energy3 with --representable) is a strategy that only
+surfaces have:
+  fairest     the least variation of curvature, in the mean of all curves
+              across, found from c2, energy2, energy3 and fair; and no fold,
+              where one of these has none
+All other strategies take --beta R at A and --eta R at B, and free (your
+numbers, by default 1 and 0) takes --delta R,R as well: S_v = beta L_v and
+S_vv = beta^2 L_vv + delta L_v, with the surface L of A or B. A warning names
+a place where it may be folded. --json tells the order along both edges, the
+constants there, the fold and the variation of curvature. -o writes it; with
 --representable, which takes polynomial surfaces whose edges have one degree and
 the same knots, both surfaces around it, too.
 
@@ -343,6 +352,8 @@ void describe_blend(po::options_description_easy_init add) {
   add("closed", "with --corners: the last curve leads back to the first");
   add("surfaces", "blend an edge of one surface into an edge of another one");
   add("edges", po::value<std::string>(), "EDGE,EDGE of A and B with --surfaces: u0, u1, v0 or v1 (default v1,v0)");
+  add("direction", po::value<std::string>(), "same or opposite: how the edge of B runs, unless by its nearer ends");
+  add("delta", po::value<std::string>(), "R,R = delta at A and at B (--surfaces, free)");
   add("kernel", po::value<std::string>()->default_value("exact"),
       "exact: construct in exact numbers; double: in floating-point numbers");
   add("representable", "control points that are doubles, joins that are exactly G2");
@@ -367,7 +378,7 @@ int run_blend(const Command_line& line) {
   if (!line.has("plot")) line.refuse({"title"}, "only with --plot");
   if (line.has("corner") || line.has("corners")) {
     line.refuse({"max-work"}, "not with --corner or --corners");
-    line.refuse({"surfaces", "edges"}, "not with --corner or --corners");
+    line.refuse({"surfaces", "edges", "direction", "delta"}, "not with --corner or --corners");
     return round_corners(line);
   }
   const auto bounded = [&](auto work) {
@@ -375,12 +386,11 @@ int run_blend(const Command_line& line) {
   };
   line.refuse({"distance", "closed", "cubic"}, "only with --corner or --corners");
   if (line.has("surfaces")) {
-    line.refuse(
-        {"beta", "eta", "s1", "s2", "start", "end", "replace", "kernel", "json", "plot", "max-curvature", "min-radius"},
-        "not with --surfaces");
+    line.refuse({"s1", "s2", "start", "end", "replace", "kernel", "plot", "max-curvature", "min-radius"},
+                "not with --surfaces");
     return bounded([&] { return blend_surfaces(line); });
   }
-  line.refuse({"edges"}, "only with --surfaces");
+  line.refuse({"edges", "direction", "delta"}, "only with --surfaces");
   if (line.has("representable")) {
     if (line.integer("order") != 2) throw std::invalid_argument("--representable: blends of order 2 only");
     line.refuse({"replace", "kernel"}, "not with --representable");

@@ -15,8 +15,10 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -156,17 +158,34 @@ template <class Surface_a, class Surface_b>
 using Blend_surface_shape = typename internal::Blended_shape<Surface_a, Surface_b>::type;
 
 /// \ingroup PkgGeometricContinuityStrategies
-/// True for a strategy that chooses the shape of blend surfaces of degree 5: it can be called with
-/// `Quintic_ends<double, 0>`.
+/// Chooses the fairest blend of two surfaces among those with constants for functions that have no
+/// fold: the least mean of the variations of curvature of the curves `u` = const, see
+/// `mean_fairness()`. Of surfaces only.
+///
+/// The shapes of `Matching_second_derivative`, `Minimal_energy<2>`, `Minimal_energy<3>` and `Fair`
+/// are compared, and that with the least mean is taken for which `possible_fold()` proves that
+/// there is no fold. From there \f$ \beta \f$ and \f$ \delta \f$ at both ends are improved by the
+/// method of Levenberg and Marquardt, where no step leads into a fold, and \f$ \beta \f$ stays
+/// within a factor of 4 of the automatic shape. So it is never less fair than the four, and has no
+/// fold where one of them has none. Where all have one, it is the fairest of what was found, as is
+/// in other dimensions than 3.
+struct Fairest {};
+
+/// \ingroup PkgGeometricContinuityStrategies
+/// True for a strategy that chooses the shape of blend surfaces of degree 5: `Fairest`, or one that
+/// can be called with `Quintic_ends<double, 0>`.
 template <class Strategy>
-constexpr bool is_quintic_surface_strategy_v = std::is_invocable_v<const Strategy&, const Quintic_ends<double, 0>&>;
+constexpr bool is_quintic_surface_strategy_v =
+    std::disjunction_v<std::is_same<Strategy, Fairest>,
+                       std::is_invocable<const Strategy&, const Quintic_ends<double, 0>&>>;
 
 /// \ingroup PkgGeometricContinuityStrategies
 /// True for a strategy that chooses the shape of blend surfaces, of degree 5 or else of degree 7:
-/// it can be called with `Quintic_ends<double, 0>` or `Septic_ends<double, 0>`.
+/// `Fairest`, or one that can be called with `Quintic_ends<double, 0>` or `Septic_ends<double, 0>`.
 template <class Strategy>
 constexpr bool is_surface_blend_strategy_v =
-    std::disjunction_v<std::is_invocable<const Strategy&, const Quintic_ends<double, 0>&>,
+    std::disjunction_v<std::is_same<Strategy, Fairest>,
+                       std::is_invocable<const Strategy&, const Quintic_ends<double, 0>&>,
                        std::is_invocable<const Strategy&, const Septic_ends<double, 0>&>>;
 
 /// \ingroup PkgGeometricContinuityConstruction
@@ -179,20 +198,25 @@ using Chosen_surface_shape =
 
 namespace internal {
 
-// The values of the rows of an end at the Greville abscissae of some knots: as points and
-// derivatives of the surface in `jet`, one after the other, and the last coordinates of homogeneous
-// points in `weights`.
+// The values of the rows of an end at some parameters: as points and derivatives of the surface in
+// `jet`, one after the other, and the last coordinates of homogeneous points in `weights`; those of
+// the control points of the rows in `control_weights`.
 template <bool is_rational> struct Edge_samples {
   Coordinate_jet<double, 0> jet;
-  std::vector<std::array<double, 4>> weights;
+  std::vector<std::array<double, 4>> weights, control_weights;
 
-  template <class FT, int N> Edge_samples(const Blend_end<FT, N>& end, const Knot_vector<FT>& knots, int order) {
-    const int m = knots.number_of_coefficients(), n = end.edge[0].dimension() - (is_rational ? 1 : 0);
+  template <class FT, int N> Edge_samples(const Blend_end<FT, N>& end, const std::vector<FT>& parameters, int order) {
+    const int m = static_cast<int>(parameters.size()), n = end.edge[0].dimension() - (is_rational ? 1 : 0);
     jet = Coordinate_jet<double, 0>(m * n, order);
+    const typename Blend_end<FT, N>::Row* const rows[] = {&end.edge, &end.cross, &end.second_cross, &end.third_cross};
+    if constexpr (is_rational)
+      for (std::size_t i = 0; i < end.edge.size(); ++i) {
+        control_weights.emplace_back();
+        for (int j = 0; j <= order; ++j) control_weights.back()[j] = CGAL::to_double((*rows[j])[i][n]);
+      }
     for (int k = 0; k < m; ++k) {
-      const FT u = knots.greville_abscissa(k);
+      const FT& u = parameters[k];
       Coordinate_jet<FT, N> x(end.edge[0].dimension(), order);
-      const typename Blend_end<FT, N>::Row* const rows[] = {&end.edge, &end.cross, &end.second_cross, &end.third_cross};
       for (int j = 0; j <= order; ++j) x[j] = bspline_value(end.knots, *rows[j], u);
       if constexpr (is_rational) {
         weights.emplace_back();
@@ -213,20 +237,26 @@ private:
   }
 };
 
-// Returns the rows of both edges at the Greville abscissae of the edge that has more of them.
-template <class Kind, class A, class B>
-std::pair<Edge_samples<Kind::is_rational>, Edge_samples<Kind::is_rational>>
-sampled_ends(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, Edge_direction direction, int order) {
-  const auto ends = Kind::ends(a, edge_a, b, edge_b, direction, order);
-  const auto &x = ends.first.knots, &y = ends.second.knots;
-  const auto& knots = x.number_of_coefficients() < y.number_of_coefficients() ? y : x;
-  std::pair<Edge_samples<Kind::is_rational>, Edge_samples<Kind::is_rational>> samples({ends.first, knots, order},
-                                                                                      {ends.second, knots, order});
-  if (is_zero(samples.first.jet[1]))
-    throw Error(Error_code::zero_tangent, "automatic_surface_shape: the first surface");
-  if (is_zero(samples.second.jet[1]))
-    throw Error(Error_code::zero_tangent, "automatic_surface_shape: the second surface");
+template <class Kind> using Both_samples = std::array<Edge_samples<Kind::is_rational>, 2>;
+
+// Returns the rows of both ends at some parameters.
+template <class Kind, class Ends, class FT>
+Both_samples<Kind> samples_at(const Ends& ends, const std::vector<FT>& parameters, int order) {
+  Both_samples<Kind> samples = {Edge_samples<Kind::is_rational>(ends.first, parameters, order),
+                                Edge_samples<Kind::is_rational>(ends.second, parameters, order)};
+  if (is_zero(samples[0].jet[1])) throw Error(Error_code::zero_tangent, "automatic_surface_shape: the first surface");
+  if (is_zero(samples[1].jet[1])) throw Error(Error_code::zero_tangent, "automatic_surface_shape: the second surface");
   return samples;
+}
+
+// Returns the rows of both edges at the Greville abscissae of the edge that has more of them.
+template <class Kind, class Ends> Both_samples<Kind> sampled_ends(const Ends& ends, int order) {
+  typedef typename Kind::FT FT;
+  const Knot_vector<FT>&x = ends.first.knots, &y = ends.second.knots;
+  const Knot_vector<FT>& knots = x.number_of_coefficients() < y.number_of_coefficients() ? y : x;
+  std::vector<FT> parameters;
+  for (int k = 0; k < knots.number_of_coefficients(); ++k) parameters.push_back(knots.greville_abscissa(k));
+  return samples_at<Kind>(ends, parameters, order);
 }
 
 // With few binary digits; nothing where it is small in comparison with the unit.
@@ -303,6 +333,48 @@ void set_shape(Reparametrisation& r, const Across_edge& x, const std::vector<std
   set_third(r, x[2], lambda[2]);
 }
 
+// Moves the factors of the homogeneous points no farther than is needed for the weights of all
+// control points b_1, b_2, ... next to those of an edge to be at least a quarter of them. This is
+// always possible: the weights
+//
+//   b_1 = w + d L_1 / n,  b_2 = w + 2 d L_1 / n + L_2 / (n (n-1)),
+//   b_3 = w + 3 d L_1 / n + 3 L_2 / (n (n-1)) + d L_3 / (n (n-1) (n-2))
+//
+// of a blend of degree n, with L_k the derivatives of lambda w, grow with d^k lambda_k, as all w
+// are positive. The direction d is 1 at the start of the blend, -1 at its end.
+template <class Reparametrisation>
+void keep_weights_positive(Reparametrisation& r, const Across_edge& x,
+                           const std::vector<std::array<double, 4>>& control_weights, int direction, int order) {
+  typedef typename Reparametrisation::FT FT;
+  if constexpr (std::is_base_of_v<Rational_edge_reparametrisation<FT>, Reparametrisation>) {
+    for (const std::array<double, 4>& w : control_weights)
+      if (!(w[0] > 0)) return;
+    typename Reparametrisation::Function* factors[3] = {&r.lambda1, &r.lambda2, nullptr};
+    if constexpr (!std::is_same_v<Rational_edge_reparametrisation<FT>, Reparametrisation>) factors[2] = &r.lambda3;
+    double lambda[3] = {0, 0, 0};
+    const int n = 2 * order + 1, to_edge[3] = {n, n * (n - 1), n * (n - 1) * (n - 2)};
+    for (int k = 0; k < order; ++k) {
+      const double sign = k == 1 ? 1 : direction;
+      lambda[k] = CGAL::to_double((*factors[k])[0]);
+      double least = sign * lambda[k], margin = 0; // for rounding
+      for (const std::array<double, 4>& w : control_weights) {
+        const double d = x[0] * w[1] / w[0], e = (x[0] * x[0] * w[2] + x[1] * w[1]) / w[0],
+                     f = (x[0] * x[0] * x[0] * w[3] + 3 * x[0] * x[1] * w[2] + x[2] * w[1]) / w[0];
+        const double l1 = lambda[0] + d, l2 = lambda[1] + 2 * lambda[0] * d + e;
+        const double without[3] = {direction * d, 2 * lambda[0] * d + e,
+                                   direction * (3 * lambda[1] * d + 3 * lambda[0] * e + f)};
+        const double before[3] = {1, 1 + direction * 2 * l1 / n, 1 + direction * 3 * l1 / n + 3 * l2 / to_edge[1]};
+        const double needed = to_edge[k] * (0.25 - before[k]);
+        least = (std::max)(least, needed - without[k]);
+        margin = (std::max)(margin, (std::abs(needed) + std::abs(without[k])) / 128);
+      }
+      if (!(least > sign * lambda[k])) continue;
+      lambda[k] = short_part(sign * (least + margin), 0);
+      *factors[k] = short_constant<FT>(lambda[k]);
+    }
+  }
+}
+
 inline double mean_square_of_weights(const std::vector<std::array<double, 4>>& weights) {
   double squares = 0;
   for (const std::array<double, 4>& w : weights) squares += w[0] * w[0];
@@ -329,47 +401,25 @@ Edge_direction nearer_direction(const Surface_a& a, Patch_edge edge_a, const Sur
   return dot(chord(ends.first.edge), chord(ends.second.edge)) < FT(0) ? Edge_direction::opposite : Edge_direction::same;
 }
 
-/// \ingroup PkgGeometricContinuityConstruction
-/// Returns the shape of a blend from an edge of one surface to an edge of another one that a
-/// strategy for blends of curves chooses: of degree 5, or of degree 7 by a septic strategy. All
-/// functions are constants, and those of the parameter along the edge, \f$ \alpha \f$,
-/// \f$ \alpha_2 \f$ and \f$ \alpha_3 \f$, are 0.
-///
-/// The curves `u` = const at the Greville abscissae of the edge with more of them are taken as one
-/// curve in a space of many dimensions. A strategy that chooses its own shape parameters, as `Fair`
-/// does, chooses \f$ \beta \f$ at both ends; otherwise they make the tangents as long as the chords
-/// in the mean square, see `automatic_shape()`. The scalars \f$ s_1, s_2 \f$ of the strategy give
-/// \f$ \delta \f$: with `Matching_second_derivative` it is 0, `Minimal_energy<3>` has the least sum
-/// of \f$ \int |S_{vvv}|^2 dv \f$, `Fair` the least variation of the curvature of the curve in many
-/// dimensions. A septic strategy gives \f$ \delta = \beta_2 \f$ and \f$ \delta_3 = \beta_3 \f$; for
-/// \f$ G^3 \f$, \f$ \mu \f$ is \f$ 3\beta\beta_2 \f$, whatever it chooses. For rational surfaces,
-/// the factors of the homogeneous points keep the denominator of the blend as constant as constants
-/// can.
-///
-/// All this is computed in floating-point numbers and rounded to 8 binary digits, so that exact
-/// numbers stay short. The blend is exact, whatever the shape is. Linear in the number of knots.
-/// \tparam Strategy a model of `BlendStrategy`, called with `Quintic_ends<double, 0>` or, if it
-///   cannot be, `Septic_ends<double, 0>`
-/// \throws Error `zero_tangent` where a derivative across an edge vanishes at all these parameters,
-///   `dimension_mismatch`, `not_finite` for numbers so large or small that their squares are not in
-///   the range of floating-point numbers
-template <class Surface_a, class Surface_b, class Strategy>
-Chosen_surface_shape<Surface_a, Surface_b, Strategy>
-automatic_surface_shape(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
-                        const Strategy& strategy, Edge_direction direction) {
-  static_assert(is_surface_blend_strategy_v<Strategy>, "the strategy is one for blends in every field");
-  typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
-  constexpr int order = is_quintic_surface_strategy_v<Strategy> ? 2 : 3;
-  const auto [start, end] = internal::sampled_ends<Kind>(a, edge_a, b, edge_b, direction, order);
-  const std::array<internal::Across_edge, 2> across = internal::chosen_across_edges(strategy, start.jet, end.jet);
-  Chosen_surface_shape<Surface_a, Surface_b, Strategy> shape;
-  internal::set_shape(shape.start, across[0], start.weights);
-  internal::set_shape(shape.end, across[1], end.weights);
-  if constexpr (Kind::is_rational)
-    shape.end.lambda = typename Kind::FT(internal::short_part(
-        std::sqrt(internal::mean_square_of_weights(start.weights) / internal::mean_square_of_weights(end.weights)), 0));
+namespace internal {
+
+// Returns the shape with these derivatives of the parameter across both edges, for surfaces of
+// which there are samples.
+template <class Kind, class Shape>
+Shape shape_across(const std::array<Across_edge, 2>& across, const Both_samples<Kind>& samples, int order) {
+  Shape shape;
+  set_shape(shape.start, across[0], samples[0].weights);
+  set_shape(shape.end, across[1], samples[1].weights);
+  if constexpr (Kind::is_rational) {
+    keep_weights_positive(shape.start, across[0], samples[0].control_weights, 1, order);
+    keep_weights_positive(shape.end, across[1], samples[1].control_weights, -1, order);
+    shape.end.lambda = typename Kind::FT(short_part(
+        std::sqrt(mean_square_of_weights(samples[0].weights) / mean_square_of_weights(samples[1].weights)), 0));
+  }
   return shape;
 }
+
+} // namespace internal
 
 } // namespace Geometric_continuity
 } // namespace CGAL

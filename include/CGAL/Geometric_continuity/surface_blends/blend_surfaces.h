@@ -14,9 +14,11 @@
 #include <CGAL/Geometric_continuity/surface_blends/Edge_function.h>
 #include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/surface_blends/internal/Blend_end.h>
+#include <CGAL/Geometric_continuity/surface_blends/internal/Fairest_shape.h>
 #include <CGAL/Geometric_continuity/surface_blends/internal/blend_of_columns.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Uncertain.h>
+#include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -403,11 +405,76 @@ blend(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
+/// Returns the mean of the variations of curvature \f$ E = L^3 \int |(dK/ds)^\perp|^2 ds \f$ of the
+/// curves `u` = const of a blend, see `fairness()`: at nine parameters in equal distances, those of
+/// both side edges among them, and four more for each further span along the edges, at most 65.
+/// The smaller, the fairer; the size of the blend does not matter. `Fairest` makes it small.
+///
+/// In floating-point numbers, by Gauss's quadrature with 64 nodes on each curve. It is large or
+/// infinite where a curve has a cusp or almost has one.
+/// \pre the degree in `v` is at most 7, and there is one span in `v`
+template <class Surface> double mean_fairness(const Surface& blend) {
+  CGAL_precondition(blend.degree_v() <= 7);
+  if constexpr (internal::Is_rational<Surface>::value)
+    return internal::mean_variation<true>(blend.homogeneous());
+  else
+    return internal::mean_variation<false>(blend);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the shape of a blend from an edge of one surface to an edge of another one that
+/// `Fairest` or a strategy for blends of curves chooses: of degree 5, or of degree 7 by a septic
+/// strategy. All functions are constants, and those of the parameter along the edge,
+/// \f$ \alpha \f$, \f$ \alpha_2 \f$ and \f$ \alpha_3 \f$, are 0.
+///
+/// The curves `u` = const at the Greville abscissae of the edge with more of them are taken as one
+/// curve in a space of many dimensions. A strategy that chooses its own shape parameters, as `Fair`
+/// does, chooses \f$ \beta \f$ at both ends; otherwise they make the tangents as long as the chords
+/// in the mean square, see `automatic_shape()`. The scalars \f$ s_1, s_2 \f$ of the strategy give
+/// \f$ \delta \f$: with `Matching_second_derivative` it is 0, `Minimal_energy<3>` has the least sum
+/// of \f$ \int |S_{vvv}|^2 dv \f$, `Fair` the least variation of the curvature of the curve in many
+/// dimensions. A septic strategy gives \f$ \delta = \beta_2 \f$ and \f$ \delta_3 = \beta_3 \f$; for
+/// \f$ G^3 \f$, \f$ \mu \f$ is \f$ 3\beta\beta_2 \f$, whatever it chooses. Where `possible_fold()`
+/// does not prove that the blend of `Fair`, `Fair_g3` or `Fair_f3` has no fold, one half, a quarter
+/// or an eighth of the way from the shape of least energy to theirs is gone, or none of it, as far
+/// as it is proved there.
+///
+/// For rational surfaces, the factors of the homogeneous points keep the denominator of the blend
+/// as constant as constants can, and at both edges they make the weights of its control points at
+/// least a quarter of those of the edge, wherever all those are positive. So surfaces with positive
+/// weights always have a blend.
+///
+/// All this is computed in floating-point numbers and rounded to 8 binary digits, so that exact
+/// numbers stay short. The blend is exact, whatever the shape is. Linear in the number of knots.
+/// \tparam Strategy `Fairest`, or a model of `BlendStrategy`, called with `Quintic_ends<double, 0>`
+///   or, if it cannot be, `Septic_ends<double, 0>`
+/// \throws Error `zero_tangent` where a derivative across an edge vanishes at all these parameters,
+///   `dimension_mismatch`, `not_finite` for numbers so large or small that their squares are not in
+///   the range of floating-point numbers
+template <class Surface_a, class Surface_b, class Strategy>
+Chosen_surface_shape<Surface_a, Surface_b, Strategy>
+automatic_surface_shape(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                        const Strategy& strategy, Edge_direction direction) {
+  static_assert(is_surface_blend_strategy_v<Strategy>, "the strategy is one for blends in every field");
+  typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
+  typedef Chosen_surface_shape<Surface_a, Surface_b, Strategy> Shape;
+  constexpr int order = is_quintic_surface_strategy_v<Strategy> ? 2 : 3;
+  const auto make = [&](const Shape& shape) { return blend(a, edge_a, b, edge_b, shape, direction); };
+  const internal::Shape_search<Kind, Shape, decltype(make)> search(Kind::ends(a, edge_a, b, edge_b, direction, order),
+                                                                   order, make);
+  if constexpr (std::is_same_v<Strategy, Fairest>)
+    return search.fairest();
+  else if constexpr (std::is_void_v<typename internal::Unfair<Strategy>::type>)
+    return search.chosen(strategy);
+  else
+    return search.unfolded(strategy);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
 /// Returns the blend of two surfaces with the shape that `automatic_surface_shape()` finds by a
-/// strategy for curves: of degree 5 and \f$ G^2 \f$, or by a septic strategy of degree 7 and
-/// \f$ G^3 \f$.
-/// \tparam Strategy a model of `BlendStrategy`, called with `Quintic_ends<double, 0>` or, if it
-///   cannot be, `Septic_ends<double, 0>`
+/// strategy: of degree 5 and \f$ G^2 \f$, or by a septic strategy of degree 7 and \f$ G^3 \f$.
+/// \tparam Strategy `Fairest`, or a model of `BlendStrategy`, called with `Quintic_ends<double, 0>`
+///   or, if it cannot be, `Septic_ends<double, 0>`
 /// \throws Error as the function with a shape, and as `automatic_surface_shape()`
 template <class Surface_a, class Surface_b, class Strategy,
           class = std::enable_if_t<is_surface_blend_strategy_v<Strategy>>>
@@ -417,8 +484,8 @@ Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a,
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the blend of two surfaces with a shape by a strategy for curves, where the second edge
-/// runs in `nearer_direction()`.
+/// Returns the blend of two surfaces with a shape by a strategy, where the second edge runs in
+/// `nearer_direction()`.
 /// \throws Error as the function with a direction
 template <class Surface_a, class Surface_b, class Strategy,
           class = std::enable_if_t<is_surface_blend_strategy_v<Strategy>>>
@@ -428,13 +495,13 @@ Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a,
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Returns the blend of two surfaces of the least energy \f$ \int |S_{vvv}|^2 \f$, with an
-/// automatic shape, where the second edge runs in `nearer_direction()`.
+/// Returns the fairest blend of two surfaces, see `Fairest`, where the second edge runs in
+/// `nearer_direction()`.
 /// \throws Error as the function with a strategy
 template <class Surface_a, class Surface_b>
 Blend_surface<Surface_a, Surface_b> blend(const Surface_a& a, Patch_edge edge_a, const Surface_b& b,
                                           Patch_edge edge_b) {
-  return blend(a, edge_a, b, edge_b, Minimal_energy<3>());
+  return blend(a, edge_a, b, edge_b, Fairest());
 }
 
 } // namespace Geometric_continuity

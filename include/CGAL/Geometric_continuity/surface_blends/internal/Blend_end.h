@@ -15,9 +15,12 @@
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
+#include <CGAL/number_utils.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -166,13 +169,38 @@ template <class A, class B> struct Blended_surfaces {
       net[i].reserve(rows.size());
       for (const Edge_spline<FT, N>& row : rows) net[i].push_back(to_point<Row_traits>(row[i]));
     }
+    const auto surface_of = [](const Polynomial& s) {
+      if constexpr (is_rational) try {
+          return Surface(s);
+        } catch (const Error& e) {
+          if (e.code() != Error_code::zero_weight) throw;
+          throw Error(Error_code::zero_weight, place_of_least_weight(s));
+        }
+      else
+        return Surface(s);
+    };
     if constexpr (is_patch)
-      return Surface(Polynomial(net, knots.domain()));
+      return surface_of(Polynomial(net, knots.domain()));
     else
-      return Surface(Polynomial(net, knots, Knot_vector<FT>(static_cast<int>(n) - 1, FT(0), FT(1))));
+      return surface_of(Polynomial(net, knots, Knot_vector<FT>(static_cast<int>(n) - 1, FT(0), FT(1))));
   }
 
 private:
+  // Where the denominator of the homogeneous points of a blend is not positive.
+  template <class Polynomial> static std::string place_of_least_weight(const Polynomial& s) {
+    const Knot_vector<FT> knots = knots_of_edge(s, Patch_edge::v0);
+    const int last = s.dimension() - 1;
+    int at_u = 0, at_v = 0;
+    for (int i = 0; i < knots.number_of_coefficients(); ++i)
+      for (int j = 0; j <= s.degree_v(); ++j)
+        if (s.coordinates(i, j)[last] < s.coordinates(at_u, at_v)[last]) at_u = i, at_v = j;
+    const auto text = [](const FT& x) { return std::to_string(CGAL::to_double(x)); };
+    return "blend: its denominator is not positive near (u, v) = (" + text(knots.greville_abscissa(at_u)) + ", " +
+           text(FT(FT(at_v) / FT(s.degree_v()))) + "), where a control point has the weight " +
+           text(FT(s.coordinates(at_u, at_v)[last])) +
+           "; it grows with lambda1 at the start, with -lambda1 at the end, and with lambda2";
+  }
+
   template <class S> static End end(const S& surface, Patch_edge edge, int direction, int order) {
     if constexpr (is_rational && !Is_rational<S>::value)
       return {Rational_surface<S>(surface), edge, direction, order};
