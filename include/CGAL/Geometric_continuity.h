@@ -76,7 +76,6 @@
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
-#include <CGAL/Geometric_continuity/surface_blends/Edge_function.h>
 #include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>

@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_EDGE_FUNCTION_H
 
 #define CGAL_DEPRECATED_HEADER "<CGAL/Geometric_continuity/edges/Edge_function.h>"
-#define CGAL_REPLACEMENT_HEADER "<CGAL/Geometric_continuity/surface_blends/Edge_function.h>"
+#define CGAL_REPLACEMENT_HEADER "<CGAL/Geometric_continuity/splines/Bspline_function.h>"
 #include <CGAL/Installation/internal/deprecation_warning.h>
 
-#include <CGAL/Geometric_continuity/surface_blends/Edge_function.h>
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_EDGE_FUNCTION_H

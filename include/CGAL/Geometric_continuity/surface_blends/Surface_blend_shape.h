@@ -9,7 +9,7 @@
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
-#include <CGAL/Geometric_continuity/surface_blends/Edge_function.h>
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/surface_blends/internal/Blend_end.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 

@@ -11,7 +11,7 @@
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
-#include <CGAL/Geometric_continuity/surface_blends/Edge_function.h>
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/surface_blends/internal/Blend_end.h>
 #include <CGAL/Geometric_continuity/surface_blends/internal/Side_corner.h>

@@ -10,8 +10,8 @@
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 #include <CGAL/Geometric_continuity/numbers/internal/common_words.h>
+#include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
-#include <CGAL/Geometric_continuity/surface_blends/Edge_function.h>
 #include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/surface_blends/internal/Blend_end.h>
 #include <CGAL/Geometric_continuity/surface_blends/internal/Fairest_shape.h>

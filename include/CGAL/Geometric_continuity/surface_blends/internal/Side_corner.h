@@ -10,7 +10,6 @@
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
-#include <CGAL/Geometric_continuity/surface_blends/Edge_function.h>
 #include <CGAL/Geometric_continuity/surface_blends/internal/Blend_end.h>
 
 #include <CGAL/number_utils.h>
