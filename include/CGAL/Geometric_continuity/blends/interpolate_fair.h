@@ -343,7 +343,7 @@ std::optional<Bezier_curve<Traits, 5>> quintic_with_handles(const Jet& start, co
 }
 
 // Returns whether a piece in the plane is proved to have at most so many inflections, by the signs
-// of d1 x d2: of its coefficients, or of itself.
+// of d1 x d2: of its coefficients, or of itself, between its roots.
 template <class Traits, int Degree>
 bool has_inflections_at_most(const Bezier_curve<Traits, Degree>& piece, int inflections) {
   typedef typename Traits::FT FT;
@@ -383,7 +383,14 @@ bool has_inflections_at_most(const Bezier_curve<Traits, Degree>& piece, int infl
   for (int i = 0; i <= near.degree(); ++i) is_sure = is_sure && std::abs(near[i]) > 1e-13 * largest * largest;
   if (is_sure && changes_of(near, 0.) <= inflections) return true;
   const Bernstein_polynomial<Exact> bend = bend_of(first[0], first[1]);
-  return changes_of(bend, Exact(0)) <= inflections || (inflections == 0 && sign_pattern(bend) != Sign_pattern::mixed);
+  if (changes_of(bend, Exact(0)) <= inflections) return true;
+  if (inflections == 0) return sign_pattern(bend) != Sign_pattern::mixed;
+  int changes = 0;
+  for (const auto& root : isolate_roots(bend)) {
+    const bool at_an_end = root.begin == root.end && (root.begin == 0 || root.end == 1);
+    if (!at_an_end && root.multiplicity % 2 == 1) ++changes;
+  }
+  return changes <= inflections;
 }
 
 // The pieces from each jet to the next one.
@@ -437,7 +444,8 @@ Fair_spline<Traits> pieces_between(const Fair_points<Traits>& p, const std::vect
 ///
 /// In the plane the curve has no more inflections than the polygon of the points, but at the pieces
 /// in `Fair_spline::waves`: where the polygon turns to one side at both ends of a piece, this has
-/// no inflection, and one where the sides differ. Points on a line with both neighbours, which do
+/// no inflection, and one where the sides differ; exactly decided for the returned control
+/// points. Points on a line with both neighbours, which do
 /// not turn to different sides, give lines.
 ///
 /// With an exact kernel the points are met exactly, and the joins are \f$ G^2 \f$ whatever was
