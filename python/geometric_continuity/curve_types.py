@@ -55,10 +55,10 @@ def _coordinates(point) -> Optional[Tuple]:
     """Returns the coordinates of an object with x and y, in space with z, which may be functions, or X(), Y(), Z(); None of anything else."""
     if isinstance(point, (list, tuple, numpy.ndarray)):
         return None
-    for x, y, z in ("xyz", "XYZ"):
-        if hasattr(point, x) and hasattr(point, y):
-            in_space = getattr(point, "has_z", True) and hasattr(point, z)  # shapely has z where it has none
-            found = [getattr(point, name) for name in (x, y, z)[:3 if in_space else 2]]
+    for names in ("xyz", "XYZ"):
+        if all(hasattr(point, name) for name in names[:2]):
+            in_space = getattr(point, "has_z", True) and hasattr(point, names[2])  # shapely has z where there is none
+            found = [getattr(point, name) for name in names[:3 if in_space else 2]]
             return tuple(c() if callable(c) else c for c in found)
     return None
 
