@@ -92,8 +92,8 @@ function segmentCurves(segments, closed, place) {
   return curves;
 }
 
-// The curves of a Path, of a Curve or of Segments of paper.js, or of a PolyBezier of bezier-js; null
-// of anything else.
+// The curves of a Path, of a Curve or of Segments of paper.js, or of a PolyBezier of bezier-js, and
+// null of anything else.
 function curvesOf(c, place) {
   if (typeof c !== 'object' || c === null) return null;
   const isSegment = (s) => typeof s === 'object' && s !== null && s.point !== undefined && s.handleIn !== undefined && s.handleOut !== undefined;
