@@ -49,7 +49,7 @@ def curves_of(curve, place: str) -> Optional[List[Any]]:
         return [Bezier_curve(numpy.transpose(curve.nodes))]
     if has("Pole", "NbPoles", "Degree"):  # of OpenCASCADE
         return [_of_opencascade(curve)]
-    if has("BasisCurve", "FirstParameter", "LastParameter"):
+    if has("BasisCurve", "SetTrim"):  # an offset curve has a basis curve, too
         return _trimmed(curve, place)
     return _of_ezdxf(curve) if type(curve).__module__.startswith("ezdxf.") else None
 

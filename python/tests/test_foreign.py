@@ -93,6 +93,11 @@ class Geom_BSplineCurve:
         return self.periodic
 
 
+def trimmed_curve(curve, low, high):
+    """What a Geom_TrimmedCurve answers."""
+    return SimpleNamespace(BasisCurve=lambda: curve, FirstParameter=lambda: low, LastParameter=lambda: high, SetTrim=None)
+
+
 class Objects(unittest.TestCase):
     def test_points(self):
         """Complex numbers and objects with x and y are points wherever points and curves are taken."""
@@ -148,13 +153,16 @@ class Objects(unittest.TestCase):
                 self.assertEqual(gc.evaluate(curve, u, 1).tolist(), gc.evaluate(expected, u, 1).tolist())
                 self.assertEqual([j.betas for j in gc.chain_joins(curve)], [j.betas for j in gc.chain_joins(expected)])
                 self.assertEqual(gc.blend(curve, curve).points.tolist(), gc.blend(expected, expected).points.tolist())
-                trimmed = SimpleNamespace(BasisCurve=lambda: curve, FirstParameter=lambda: 0.5, LastParameter=lambda: 2)
+                trimmed = trimmed_curve(curve, 0.5, 2)
                 self.assertEqual([p.domain for p in gc.pieces(curve, 0.5, 2)], [(0.5, 1), (1, 2)])
                 self.assertEqual([j.c_order for j in gc.chain_joins(trimmed)], [1])
                 self.assertEqual(gc.deviation(trimmed, CUBIC_IN_SPACE).gap, gc.deviation(gc.pieces(expected, 0.5, 2)[-1], CUBIC_IN_SPACE).gap)
-        outside = SimpleNamespace(BasisCurve=lambda: curve, FirstParameter=lambda: 2, LastParameter=lambda: 4)
         with self.assertRaisesRegex(gc.Error, "parameter_outside_domain: chain_joins: the trimmed curve from 2 to 4"):
-            gc.chain_joins(outside)
+            gc.chain_joins(trimmed_curve(curve, 2, 4))
+        offset = type("Geom_OffsetCurve", (), {"__module__": "OCP.Geom", "BasisCurve": lambda self: curve, "FirstParameter": lambda self: 0,
+                                               "LastParameter": lambda self: 3})()
+        with self.assertRaisesRegex(gc.Error, "the Geom_OffsetCurve of OCP is none of the curves that are taken"):
+            gc.chain_joins(offset)
         nodes = SimpleNamespace(nodes=numpy.asfortranarray(numpy.array(CUBIC).T), degree=3)  # of bezier
         self.assertEqual(gc.evaluate(nodes, 0.25).tolist(), gc.evaluate(numpy.array(CUBIC), 0.25).tolist())
         for module, text in (("OCP.Geom", "GeomConvert.CurveToBSplineCurve_s"), ("OCC.Core.Geom", "geomconvert.CurveToBSplineCurve")):
@@ -191,7 +199,7 @@ class Libraries(unittest.TestCase):
         self.assertEqual([gc.failing_joins(circle, order, closed=True).tolist() for order in ("G2", "G3")], [[], list(range(8))])
         self.assertEqual(gc.failing_joins(Path.unit_rectangle(), closed=True).tolist(), [0, 1, 2, 3])
         self.assertEqual([j.g_order for j in gc.chain_joins(Path([(0, 0), (1, 0), (1, 0), (2, 0), (2, 1)]))], [3, 0])
-        mixed = Path([(0, 0), (1, 0), (2, 0), (3, 1), (4, 1), (5, 1), (6, 2), (0, 0), (1, 1), (9, 9), (10, 10), (10, 11)],
+        mixed = Path([(0, 0), (1, 0), (2, 0), (3, 1), (4, 1), (5, 1), (6, 2), (8, 8), (1, 1), (9, 9), (10, 10), (10, 11)],
                      [1, 2, 3, 3, 4, 4, 4, 79, 2, 1, 2, 2])
         contours = path_contours(mixed)
         self.assertEqual([[len(c) for c in contour] for contour in contours], [[2, 3, 4, 2], [2], [2, 2]])

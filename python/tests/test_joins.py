@@ -284,6 +284,10 @@ class Many_joins(unittest.TestCase):
                     self.assertEqual(gc.failing_joins(list(chain), order, **bounds).tolist(), [i for i in expected if i < 299])
                     self.assertTrue(set(expected) <= {*exactly[order], 299})
             self.assertLess(len(gc.failing_joins(chain, "G1", tolerance=1e-3)), len(exactly["G1"]))
+        bend = [[(0, 0), (1, 0)], [(1, 0), (2, Fraction(1, 1000))]]
+        low, high = map(Fraction, gc.deviation(*bend).tangent_angle)
+        self.assertEqual(gc.order_within(*bend, tangent_angle=(low + high) / 2).verdicts[1], "undecided")
+        self.assertEqual([gc.failing_joins(bend, "G1", tangent_angle=a).tolist() for a in (low, (low + high) / 2, high)], [[0], [0], []])
         with self.assertRaisesRegex(gc.Error, "parameter_outside_domain: failing_joins: tolerances are those of orders G0 to G3, not of C1"):
             gc.failing_joins(chain, "C1", tolerance=1e-3)
 
