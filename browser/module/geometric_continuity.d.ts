@@ -6,12 +6,29 @@ export type Exact = number | bigint | string;
 /** An array of any dimension, or an object; a DOMPoint lies in the plane. */
 export type Point = ArrayLike<Exact> | { readonly x: Exact; readonly y: Exact; readonly z?: Exact };
 
+/** A Segment of paper.js: handles are relative to the point, and added exactly. */
+export interface HandledPoint {
+  readonly point: Point;
+  readonly handleIn: Point;
+  readonly handleOut: Point;
+}
+
+/**
+ * Several curves: Segments of paper.js, or a Path of these; or the curves of a PolyBezier of
+ * bezier-js.
+ */
+export type CurveChain =
+  | ReadonlyArray<HandledPoint>
+  | { readonly segments: ReadonlyArray<HandledPoint>; readonly closed?: boolean }
+  | { readonly curves: ReadonlyArray<Curve> };
+
 /**
  * The control points of a Bézier curve, of any degree and dimension; with weights a rational one.
- * A text is path data of SVG, the attribute `d`, whose decimals are taken exactly: the curve is its
- * last segment on the left of a join, and its first one on the right.
+ * A text is path data of SVG, the attribute `d`, whose decimals are taken exactly. Of it, and of
+ * several curves, the last one is that on the left of a join, and the first one that on the right.
+ * A Curve of paper.js and a Bezier of bezier-js are curves, too.
  */
-export type Curve = string | ReadonlyArray<Point> | {
+export type Curve = string | CurveChain | ReadonlyArray<Point> | { readonly segment1: HandledPoint; readonly segment2: HandledPoint } | {
   control_points?: ReadonlyArray<Point>;
   points?: ReadonlyArray<Point>;
   weights?: ReadonlyArray<Exact>;
@@ -198,13 +215,14 @@ export interface Module {
    */
   alignHandles(left: Point, right: Point, maxMove?: number): { left: [number, number]; right: [number, number] } | null;
   /**
-   * Returns the joins of a chain of Bézier curves of one degree that do not have an order: numbers
-   * i, for the join between the curves i and i + 1. The control points stand one after the other,
-   * or are those of curves, which have a degree and a dimension. The answer is exact for the
-   * numbers as given, and fast.
+   * Returns the joins of a chain of Bézier curves that do not have an order: numbers i, for the
+   * join between the curves i and i + 1. The control points of curves of one degree stand one after
+   * the other, or are those of curves, which have a degree and a dimension. The answer is exact for
+   * the numbers as given, and fast for curves of one degree whose control points are numbers. Of a
+   * Path of paper.js `closed` is that of the path unless it is given.
    */
   failingJoins(
-    curves: Float64Array | ArrayLike<number> | ReadonlyArray<ReadonlyArray<Point>>,
+    curves: Float64Array | ArrayLike<number> | CurveChain | ReadonlyArray<Curve>,
     options?: { degree?: number; dimension?: 2 | 3; order?: 'C0' | 'C1' | 'C2' | 'C3' | 'G1' | 'G2' | 'G3' | 'F3'; closed?: boolean },
   ): Uint32Array;
   /**

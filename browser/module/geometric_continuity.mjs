@@ -62,14 +62,61 @@ function path(d, place, end) {
   return `${end} ${place} ${d.replace(/\s/g, '~')}`;
 }
 
-// An array of control points, or an object with them, weights and a domain, or path data, which is
-// at this end of a join.
+// A number as a whole number of the smallest steps between numbers.
+const stepsOfOne = 1n << 1074n;
+function steps(x) {
+  bits.setFloat64(0, Math.abs(x));
+  const all = bits.getBigUint64(0), exponent = all >> 52n, mantissa = all & ((1n << 52n) - 1n);
+  const n = exponent === 0n ? mantissa : (mantissa | (1n << 52n)) << (exponent - 1n);
+  return x < 0 ? -n : n;
+}
+
+// The sum of two numbers, exactly: a number where it is one, otherwise a fraction.
+function sum(x, y) {
+  const s = x + y, z = s - x, rest = x - (s - z) + (y - z);
+  if (rest === 0 || !Number.isFinite(s)) return s;
+  const n = steps(x) + steps(y), common = n & -n;
+  return `${n / common}/${stepsOfOne / common}`;
+}
+
+// The curves between segments of paper.js, whose handles are relative to their points: cubics, and
+// lines where there are no handles.
+function segmentCurves(segments, closed, place) {
+  const curves = [], last = segments.length - (closed ? 0 : 1);
+  for (let i = 0; i < last; ++i) {
+    const a = segments[i], b = segments[(i + 1) % segments.length];
+    const [p, q, out, into] = [a.point, b.point, a.handleOut, b.handleIn].map((x) => point(x, `${place}: segment ${i}`));
+    const isLine = [...out, ...into].every((x) => x === 0);
+    curves.push(isLine ? [p, q] : [p, p.map((x, k) => sum(x, out[k])), q.map((x, k) => sum(x, into[k])), q]);
+  }
+  return curves;
+}
+
+// The curves of a Path, of a Curve or of Segments of paper.js, or of a PolyBezier of bezier-js, and
+// null of anything else.
+function curvesOf(c, place) {
+  if (typeof c !== 'object' || c === null) return null;
+  const isSegment = (s) => typeof s === 'object' && s !== null && s.point !== undefined && s.handleIn !== undefined && s.handleOut !== undefined;
+  if (isList(c)) return isSegment(c[0]) ? segmentCurves(c, false, place) : null;
+  if (isSegment(c.segment1) && isSegment(c.segment2)) return segmentCurves([c.segment1, c.segment2], false, place);
+  if (isList(c.children)) refuse('malformed_input', `${place}: a group of ${c.children.length} paths, such as a CompoundPath; give one of its children`);
+  if (isList(c.segments)) return segmentCurves(c.segments, Boolean(c.closed), place);
+  return isList(c.curves) ? Array.from(c.curves) : null;
+}
+
+const isObject = (c) => typeof c === 'object' && c !== null && !isList(c);
+const controlPoints = (c, place) => points(isObject(c) ? c.control_points ?? c.points : c, place);
+
+// An array of control points, or an object with them, weights and a domain, or path data or the
+// curves of another library, of which one is at this end of a join.
 function curve(c, place, end) {
   if (c === undefined) refuse('malformed_input', `${place}: this curve is missing: a join is that of two; verifySvg() decides those inside of a path`);
   if (typeof c === 'string') return path(c, place, end);
-  const isObject = typeof c === 'object' && c !== null && !isList(c);
-  const list = points(isObject ? c.control_points ?? c.points : c, place);
-  const weights = (isObject && c.weights) || null, domain = (isObject && c.domain) || [0, 1];
+  const curves = curvesOf(c, place);
+  if (curves?.length === 0) refuse('wrong_number_of_points', `${place}: the path draws nothing`);
+  if (curves) return curve(curves.at(end === 'last' ? -1 : 0), place, end);
+  const list = controlPoints(c, place);
+  const weights = (isObject(c) && c.weights) || null, domain = (isObject(c) && c.domain) || [0, 1];
   const dimension = list[0].length;
   if (weights && weights.length !== list.length)
     refuse('wrong_number_of_points', `${place}: ${weights.length} weights of ${list.length} points`);
@@ -97,17 +144,19 @@ function patch(net, place) {
 }
 
 // The numbers of a chain, one after the other, and the degree and dimension: those of the options,
-// or of an array of curves.
-function chain(curves, degree, dimension) {
+// or of curves; or the curves, where they are no numbers of one degree.
+function chain(given, degree, dimension) {
+  const curves = curvesOf(given, 'failingJoins') ?? given;
   if (!isList(curves)) refuse('malformed_input', `failingJoins: an array of numbers or of curves is expected, not ${described(curves)}; verifySvg() takes path data`);
-  if (curves.length === 0 || !isList(curves[0]))
+  if (curves.length === 0 || typeof curves[0] !== 'object')
     return { numbers: curves instanceof Float64Array ? curves : Float64Array.from(curves), degree, dimension };
-  const lists = Array.from(curves, (c, i) => points(c, `failingJoins: curve ${i}`)), [first] = lists;
-  for (const [i, list] of lists.entries()) {
-    if (list.length !== first.length) refuse('wrong_number_of_points', `failingJoins: curve ${i} has ${list.length} points, the first one ${first.length}`);
+  const all = Array.from(curves).flatMap((c) => curvesOf(c, 'failingJoins') ?? [c]);
+  const lists = all.map((c, i) => controlPoints(c, `failingJoins: curve ${i}`)), [first] = lists;
+  for (const [i, list] of lists.entries())
     if (list[0].length !== first[0].length) refuse('dimension_mismatch', `failingJoins: curve ${i} has ${list[0].length} coordinates, the first one ${first[0].length}`);
-  }
-  return { numbers: Float64Array.from(lists.flatMap((list) => list.flatMap((p) => [...p]))), degree: first.length - 1, dimension: first[0].length };
+  const shape = { degree: first.length - 1, dimension: first[0].length };
+  const arePlain = all.every((c, i) => lists[i].length === first.length && !c.weights && !c.domain && lists[i].every((p) => Array.from(p).every((x) => typeof x === 'number')));
+  return arePlain ? { numbers: Float64Array.from(lists.flatMap((list) => list.flatMap((p) => [...p]))), ...shape } : { curves: all, ...shape };
 }
 
 function integer(x, place, low, high) {
@@ -295,13 +344,18 @@ export default async function load({ wasm, filesWasm } = {}) {
       };
       return call('alignHandles', vector(left, 'left'), vector(right, 'right'), number(maxMove, 'maxMove'));
     },
-    failingJoins(curves, { order = 'G1', closed = false, ...shape } = {}) {
-      const { numbers, degree, dimension } = chain(curves, shape.degree ?? 3, shape.dimension ?? 2);
+    failingJoins(given, { order = 'G1', closed = Boolean(given?.closed), ...shape } = {}) {
+      const { numbers, curves, degree, dimension } = chain(given, shape.degree ?? 3, shape.dimension ?? 2);
       integer(degree, 'options.degree', 1, 1000);
       integer(dimension, 'options.dimension', 2, 3);
       const question = questions.indexOf(order);
       if (question < 0) refuse('malformed_input', `options.order: one of ${questions.join(', ')} is expected, not ${described(order)}`);
       if (order === 'F3' && dimension === 2) refuse('dimension_mismatch', 'failingJoins: in the plane the order F ends with 2');
+      if (curves) {
+        const kind = { C: 'c_order', G: 'g_order', F: 'f_order' }[order[0]], joins = curves.map((_, i) => i).slice(0, closed ? undefined : -1);
+        const at = (i, end) => curve(curves[i % curves.length], `failingJoins: curve ${i % curves.length}`, end);
+        return Uint32Array.from(joins.filter((i) => call('continuity', 3, at(i, 'last'), at(i + 1, 'first'))[kind] < Number(order[1])));
+      }
       const step = (degree + 1) * dimension;
       if (numbers.length % step !== 0) refuse('wrong_number_of_points', `failingJoins: ${numbers.length} numbers are no multiple of ${step}`);
       return module.withBytes(new Uint8Array(numbers.buffer, numbers.byteOffset, numbers.byteLength), (address) => {

@@ -5,7 +5,7 @@
 
 An array of shape (degree + 1, dimension) is a Bezier curve. Numbers may be int, float, fractions.Fraction and decimal.Decimal; each is
 read exactly as it is, and what is decided is decided exactly. Names and members are those of the C++ package. `Bezier_curve` has
-weights and a domain, `Spline` knots; those of SciPy are taken, too.
+weights and a domain, `Spline` knots; those of SciPy and of other libraries are taken, too.
 
 >>> import geometric_continuity as gc
 >>> left = [(-3, 0), (-3, 2), (-2, 3), (0, 3)]
@@ -24,7 +24,7 @@ from .curve_types import Bezier_curve, Segmented_curve, Spline, pieces
 from .curves import (STRATEGIES, Blend, Curvature_excess, Fair_spline, Fitted_curve, Representable_blend, Rounded_corner, blend,
                      curvature_excess, fair, fairness, fit, interpolate, interpolate_fair, representable_blend, round_corner)
 from .errors import Error
-from .evaluation import curvature, curvature_vector, evaluate
+from .evaluation import curvature, curvature_vector, evaluate, torsion
 from .hints import missing_in_module, missing_member, no_truth
 from .joins import (align_handle, align_handles, chain_joins, continuity, deviation, edge_continuity, failing_joins, kink_size,
                     order_within, visual_class)
@@ -36,7 +36,8 @@ __all__ = [
     "Kink_size", "Order_up_to_rounding", "Order_within", "Representable_blend", "Rounded_corner", "STRATEGIES", "Segmented_curve", "Spline",
     "Visual_class", "align_handle", "align_handles", "blend", "chain_joins", "continuity", "curvature", "curvature_excess", "curvature_vector",
     "deviation", "edge_continuity", "evaluate", "failing_joins", "fair", "fairness", "file_record", "fit", "interpolate", "interpolate_fair",
-    "kink_size", "order_within", "pieces", "program", "representable_blend", "round_corner", "uses_gmp", "verify", "visual_class",
+    "kink_size", "order_within", "pieces", "program", "representable_blend", "round_corner", "torsion", "uses_gmp", "verify",
+    "visual_class",
 ]
 
 for _class in (Edge_continuity, Enclosure, Join_continuity, Join_deviation, Kink_size, Order_up_to_rounding, Order_within):

@@ -3,8 +3,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Curves as they are given: arrays of control points, curves with weights and domains, splines, and what other libraries hold.
 
-Every function of a curve takes: an array of shape (degree + 1, dimension), or in the plane of complex numbers; `Bezier_curve`, `Spline`,
-and results such as `Blend`; the B-splines of SciPy, `scipy.interpolate.BSpline` and tuples (t, c, k) of `splprep`.
+Every function of a curve takes: an array of shape (degree + 1, dimension), or in the plane of complex numbers; lists of objects with x and
+y; `Bezier_curve`, `Spline`, and results such as `Blend`; the splines of SciPy, `BSpline`, `PPoly`, `CubicSpline` and tuples (t, c, k) of
+`splprep`; and what `foreign` knows: paths of matplotlib and svgpathtools, curves of geomdl, OpenCASCADE and ezdxf.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from .errors import Error
 from .hints import missing_member
 
 # What reads the objects of other libraries, by the first name of their module.
-_ADAPTERS = {"svgelements": "drawings.svg_contours(path)", "ezdxf": "drawings.spline_pieces(spline)", "Part": "freecad.edge_pieces(edge)",
+_ADAPTERS = {"svgelements": "drawings.svg_contours(path)", "Part": "freecad.edge_pieces(edge)",
              "fontTools": "fonttools.Join_pen(glyph_set)", "ufoLib2": "sources.ufo_kinks(font)", "glyphsLib": "sources.glyphs_kinks(font)"}
 
 
@@ -50,16 +51,47 @@ def have_floats(*arrays) -> bool:
     return any(has(x) for x in arrays if x is not None)
 
 
-def points_of(points):
-    """Returns an array of points; that of complex numbers as points of the plane, everything else as it is."""
+def _coordinates(point) -> Optional[Tuple]:
+    """Returns the coordinates of an object with x and y, in space with z, which may be functions, or X(), Y(), Z(); None of anything else."""
+    if isinstance(point, (list, tuple, numpy.ndarray)):
+        return None
+    for names in ("xyz", "XYZ"):
+        if all(hasattr(point, name) for name in names[:2]):
+            in_space = getattr(point, "has_z", True) and hasattr(point, names[2])  # shapely has z where there is none
+            found = [getattr(point, name) for name in names[:3 if in_space else 2]]
+            return tuple(c() if callable(c) else c for c in found)
+    return None
+
+
+def _is_complex(x) -> bool:
+    return isinstance(x, (complex, numpy.complexfloating))
+
+
+def points_of(points, place: Optional[str] = None):
+    """Returns an array of points; that of complex numbers as points of the plane, that of objects with x and y as their coordinates,
+    everything else as it is. With the name of a function it refuses two rows of coordinates."""
     if isinstance(points, numpy.ndarray):
         is_complex = points.dtype.kind == "c"
     else:
-        is_complex = isinstance(points, (list, tuple)) and len(points) > 0 and isinstance(points[0], (complex, numpy.complexfloating))
-    if not is_complex:
-        return points
-    z = numpy.asarray(points, dtype=complex)
-    return numpy.stack([z.real, z.imag], axis=-1)
+        is_list = isinstance(points, (list, tuple)) and len(points) > 0
+        if is_list and _coordinates(points[0]) is not None:
+            return [_coordinates(p) or p for p in points]
+        is_complex = is_list and not hasattr(points[0], "__len__") and any(map(_is_complex, points))
+    if is_complex:
+        z = numpy.asarray(points, dtype=complex)
+        return numpy.stack([z.real, z.imag], axis=-1)
+    if place is not None:
+        refuse_rows(points, place, are_curve=False)
+    return points
+
+
+def refuse_rows(points, place: str, are_curve: bool = True) -> None:
+    """Refuses an array of shape (2, n), n > 3, which has a row for each coordinate."""
+    if isinstance(points, (list, tuple, numpy.ndarray)) and len(points) == 2 and numpy.ndim(points[0]) == 1 and len(points[0]) > 3:
+        n = len(points[0])
+        hint = f"; a line in the space of {n} coordinates is Bezier_curve(points)" if are_curve else ""
+        raise Error("wrong_number_of_points", place, f"an array of shape (2, {n}) has a row for each coordinate, and not for each point: "
+                    f"call {place} with points.T, of shape ({n}, 2), or numpy.transpose(points){hint}")
 
 
 class Curve:
@@ -203,7 +235,19 @@ def is_array(curve) -> bool:
         return curve.dtype.kind != "c"
     if type(curve) not in (list, tuple) or _is_tck(curve):
         return False
-    return len(curve) == 0 or not isinstance(curve[0], (complex, numpy.complexfloating))
+    return len(curve) == 0 or (hasattr(curve[0], "__len__") and _coordinates(curve[0]) is None)
+
+
+def _foreign(curve, place: str) -> Optional[List[Any]]:
+    """Returns the curves of an object of another library, or None."""
+    from .foreign import curves_of
+
+    if isinstance(curve, (Curve, list, tuple, numpy.ndarray)):
+        return None
+    try:
+        return curves_of(curve, place)
+    except Error as error:
+        raise Error(error.code, place, error.reason) from None
 
 
 def spline_of(curve, place: str) -> Spline:
@@ -224,6 +268,12 @@ def spline_of(curve, place: str) -> Spline:
         return _of_polynomials(curve, place)
     if isinstance(curve, (list, tuple)) and _is_tck(curve):
         return _of_scipy(curve[0], numpy.transpose(curve[1]), curve[2], place)
+    foreign = _foreign(curve, place)
+    if foreign is not None:
+        if len(foreign) != 1:
+            raise Error("wrong_number_of_points", place, f"a {type(curve).__name__} of {len(foreign)} curves: give one of them; "
+                        "chain_joins(path) decides the joins between them")
+        return spline_of(foreign[0], place)
     points = points_of(curve)
     kind = type(curve)
     library = kind.__module__.split(".")[0]
@@ -231,9 +281,15 @@ def spline_of(curve, place: str) -> Spline:
         module = _ADAPTERS[library].split(".")[0]
         raise Error("wrong_number_of_points", place, f"a {kind.__name__} of {library}: call {_ADAPTERS[library]} "
                     f"of geometric_continuity.adapters.{module}, and give the curves that it returns")
+    from .foreign import conversion
+
+    call = conversion(kind.__module__)
+    if call is not None:
+        raise Error("wrong_number_of_points", place, f"the {kind.__name__} of {library} is none of the curves that are taken: {call}")
     if numpy.array(points, dtype=object).ndim == 0 or isinstance(points, str):
         raise Error("wrong_number_of_points", place, f"a {kind.__name__} is no curve: give an array of control points of shape "
                     "(degree + 1, dimension), a Bezier_curve, a Spline or a BSpline of SciPy")
+    refuse_rows(points, place)
     try:
         bezier = Bezier_curve(points)
     except Error as error:
@@ -361,7 +417,11 @@ class Side:
 def side(curve, place: str, at_end: bool, order: int = 3, ignore_domain: bool = False) -> Side:
     """Returns an array with the derivatives of a curve up to the order at the end, or at the start, where a join is."""
     if is_array(curve):
+        refuse_rows(curve, place)
         return Side(curve)
+    foreign = _foreign(curve, place)
+    if foreign is not None:
+        return side(foreign[-1 if at_end else 0], place, at_end, order, ignore_domain)
     spline = spline_of(curve, place)
     rounded = have_floats(spline.points, spline.knots, spline.weights)
     piece = _piece(spline, _spans(spline)[-1 if at_end else 0])
@@ -378,6 +438,7 @@ def sides(left, right, place: str, order: int = 3, ignore_domain: bool = False) 
 def bezier_points(curve, place: str) -> Any:
     """Returns the control points of what is one Bezier curve without weights; refuses everything else."""
     if is_array(curve):
+        refuse_rows(curve, place)
         return curve
     spline = spline_of(curve, place)
     n = spline.degree + 1
@@ -388,18 +449,22 @@ def bezier_points(curve, place: str) -> Any:
 
 
 def chain(curves, place: str) -> List:
-    """Returns the curves of a chain: those of an array or of a list of curves, and the pieces of splines."""
+    """Returns the curves of a chain: those of an array or of a list of curves, and the pieces of splines and paths."""
     if isinstance(curves, numpy.ndarray) and (curves.ndim == 3 or (curves.ndim == 2 and curves.dtype.kind == "c")):
-        return [points_of(c) for c in curves]
+        return [c for given in curves for c in _curves(points_of(given), place)]
     if isinstance(curves, (list, tuple)) and not _is_tck(curves):
-        found: List = []
-        for c in curves:
-            if is_array(c):
-                found.append(c)
-            else:
-                found += _pieces_of(c, place)
-        return found
-    return _pieces_of(curves, place)
+        return [c for given in curves for c in _curves(given, place)]
+    return _curves(curves, place)
+
+
+def _curves(curve, place: str) -> List:
+    if is_array(curve):
+        refuse_rows(curve, place)
+        return [curve]
+    foreign = _foreign(curve, place)
+    if foreign is not None:
+        return [c for given in foreign for c in _curves(given, place)]
+    return _pieces_of(curve, place)
 
 
 def _pieces_of(curve, place: str) -> List[Bezier_curve]:

@@ -211,7 +211,7 @@ def interpolate(points, closed: bool = False, parametrisation: str = "chordal", 
     """
     check_flag("interpolate", "closed", closed, "the degree is always 3; interpolate_fair(points) has the degree 5")
     check_name("interpolate", "parametrisation", parametrisation, ("uniform", "chordal", "centripetal"))
-    return Spline(**_native.interpolate(points_of(points), closed, parametrisation, tuple(parameters), exact))
+    return Spline(**_native.interpolate(points_of(points, "interpolate"), closed, parametrisation, tuple(parameters), exact))
 
 
 def interpolate_fair(points, closed: bool = False, *, exact: Optional[bool] = None) -> Fair_spline:
@@ -223,7 +223,7 @@ def interpolate_fair(points, closed: bool = False, *, exact: Optional[bool] = No
     `parameter_outside_domain` where `closed` is no bool.
     """
     check_flag("interpolate_fair", "closed", closed, "the degree is always 5; interpolate(points) has the degree 3")
-    return Fair_spline(**_native.interpolate_fair(points_of(points), closed, exact))
+    return Fair_spline(**_native.interpolate_fair(points_of(points, "interpolate_fair"), closed, exact))
 
 
 def fit(points, tolerance, order: int = 1, closed: bool = False, corner_angle: float = 45, *,
@@ -238,4 +238,4 @@ def fit(points, tolerance, order: int = 1, closed: bool = False, corner_angle: f
     Raises Error: `wrong_number_of_points`, `parameter_outside_domain`, `unreachable_tolerance`, `not_finite`.
     """
     check_flag("fit", "closed", closed, "call fit(points, tolerance, order=1, closed=False, corner_angle=45)")
-    return Fitted_curve(**_native.fit(points_of(points), tolerance, order, closed, corner_angle, exact))
+    return Fitted_curve(**_native.fit(points_of(points, "fit"), tolerance, order, closed, corner_angle, exact))

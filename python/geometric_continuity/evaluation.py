@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from typing import List, Optional, Tuple, Union
+from typing import Any, List, Optional, Tuple, Union
 
 import numpy
 
@@ -93,3 +93,23 @@ def curvature(curve, parameters) -> Union[float, numpy.ndarray]:
         normal = b - along * a
         kappa = numpy.sqrt((normal * normal).sum(axis=0).astype(float)) / square.astype(float)
     return float(kappa[0]) if shape == () else kappa.reshape(shape)
+
+
+def torsion(curve, parameters, *, exact: Optional[bool] = None) -> Any:
+    """Returns the torsion of a space curve at parameters, the determinant of the first three derivatives divided by the square of the
+    cross product of the first two, in 1/length: positive where the curve winds like a right-handed screw. It is a number at one
+    parameter, and an array at an array of them. Arguments are those of `evaluate`; no root is needed, so that results are fractions where
+    the input is exact.
+
+    Raises Error `nonpositive_curvature` where the curvature is zero or undefined, `dimension_mismatch` unless in space, and as `evaluate`.
+    """
+    (_, a, b, c), shape = _jet(curve, parameters, 3, exact, "torsion")
+    if len(a) != 3:
+        raise Error("dimension_mismatch", "torsion", f"curves in space have torsion; this one has {len(a)} coordinates")
+    normal = numpy.array([a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)])
+    square = (normal * normal).sum(axis=0)
+    zero = square == 0
+    if zero.any():
+        raise Error("nonpositive_curvature", "torsion", f"the curvature is zero at the parameter number {zero.argmax()}")
+    tau = (normal * c).sum(axis=0) / square
+    return tau[0] if shape == () else tau.reshape(shape)

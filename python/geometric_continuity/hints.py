@@ -46,7 +46,6 @@ _GUESSED = {
     "point": "call evaluate(curve, parameters)",
     "derivative": "call evaluate(curve, parameters, 1)",
     "tangent": "call evaluate(curve, parameters, 1)",
-    "torsion": "call evaluate(curve, parameters, 3) for derivatives, deviation(left, right).torsion_jump at a join",
     "measure": "call deviation(left, right)",
     "distance": "call deviation(left, right), which has the gap",
     "check": "call continuity(left, right) for curves, verify(file) for files",

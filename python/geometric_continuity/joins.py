@@ -11,7 +11,7 @@ import numpy
 
 from . import _native
 from ._native import Edge_continuity, Join_continuity, Join_deviation, Kink_size, Order_within, Visual_class
-from .curve_types import Segmented_curve, chain, is_array, points_of, sides
+from .curve_types import Segmented_curve, chain, is_array, points_of, refuse_rows, sides
 from .errors import Error
 from .hints import check_flag, check_name, keywords
 
@@ -128,15 +128,18 @@ def align_handle(handle: Tuple[int, int], direction: Tuple[int, int]) -> Tuple[i
     return _native.align_handle(handle, direction)
 
 
-def failing_joins(points, order: str = "G2", closed: bool = False, parallel: bool = False) -> numpy.ndarray:
-    """Returns the joins of consecutive curves that do not have an order, exactly: numbers i in increasing order, for the join of the
-    curves i and i + 1, as an array of integers.
+def failing_joins(points, order: str = "G2", closed: bool = False, parallel: bool = False, tolerance=0, *, gap=None, tangent_angle=None,
+                  curvature_jump=None, torsion_jump=None, curvature_derivative=None) -> numpy.ndarray:
+    """Returns the joins of consecutive curves that do not have an order, exactly, or within tolerances: numbers i in increasing order, for
+    the join of the curves i and i + 1, as an array of integers.
 
     points: n Bezier curves of one degree, an array of shape (n, degree + 1, dimension). In the plane and in space an array of
         float64 is read where it is, with any strides; nothing is copied. Or a spline, or a list of curves, as of `chain_joins`.
     order: "C0" to "C3", "G0" to "G3", "F0" to "F3".
     closed: whether the last curve and the first one have a join, the number n - 1, too.
     parallel: on several cores, where the module was built with TBB.
+    tolerance, gap, tangent_angle, curvature_jump, torsion_jump, curvature_derivative: as of `order_within`, for orders G: a join fails
+        unless its order is proved within them.
 
     The lock of the interpreter is released meanwhile, and signals such as that of Ctrl-C are seen.
 
@@ -146,10 +149,21 @@ def failing_joins(points, order: str = "G2", closed: bool = False, parallel: boo
     check_name("failing_joins", "order", order, _ORDERS)
     for name, flag in (("closed", closed), ("parallel", parallel)):
         check_flag("failing_joins", name, flag, "call failing_joins(points, \"G2\", closed=True, parallel=True)")
+    tolerances = dict(gap=gap, tangent_angle=tangent_angle, curvature_jump=curvature_jump, torsion_jump=torsion_jump,
+                      curvature_derivative=curvature_derivative)
+    if tolerance != 0 or any(x is not None for x in tolerances.values()):
+        if order[0] != "G":
+            raise Error("parameter_outside_domain", "failing_joins", f"tolerances are those of orders G0 to G3, not of {order}")
+        exactly = failing_joins(points, order, closed, parallel)  # what holds exactly holds within all tolerances
+        found = chain(points, "failing_joins")
+        return numpy.array([i for i in exactly if order_within(found[i], found[(i + 1) % len(found)], tolerance, **tolerances)
+                            .verdicts[int(order[1])] != "proved"], dtype=numpy.intp)
     if isinstance(points, Segmented_curve) and order[0] != "C":
         points = points.segments
     points = points_of(points)
     in_one_array = is_array(points) and (isinstance(points, numpy.ndarray) or all(is_array(c) and len(c) == len(points[0]) for c in points))
+    if in_one_array and len(points) > 0:
+        refuse_rows(points[0], "failing_joins")
     if not in_one_array:
         found = chain(points, "failing_joins")
         arrays = [getattr(c, "points", c) for c in found if getattr(c, "weights", None) is None]
@@ -160,16 +174,29 @@ def failing_joins(points, order: str = "G2", closed: bool = False, parallel: boo
     return _native.failing_joins(points, order, closed, parallel)
 
 
-def edge_continuity(a, edge_a: str, b, edge_b: str) -> Edge_continuity:
-    """Decides the continuity of two Bezier surfaces along an edge of each, exactly, on the whole closed edge. The edge of `b` may run
-    backwards.
+def edge_continuity(a, edge_a=None, b=None, edge_b=None) -> Edge_continuity:
+    """Decides the continuity of two Bezier surfaces along an edge of each, exactly, on the whole closed edge: `edge_continuity(a, "u1", b,
+    "u0")`, or along the edge that they have in common, `edge_continuity(a, b)`. The edge of `b` may run backwards.
 
     a, b: arrays of shape (degree u + 1, degree v + 1, 3): b[i, j] is the control point of the basis functions i in u, j in v.
-    edge_a, edge_b: "u0", "u1" (u = 0, u = 1), "v0" or "v1".
+    edge_a, edge_b: "u0", "u1" (u = 0, u = 1), "v0" or "v1". Without them the common edge is looked for among all pairs: first one that is
+        the same as a whole, then one of which a part is. Edges that are a point do not count. Where `a` and `b` are one object, two of its
+        edges are the common one.
 
     Raises Error: `dimension_mismatch` unless in space, `wrong_number_of_points`, `parameter_outside_domain` for another edge,
-    `not_finite`, `work_limit`.
+    `not_finite`, `work_limit`; without edges `curves_do_not_meet` where there is no common one, `several_common_edges` with their names.
     """
+    if b is None and edge_b is None:
+        b, edge_a = edge_a, None
+    if b is None:
+        raise Error("wrong_number_of_points", "edge_continuity", "two surfaces are needed: call edge_continuity(a, b), or "
+                    "edge_continuity(a, \"u1\", b, \"u0\")")
+    if edge_a is None and edge_b is None:
+        try:
+            return _native.edge_continuity(a, b)
+        except Error as error:
+            hint = {"several_common_edges": "; name one pair, as in edge_continuity(a, \"u1\", b, \"u0\")"}.get(error.code, "")
+            raise Error(error.code, error.place, error.reason.partition(";")[0] + hint) from None
     for edge in (edge_a, edge_b):
         check_name("edge_continuity", "edge", edge, ("u0", "u1", "v0", "v1"))
     return _native.edge_continuity(a, edge_a, b, edge_b)

@@ -142,5 +142,7 @@ struct Edge_record {
   std::optional<double> largest_angle; // radians, an upper bound
 };
 Edge_record edge_continuity(const Numbers& a, const std::string& edge_a, const Numbers& b, const std::string& edge_b);
+// Along the edge that they have in common; where both are one object, along two of its edges.
+Edge_record edge_continuity(const Numbers& a, const Numbers& b);
 
 #endif // GEOMETRIC_CONTINUITY_PYTHON_GEOMETRY_H

@@ -534,4 +534,9 @@ PYBIND11_MODULE(_native, m) {
           const Numbers x = numbers_of(a), y = numbers_of(b);
           return released([&] { return edge_continuity(x, edge_a, y, edge_b); });
         });
+  m.def("edge_continuity", [](const py::object& a, const py::object& b) {
+    const Numbers x = numbers_of(a), other = a.is(b) ? Numbers() : numbers_of(b);
+    const Numbers& y = a.is(b) ? x : other;
+    return released([&] { return edge_continuity(x, y); });
+  });
 }

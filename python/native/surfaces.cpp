@@ -31,9 +31,7 @@ template <class Traits> GC::Bezier_patch<Traits> patch(const Numbers& x) {
                                   points<Traits>(rows, "edge_continuity"));
 }
 
-template <class Traits>
-Edge_record decide(const Numbers& a, GC::Patch_edge edge_a, const Numbers& b, GC::Patch_edge edge_b) {
-  const auto edge = GC::edge_continuity(patch<Traits>(a), edge_a, patch<Traits>(b), edge_b);
+template <class Edge> Edge_record record_of(const Edge& edge) {
   std::ostringstream text, defect;
   text << edge;
   defect << edge.defect;
@@ -43,11 +41,23 @@ Edge_record decide(const Numbers& a, GC::Patch_edge edge_a, const Numbers& b, GC
   return record;
 }
 
+// Calls f with the patches over the traits class by which their edges are decided.
+template <class Function> Edge_record with_patches(const Numbers& a, const Numbers& b, Function f) {
+  typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Doubles;
+  typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Exact_space;
+  if (a.are_doubles() && b.are_doubles()) return f(patch<Doubles>(a), patch<Doubles>(b));
+  return f(patch<Exact_space>(a), patch<Exact_space>(b));
+}
+
 } // namespace
 
 Edge_record edge_continuity(const Numbers& a, const std::string& edge_a, const Numbers& b, const std::string& edge_b) {
   const GC::Patch_edge first = patch_edge(edge_a), second = patch_edge(edge_b);
-  if (a.are_doubles() && b.are_doubles())
-    return decide<GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel>>(a, first, b, second);
-  return decide<GC::Traits_3<CGAL::Simple_cartesian<Exact>>>(a, first, b, second);
+  return with_patches(
+      a, b, [&](const auto& s, const auto& t) { return record_of(GC::edge_continuity(s, first, t, second)); });
+}
+
+Edge_record edge_continuity(const Numbers& a, const Numbers& b) {
+  return with_patches(
+      a, b, [&](const auto& s, const auto& t) { return record_of(GC::edge_continuity(s, &a == &b ? s : t)); });
 }

@@ -114,6 +114,52 @@ class Font_tools(unittest.TestCase):
         pen.endPath()
         self.assertEqual(len(pen.kinks(10)), 1)
 
+    def test_point_pen(self):
+        """Points as they are stored, of nodes, components and a contour of one node, have the joins of what is drawn."""
+        from fontTools.pens.pointPen import PointToSegmentPen, SegmentToPointPen
+        from geometric_continuity.adapters.fonttools import Join_pen, Join_point_pen
+
+        class Glyph:
+            def __init__(self, *contours, component=None):
+                self.contours, self.component = contours, component
+
+            def drawPoints(self, pen):
+                for points in self.contours:
+                    pen.beginPath()
+                    for x, y, kind in points:
+                        pen.addPoint((x, y), kind)
+                    pen.endPath()
+                if self.component:
+                    pen.addComponent(self.component, (0, 1, -1, 0, 5, 7))  # turned
+
+        drop = [(0, 0, "curve"), (100, 2, None), (-100, 100, None)]  # a corner
+        glyphs = {"o": Glyph(CONTOUR, drop), "oo": Glyph(CONTOUR, component="o")}
+        pen = Join_point_pen(glyphs, "oo")
+        glyphs["oo"].drawPoints(pen)
+        self.assertEqual([(k.contour, k.node, k.point) for k in pen.kinks()],
+                         [(0, 6, (300, 500)), (0, 0, (100, 0)), (1, 6, (-495, 307)), (1, 0, (5, 107))])
+        drawn = Join_pen(glyphs, "o")
+        glyphs["o"].drawPoints(PointToSegmentPen(drawn))
+        again = Join_point_pen()
+        glyphs["o"].drawPoints(PointToSegmentPen(SegmentToPointPen(again)))
+        stored = Join_point_pen()
+        glyphs["o"].drawPoints(stored)
+        for pen in (drawn, again, stored):
+            self.assertEqual([(number, str(j.grade())) for number, j in pen.joins() if number == 1], [(1, "Visual_class.corner")])
+            self.assertEqual(sorted(k.point for k in pen.kinks()), [(100, 0), (300, 500)])
+        path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
+        if os.path.exists(path):
+            from fontTools.ttLib import TTFont
+
+            glyphs, number = TTFont(path).getGlyphSet(), 0
+            for name in ("S", "Aring", "g", "ampersand", "aacute", "three"):
+                pens = [Join_pen(glyphs, name), Join_point_pen(glyphs, name)]
+                glyphs[name].draw(pens[0])
+                glyphs[name].drawPoints(pens[1])
+                self.assertEqual(*(sorted((k.contour, k.point) for k in pen.kinks()) for pen in pens), name)
+                number += len(pens[1].kinks())
+            self.assertGreater(number, 2)
+
     def test_font(self):
         """The joins of a font are those that the program finds."""
         path = next((p for p in ("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",) if os.path.exists(p)), None)

@@ -196,6 +196,29 @@ def evaluated_ends(curve):
     return [gc.evaluate(curve, u).tolist() for u in curve.domain]
 
 
+class Torsion(unittest.TestCase):
+    def test_torsion(self):
+        """That of a helix, which turns like a screw, and of the cubic (t, t^2, t^3), 3 / (1 + 9 t^2 + 9 t^4), exactly."""
+        twisted = [(0, 0, 0), (Fraction(1, 3), 0, 0), (Fraction(2, 3), Fraction(1, 3), 0), (1, 1, 1)]
+        for t in (0, Fraction(1, 2), 1):
+            expected = 3 / Fraction(1 + 9 * t ** 2 + 9 * t ** 4)
+            found = gc.torsion(twisted, t)
+            self.assertEqual((found, type(found)), (expected, Fraction))
+            self.assertEqual(gc.torsion([(x, y, -z) for x, y, z in twisted], t), -expected)
+            self.assertAlmostEqual(gc.torsion(twisted, float(t)), float(expected), 14)
+        moebius = gc.Bezier_curve(twisted, [1, 2, 4, 8])  # the same curve at another speed
+        for u in (0, Fraction(1, 2), 1):
+            self.assertEqual(gc.torsion(moebius, u), gc.torsion(twisted, 2 * u / Fraction(1 + u)))
+        t = numpy.linspace(0, 6, 200)
+        helix = gc.interpolate(numpy.column_stack([2 * numpy.cos(t), 2 * numpy.sin(t), t]), parameters=t)
+        inner = numpy.linspace(1, 5, 9).reshape(3, 3)
+        numpy.testing.assert_allclose(gc.torsion(helix, inner), numpy.full((3, 3), 0.2), atol=0.02)
+        with self.assertRaisesRegex(gc.Error, "nonpositive_curvature: torsion: the curvature is zero at the parameter number 1"):
+            gc.torsion([(0, 0, 0), (1, 1, 1), (2, 2, 2), (4, 3, 1)], [1, 0])
+        with self.assertRaisesRegex(gc.Error, "dimension_mismatch: torsion: curves in space have torsion; this one has 2"):
+            gc.torsion(LEFT, 0)
+
+
 class Sentences(unittest.TestCase):
     """What fails says the call that works."""
 
@@ -232,7 +255,6 @@ class Sentences(unittest.TestCase):
         self.says("verify(file) reads drawings", lambda: gc.read_curve, AttributeError)
         self.says("numpy.savetxt", lambda: gc.save, AttributeError)
         self.says("matplotlib", lambda: gc.plot_curvature, AttributeError)
-        self.says("deviation(left, right).torsion_jump", lambda: gc.torsion, AttributeError)
         self.says("did you mean segments?", lambda: gc.fit(LEFT, 0.1).curves, AttributeError)
         self.says("did you mean tangent_angle? It has curvature_jump, gap,", lambda: gc.deviation(LEFT, RIGHT).angle, AttributeError)
         self.says("it has blend, left, left_cut, right, right_cut", lambda: gc.round_corner([(0, 0), (4, 0)], [(4, 0), (4, 4)], 1).points, AttributeError)

@@ -74,6 +74,7 @@ def random_number(random):
 def random_join(random):
     """Two curves whose join has a random order."""
     dimension, m, n = random.choice([1, 2, 2, 2, 3, 3, 4]), random.randint(1, 6), random.randint(1, 6)
+    m = max(m, 2) if dimension > 3 else m  # a line there is refused: it looks like two rows of coordinates
     left = [[random_number(random) for _ in range(dimension)] for _ in range(m + 1)]
     if random.random() < 0.1:
         left[-2] = left[-1]
@@ -214,6 +215,33 @@ class Joins(unittest.TestCase):
         with self.assertRaises(gc.Error):
             gc.edge_continuity(patch, "w", other, "u0")
 
+    def test_common_edges(self):
+        """Of a strip with heights, on floats and on fractions, every edge of one patch to every edge of the other, in both directions."""
+        def refused(code, text, *patches):
+            with self.assertRaises(gc.Error) as caught:
+                gc.edge_continuity(*patches)
+            self.assertEqual((caught.exception.code, caught.exception.place), (code, "edge_continuity"))
+            self.assertIn(text, caught.exception.reason)
+
+        a = numpy.array([[(u, v, u * v * (v - 1)) for v in range(3)] for u in range(3)], float)
+        b = numpy.array([[(u + 2, v, (2 + 2 * u * u) * v * (v - 1)) for v in range(3)] for u in range(3)], float)
+        turned = [(x, edges) for x, edges in ((b, "u0"), (b[::-1], "u1"), (b.swapaxes(0, 1), "v0"), (b[:, ::-1], "u0"), (b.swapaxes(0, 1)[::-1, ::-1], "v1"))]
+        for patch, edge in turned:
+            for number in (float, Fraction):
+                s, t = (numpy.vectorize(number, otypes=[object if number is Fraction else float])(x) for x in (a, patch))
+                found, named = gc.edge_continuity(s, t), gc.edge_continuity(s, "u1", t, edge)
+                self.assertEqual((str(found), found.whole_a, found.largest_angle), (str(named), True, named.largest_angle))
+                self.assertEqual(found.g_order, 0)
+        flat = numpy.array([[(u, v, 0) for v in (0, 2)] for u in (0, 2)])
+        part = gc.edge_continuity(flat, numpy.array([[(2 + u, v, 0) for v in (0, 1)] for u in (0, 1)]))
+        self.assertEqual((part.whole_a, part.whole_b), (False, True))
+        refused("curves_do_not_meet", "no edge of one surface is an edge of the other", a, b + [0, 0, 1])
+        refused("several_common_edges", 'u0 and u0, u1 and u1, v0 and v0, v1 and v1; name one pair, as in edge_continuity(a, "u1", b, "u0")', a, a.copy())
+        tube = numpy.array([[(*p, v) for v in (0, 1)] for p in ((1, 0), (1, 2), (-1, 2), (-1, -2), (1, -2), (1, 0))])
+        self.assertEqual(gc.edge_continuity(tube, tube).g_order, 2)  # it is symmetric
+        refused("wrong_number_of_points", "two surfaces are needed", a)
+        refused("parameter_outside_domain", "there is no edge 'None'", a, "u1", b)
+
 
 def random_chain(n, dimension, seed=1):
     rng = numpy.random.default_rng(seed)
@@ -240,6 +268,28 @@ class Many_joins(unittest.TestCase):
                 self.assertEqual(gc.failing_joins(chain, order).tolist(), expected, (dimension, order))
                 self.assertEqual(gc.failing_joins(chain, order, parallel=True).tolist(), expected)
                 self.assertEqual(gc.failing_joins(chain.astype(object), order).tolist(), expected)
+
+    def test_tolerances(self):
+        """The joins that hold within tolerances, by order_within of each."""
+        for dimension in (2, 3):
+            chain = random_chain(300, dimension)
+            chain[::3, 1] += 1e-7
+            chain[::50, 0] += 1e-4
+            exactly = {order: gc.failing_joins(chain, order).tolist() for order in ("G0", "G1", "G2", "G3")}
+            for bounds in ({"tolerance": 1e-3}, {"tangent_angle": 1e-6, "gap": 1e-3}, {"gap": Fraction(1, 5000)}, {"tolerance": 1e-3, "curvature_jump": 0}):
+                within = [gc.order_within(p, q, **bounds).verdicts for p, q in zip(chain, numpy.roll(chain, -1, axis=0))]
+                for k, order in enumerate(exactly):
+                    expected = [i for i, verdicts in enumerate(within) if verdicts[k] != "proved"]
+                    self.assertEqual(gc.failing_joins(chain, order, closed=True, **bounds).tolist(), expected, (dimension, order, bounds))
+                    self.assertEqual(gc.failing_joins(list(chain), order, **bounds).tolist(), [i for i in expected if i < 299])
+                    self.assertTrue(set(expected) <= {*exactly[order], 299})
+            self.assertLess(len(gc.failing_joins(chain, "G1", tolerance=1e-3)), len(exactly["G1"]))
+        bend = [[(0, 0), (1, 0)], [(1, 0), (2, Fraction(1, 1000))]]
+        low, high = map(Fraction, gc.deviation(*bend).tangent_angle)
+        self.assertEqual(gc.order_within(*bend, tangent_angle=(low + high) / 2).verdicts[1], "undecided")
+        self.assertEqual([gc.failing_joins(bend, "G1", tangent_angle=a).tolist() for a in (low, (low + high) / 2, high)], [[0], [0], []])
+        with self.assertRaisesRegex(gc.Error, "parameter_outside_domain: failing_joins: tolerances are those of orders G0 to G3, not of C1"):
+            gc.failing_joins(chain, "C1", tolerance=1e-3)
 
     def test_strides(self):
         chain = random_chain(500, 2)

@@ -90,6 +90,44 @@ test('points are objects, and curves are path data', () => {
   fails('malformed_input', () => gc.blend(phi, psi, { strategy: 'faire' }), "there is no strategy \"faire\"; did you mean 'fair'? There are c2, normal,");
 });
 
+test('curves of paper.js and of bezier-js, by their members', () => {
+  const at = (x, y) => ({ x, y }), segment = (p, handleIn, handleOut) => ({ point: at(...p), handleIn: at(...handleIn), handleOut: at(...handleOut) });
+  // 0.7 + 0.1 is rounded, and handles are opposite as they are stored
+  const segments = [segment([0, 0], [0, 0], [0, 1]), segment([0.7, 0.7], [-0.1, -0.3], [0.1, 0.3]), segment([2, 0], [0, 0], [0, 0]), segment([3, 0], [0, 0], [0, 0])];
+  const path = { segments, closed: false }, rounded = [[[0, 0], [0, 1], [0.7 - 0.1, 0.7 - 0.3], [0.7, 0.7]], [[0.7, 0.7], [0.7 + 0.1, 0.7 + 0.3], [2, 0], [2, 0]]];
+  assert.equal(gc.continuity(...rounded).g_order, 0);
+  const curves = segments.slice(1).map((s, i) => ({ segment1: segments[i], segment2: s }));
+  for (const chain of [path, segments, curves, { curves }]) {
+    assert.deepEqual([...gc.failingJoins(chain)], [1], 'a line and a cubic without a handle');
+    if (chain === curves) continue; // which are no curve
+    assert.equal(gc.continuity(chain, 'M3 0H4').g_order, 3);
+    assert.equal(gc.continuity('M0-1V0', chain).g_order, 1);
+  }
+  assert.deepEqual(gc.continuity(curves[0], curves[1]).betas.slice(0, 1), ['1']);
+  const binary = (x) => { // [numerator, denominator], by the digits of the number
+    const [, sign, whole, digits = ''] = x.toString(2).match(/^(-?)(\d+)\.?(\d*)$/);
+    return [BigInt(`${sign}1`) * BigInt(`0b${whole}${digits}`), 1n << BigInt(digits.length)];
+  };
+  const exactSum = (x, y) => {
+    const [[a, b], [c, d]] = [binary(x), binary(y)];
+    return `${a * d + c * b}/${b * d}`;
+  };
+  for (const [x, h] of [[0.1, 0.7], [2 ** 60, 3e-7], [5e-324, 1], [-0.3, 0.1], [0.5, 0.25], [-1e-310, 3e-310], [-0.7, 1e-17], [7, -1e-40]]) {
+    const given = [segment([x, 1], [0, 0], [h, h]), segment([h, 0], [x, -h], [0, 0])];
+    const exact = [[x, 1], [exactSum(x, h), exactSum(1, h)], [exactSum(h, x), -h], [h, 0]];
+    const blend = (right) => gc.blend([[-3, 0], [-1, 0.5]], right, { strategy: 'c2' }).curve.control_points;
+    assert.deepEqual(blend(given), blend(exact), `${x} ${h}`);
+  }
+  assert.deepEqual([...gc.failingJoins({ ...path, closed: true })], [1, 2, 3]);
+  assert.deepEqual([...gc.failingJoins({ ...path, closed: true }, { closed: false })], [1, 2]);
+  const bezier = (list) => ({ points: list.map(([x, y]) => ({ x, y })), order: list.length - 1, _linear: false });
+  assert.deepEqual([...gc.failingJoins({ curves: [bezier([[0, 0], [1, 0], [2, 1]]), bezier([[2, 1], [3, 2]]), bezier([[3, 2], [4, 2], [5, 2], [6, 3]])] })], [1]);
+  assert.deepEqual([...gc.failingJoins([{ points: [[0, 0], [1, 1]], domain: [0, 2] }, [[1, 1], [2, 2]]], { order: 'C1' })], [0]);
+  assert.deepEqual([...gc.failingJoins([[['0', '0'], ['0.1', '0.3']], [['0.1', '0.3'], ['0.3', '0.9']]], { order: 'G3' })], [], 'decimals are exact');
+  fails('wrong_number_of_points', () => gc.continuity({ segments: [] }, phi), 'left: the path draws nothing');
+  fails('malformed_input', () => gc.failingJoins({ children: [path, path], curves }), 'give one of its children');
+});
+
 test('rational curves and domains', () => {
   const quarter = (a, b, c) => ({ control_points: [a, b, c], weights: [1, 1, 2] });
   const circle = gc.continuity(quarter([1, 0], [1, 1], [0, 1]), { control_points: [[0, 1], [-1, 1], [-1, 0]], weights: [2, 2, 4] });

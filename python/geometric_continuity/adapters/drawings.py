@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Geometric_continuity developers
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Paths of svgelements and splines of ezdxf as Bezier curves. Their coordinates are floats, which are read exactly as these libraries
+"""Paths of svgelements and matplotlib and splines of ezdxf as Bezier curves. Their coordinates are floats, which are read exactly as these libraries
 round them; for the exact decimals of a drawing take `geometric_continuity.verify`."""
 
 from __future__ import annotations
@@ -10,7 +10,10 @@ from typing import List
 
 import numpy
 
-from ..curve_types import Bezier_curve, Spline, pieces
+from ..curve_types import Bezier_curve, pieces
+from ..foreign import path_contours
+
+__all__ = ["path_contours", "spline_pieces", "svg_contours"]
 
 
 def svg_contours(path) -> List[List[numpy.ndarray]]:
@@ -40,6 +43,4 @@ def svg_contours(path) -> List[List[numpy.ndarray]]:
 def spline_pieces(spline) -> List[Bezier_curve]:
     """Returns the Bezier curves of a SPLINE of ezdxf, or of its construction tool, in space, each with its span as domain. They are exact, for
     the knots, control points and weights of the spline as they are."""
-    tool = spline.construction_tool() if hasattr(spline, "construction_tool") else spline
-    weights = list(tool.weights()) if tool.is_rational else None
-    return pieces(Spline(tool.order - 1, [tuple(p) for p in tool.control_points], tool.knots(), weights))
+    return pieces(spline)

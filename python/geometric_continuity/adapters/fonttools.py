@@ -1,24 +1,44 @@
 # Copyright (c) 2026 The Geometric_continuity developers
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Glyphs of fontTools, drawn with a pen: `pen = Join_pen(glyph_set); glyph_set["S"].draw(pen); pen.kinks()`."""
+"""Glyphs of fontTools, drawn with a pen: `pen = Join_pen(glyph_set); glyph_set["S"].draw(pen); pen.kinks()`, or with one that takes points
+as they are stored: `pen = Join_point_pen(glyph_set); glyph_set["S"].drawPoints(pen)`."""
 
 from __future__ import annotations
 
 from typing import List
 
 from fontTools.pens.basePen import BasePen
+from fontTools.pens.pointPen import AbstractPointPen
+from fontTools.pens.transformPen import TransformPointPen
 
 from .outlines import Kink, Point, joins, kinks
 
 
-class Join_pen(BasePen):
+class _Contours:
+    """What a pen has kept."""
+
+    name: str
+    contours: List[List[Point]]
+
+    def joins(self):
+        """Yields the number of the contour and each of its joins."""
+        for number, contour in enumerate(self.contours):
+            for join in joins(contour):
+                yield number, join
+
+    def kinks(self, kink_angle=5) -> List[Kink]:
+        """Returns the kinks of all contours."""
+        return [k for number, c in enumerate(self.contours) for k in kinks(c, kink_angle, self.name, number)]
+
+
+class Join_pen(_Contours, BasePen):
     """A pen that keeps contours as they are drawn, components included. Coordinates are read exactly as the pen gets them."""
 
     def __init__(self, glyphSet=None, name: str = ""):
         super().__init__(glyphSet)
         self.name = name
-        self.contours: List[List[Point]] = []
+        self.contours = []
 
     def _moveTo(self, pt):
         self.contours.append([Point(*pt, "move")])
@@ -41,15 +61,27 @@ class Join_pen(BasePen):
         else:
             first.type = "line"
 
-    def joins(self):
-        """Yields the number of the contour and each of its joins."""
-        for number, contour in enumerate(self.contours):
-            for join in joins(contour):
-                yield number, join
 
-    def kinks(self, kink_angle=5) -> List[Kink]:
-        """Returns the kinks of all contours."""
-        return [k for number, c in enumerate(self.contours) for k in kinks(c, kink_angle, self.name, number)]
+class Join_point_pen(_Contours, AbstractPointPen):
+    """A point pen that keeps contours as they are stored, so that the numbers of nodes are those of the glyph; components are drawn by the
+    glyph set."""
+
+    def __init__(self, glyphSet=None, name: str = ""):
+        self.glyphSet = {} if glyphSet is None else glyphSet
+        self.name = name
+        self.contours = []
+
+    def beginPath(self, identifier=None, **kwargs):
+        self.contours.append([])
+
+    def addPoint(self, pt, segmentType=None, smooth=False, name=None, identifier=None, **kwargs):
+        self.contours[-1].append(Point(*pt, segmentType))
+
+    def endPath(self):
+        pass
+
+    def addComponent(self, baseGlyphName, transformation, identifier=None, **kwargs):
+        self.glyphSet[baseGlyphName].drawPoints(TransformPointPen(self, transformation))
 
 
 def font_kinks(font, kink_angle=5) -> List[Kink]:

@@ -80,7 +80,7 @@ def _beziers(points: List[Point], start: int, inner: List[int], end: int) -> Lis
 def joins(points: List[Point]) -> Iterator[Join]:
     """Yields the joins of a contour at its on-curve points. Segments of no length are passed over: they have no direction."""
     on = [i for i, p in enumerate(points) if p.type is not None]
-    if len(on) < 2:
+    if not on:
         return
     closed = points[0].type != "move"
     n = len(points)
@@ -94,7 +94,7 @@ def joins(points: List[Point]) -> Iterator[Join]:
         if any(p != curves[0][0] for c in curves for p in c):
             segments.append((start, inner, end, curves))
     for k, (start, inner, end, curves) in enumerate(segments):
-        if k + 1 == len(segments) and not (closed and len(segments) > 1):
+        if k + 1 == len(segments) and not closed:
             break
         following = segments[(k + 1) % len(segments)]
         yield Join(end, inner[-1] if inner else start, following[1][0] if following[1] else following[2], curves[-1], following[3][0])
