@@ -95,7 +95,7 @@ for command in blend connect match extend plot tessellate round-edges repair fit
   refused model.step "$command -o no.g2" "a CAD model: verify and report read it" "$command reads "
 done
 refused model.step "plot -o no.svg" "report draws it"
-refused drawing "plot -o no.svg" "a drawing: verify, report and repair read it"
+refused drawing "plot -o no.svg" "a drawing: verify, report, repair and blend read it"
 refused font.ttf "tessellate -o no.off" "a font: verify, report and repair read it"
 cp "$S" chain.g2 && refused chain.g2 fit "curves or surfaces (.g2)" "fit reads points"
 # what is read as before: points in a table, a packed drawing, curves without an ending and after

@@ -82,7 +82,7 @@ public:
   // integers.
   Fit_joint<N> rounded_joint(int k) const {
     const Joint& joint = joints_[k];
-    const double length = Path::length(joint.v[1]), longest = Path::difference(degree * joint.length, degree);
+    const double length = Path::length(joint.v[1]), longest = path_.difference(degree * joint.length, degree);
     double best = longest, least = 1;
     for (int i = 0; i < 500; ++i) {
       const double d = longest * (1 - i / 2000.);

@@ -173,9 +173,11 @@ public:
 
   // How long the difference of a joint is, from how long pieces are: of the longest error by
   // rounding it (times the square of a multiple, for second differences) and of that by rounding
-  // multiples, the larger one is least.
-  static double difference(double length, int degree) {
-    return (std::max)(degree == 3 ? 2 * std::sqrt(length) : 0.6 * std::cbrt(length * length), 64.);
+  // multiples, the larger one is least; and so long that the first one is small next to the
+  // tolerance.
+  double difference(double length, int degree) const {
+    const double balanced = degree == 3 ? 2 * std::sqrt(length) : 0.6 * std::cbrt(length * length);
+    return (std::max)({balanced, 4 * length / tolerance_, 64.});
   }
 
 private:
