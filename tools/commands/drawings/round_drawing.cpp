@@ -14,6 +14,7 @@
 
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
 #include <algorithm>
@@ -21,7 +22,6 @@
 #include <cstddef>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -179,7 +179,6 @@ class Rounded_subpath {
     if (m == 1 && right.degree() == 1) return result.push_back(cubic(p, corner, corner, q));
     const Plane_point d = p - point_of(left, m - 1), e = point_of(right, 1) - q;
     const auto blend = GC::blend(left, right, GC::Cubics());
-    const auto segments = blend.segments();
     const std::size_t n = static_cast<std::size_t>(blend.number_of_segments());
     const Plane_curve first(blend.segment(0)), last(blend.segment(static_cast<int>(n) - 1));
     const Plane_point b1 = handle(p, d, point_of(first, 1)), b2 = handle(q, Fraction(-1) * e, point_of(last, 2));
@@ -249,7 +248,7 @@ public:
         write_point(os << 'A' << arcs[i], point_of(c, 1));
         continue;
       }
-      os << " ?LQC"[c.degree() + 1] << "";
+      os << "?LQC"[c.degree()];
       for (int j = 1; j <= c.degree(); ++j) write_point(os, point_of(c, j));
     }
     if (closed_) os << 'Z';
