@@ -30,8 +30,9 @@ for name in old.getGlyphOrder():
         if glyph is not None and glyph.numberOfContours > 0:
             drawn[-1][1] += [glyph.xMin - font["hmtx"][name][1], glyph.program.getBytecode()]
     assert drawn[0][1] == drawn[1][1], name
-    print(*["%s %s -> %s" % (name, tuple(p), tuple(q)) for p, q in zip(drawn[0][0], drawn[1][0]) if p != q], sep="\n", end="")
-print()
+    for p, q in zip(drawn[0][0], drawn[1][0]):
+        if p != q:
+            print("%s %s -> %s" % (name, tuple(p), tuple(q)))
 END
 }
 

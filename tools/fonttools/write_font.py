@@ -12,6 +12,7 @@ bounds where these grow; every other table keeps its bytes."""
 
 import io
 import json
+import logging
 import math
 import os
 import sys
@@ -24,6 +25,9 @@ try:
 except ImportError:
     sys.stderr.write("write_font.py: this Python has no fontTools\n")
     sys.exit(WITHOUT_FONTTOOLS)
+
+
+logging.disable(logging.WARNING)  # such as those about dates in a font
 
 
 def refuse(text):

@@ -36,7 +36,8 @@
 
 namespace {
 
-const char* const repair_usage = R"(usage: geometric_continuity repair FILE.svg|FILE.g2|FONT|SOURCE -o FILE [OPTIONS]
+const char* const repair_usage = R"(usage: geometric_continuity repair FILE.svg|FILE.g2|FONT|SOURCE -o FILE
+       [OPTIONS]
 
 Makes the kinks of a drawing, or of a chain of plane curves, exactly G1 by
 moving handles, not nodes, on the grid of the file: the decimals of each path,
@@ -85,7 +86,6 @@ repaired by the Python module, where that is installed: each master by itself.
 examples:
   geometric_continuity repair drawing.svg -o drawing.svg
   geometric_continuity repair font.otf -o smooth.otf
-  geometric_continuity repair font.otf --to G2 -o moves.json
 
 Exit code: 0 when no kink is left, 1 when one is, when curves of a chain do not
 meet, which no handle can mend, or when not all joins are decided (an arc of a
