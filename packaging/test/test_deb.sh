@@ -21,7 +21,7 @@ for file in bin/geometric_continuity bin/check_certificate include/CGAL/Geometri
   share/man/man1/geometric_continuity.1.gz share/bash-completion/completions/geometric_continuity \
   share/zsh/vendor-completions/_geometric_continuity share/fish/vendor_completions.d/geometric_continuity.fish \
   share/doc/geometric-continuity/{copyright,changelog.gz,CHANGES.md.gz,LICENSE.LGPL,LICENSE.GPL} \
-  share/geometric_continuity/apply_moves.py share/pkgconfig/geometric-continuity.pc; do
+  share/geometric_continuity/{apply_moves,write_font}.py share/pkgconfig/geometric-continuity.pc; do
   holds grep -qx "./usr/$file" files
 done
 holds grep -q '/cmake/Geometric_continuity/Geometric_continuityConfig.cmake$' files

@@ -88,7 +88,7 @@ def visual_class(left, right, kink_angle=5) -> Optional[Visual_class]:
     left, right: curves in the plane, as of `continuity`.
     kink_angle: degrees; the largest angle that is a kink and no corner, read exactly as it is.
 
-    Raises Error: `dimension_mismatch` unless in the plane, `parameter_outside_domain` unless 0 < kink_angle < 180, `not_finite`.
+    Raises Error: `dimension_mismatch` unless in the plane, `parameter_outside_domain` unless 0 <= kink_angle < 180, `not_finite`.
     """
     a, b = sides(left, right, "visual_class", ignore_domain=True)
     return _native.visual_class(a.points, b.points, kink_angle)

@@ -3,7 +3,10 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Adapters with the real libraries, each skipped where its library is missing."""
 
+import contextlib
 import importlib.util
+import io
+import json
 import os
 import subprocess
 import sys
@@ -300,6 +303,41 @@ class Sources(unittest.TestCase):
             changed = [(x, y) for x, y in zip(a, b) if x != y]
         self.assertEqual(len(changed), len(moves))
         self.assertTrue(all("OFFCURVE" in x and "OFFCURVE" in y for x, y in changed))
+
+    @needs("ufoLib2", "fontTools")
+    def test_verify_and_mend_sources(self):
+        """What the program calls for sources: exit codes, counts, copies of a designspace with its masters, and nothing written over."""
+        from fontTools.designspaceLib import DesignSpaceDocument
+
+        from geometric_continuity.adapters import sources
+
+        def run(*arguments):
+            with contextlib.redirect_stdout(io.StringIO()) as output:
+                return sources.main(list(arguments)), output.getvalue()
+
+        new_ufo(self.path("a.ufo"))
+        new_ufo(self.path("b.ufo"), shift=20)
+        document = DesignSpaceDocument()
+        document.addAxisDescriptor(name="weight", tag="wght", minimum=0, default=0, maximum=1)
+        for name, weight in (("a", 0), ("b", 1)):
+            document.addSourceDescriptor(path=self.path(name + ".ufo"), location={"weight": weight})
+        document.write(self.path("ab.designspace"))
+        os.mkdir(self.path("mended"))
+        given, result = self.path("ab.designspace"), self.path("mended/ab.designspace")
+        self.assertEqual(run("verify", given)[0], 0)
+        code, text = run("verify", "--json", "--require", "G1", given)
+        record = json.loads(text)["sources"][0]
+        self.assertEqual((code, record["met"], record["summary"]["kink"], len(record["kinks"])), (1, False, 8, 8))
+        code, text = run("repair", given, result)
+        self.assertEqual(code, 0, text)
+        self.assertIn("0 kinks", text)
+        self.assertEqual(run("verify", "--require", "G1", result)[0], 0)
+        self.assertEqual(run("verify", "--require", "G1", given)[0], 1)
+        self.assertEqual(run("verify", "--require", "G2", self.path("mended/a.ufo"))[0], 1)
+        with self.assertRaises(FileExistsError):
+            sources.mend_source(given, result)
+        self.assertEqual(run("repair", self.path("a.ufo"), self.path("a.ufo"))[0], 0)
+        self.assertEqual(run("verify", "--require", "G1", self.path("a.ufo"))[0], 0)
 
     @needs("fontmake")
     def test_compiled_font(self):

@@ -66,9 +66,16 @@ mkdir formats && cd formats
 foreign part.dxf DXF "export it as SVG" "spline_pieces() reads the splines of ezdxf"
 foreign Part.FCStd FreeCAD "export it as STEP"
 foreign part.step.gz "a packed CAD model" gunzip
-foreign Font.ufo "a UFO" "fontmake -u" "adapters.sources"
-for file in "part.DXF DXF" "Font.glyphs fontmake -g" "Font.glyphspackage fontmake -g" "part.stl triangles have no curvature" \
-  "data.json JSON" "a.ufoz UFO" "A.designspace --all-instances" "picture.png pixels" "page.pdf export it as SVG" "part.sldprt export it as STEP"; do
+foreign a.ufoz "a UFO" "fontmake -u" "adapters.sources"
+refused Font.ufo "report -o no.html" "a UFO, which is not read" "fontmake -u" "adapters.sources"
+# sources of fonts go to the Python module, which reads them where it is installed
+export GEOMETRIC_CONTINUITY_PYTHON=/nowhere/python3
+for file in Font.ufo Font.glyphs A.designspace; do
+  refused $file verify "install it (python/install) with ufoLib2 and glyphsLib" "make a font of it with fontmake"
+done
+unset GEOMETRIC_CONTINUITY_PYTHON
+for file in "part.DXF DXF" "Font.glyphspackage fontmake -g" "part.stl triangles have no curvature" \
+  "data.json JSON" "a.ufoz UFO" "picture.png pixels" "page.pdf export it as SVG" "part.sldprt export it as STEP"; do
   refused "${file%% *}" verify "${file#* }" "which is not read" "verify reads curves and surfaces (.g2), drawings (.svg, .svgz), fonts (" \
     "CAD models (.step, .stp, .iges, .igs, .brep, .brp)"
 done

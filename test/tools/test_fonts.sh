@@ -126,7 +126,7 @@ says out "every join but corners, bends of two lines and what is off by at most 
 # by the word of variable fonts: 2.2906 degrees
 run 0 verify rounding.ttf --max-kink 2.3 && says out "is within 2.3 degrees, proved exactly"
 run 1 verify rounding.ttf --max-kink 2.29 --json && says out '"max_kink":"2.29","met":false'
-run 2 verify test.ttf --max-kink 90 && says err "--max-kink: 90 is not between 0 and 90 degrees"
+run 2 verify test.ttf --max-kink 90 && says err "--max-kink: 90 is not at least 0 and less than 90 degrees"
 
 # Cubic curves: two halves of one, G2 inside; handles at nodes; a line as a curve; a curve that ends
 # as it began.

@@ -15,11 +15,10 @@
 
 // Returns the value of --kink-angle, the largest angle of a kink.
 inline GC::Corner_threshold corner_threshold(const Command_line& line) {
-  try {
-    return GC::Corner_threshold(line.number("kink-angle", CGAL::Exact_rational(5)));
-  } catch (const GC::Error&) {
+  const CGAL::Exact_rational degrees = line.number("kink-angle", CGAL::Exact_rational(5));
+  if (!(0 < degrees && degrees < 180))
     throw std::invalid_argument("--kink-angle: " + line.text("kink-angle") + " is not between 0 and 180 degrees");
-  }
+  return GC::Corner_threshold(degrees);
 }
 
 // Reads --off-by: by how many units of a font a handle may be off because of rounding.

@@ -9,6 +9,7 @@
 #include "commands/curvature_options.h"
 #include "commands/drawings/read_drawing.h"
 #include "commands/drawings/verify_drawings.h"
+#include "commands/fonts/font_sources.h"
 #include "commands/fonts/verify_fonts.h"
 #include "commands/fonts/verify_instances.h"
 #include "commands/kink_options.h"
@@ -18,6 +19,7 @@
 #include "files/output.h"
 #include "formats/cad/read_cad.h"
 #include "formats/font/font_files.h"
+#include "formats/input_formats.h"
 #include "reports/Baseline.h"
 
 #include <algorithm>
@@ -31,7 +33,7 @@ namespace {
 
 const char* const verify_usage =
     R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT...
-       | MODEL.step... | TOOLPATH.ngc... [OPTIONS]
+       | SOURCE... | MODEL.step... | TOOLPATH.ngc... [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -68,6 +70,9 @@ characters and ranges of them, names and numbers of glyphs.
 variable font (TrueType or CFF2 outlines), of joins that are no corners at the
 default instance: proved between the masters as well, with the axis values of
 the largest one. --max-work is 50000000 for each join then.
+
+Sources of fonts (folders .ufo, .glyphs, .designspace) are decided by the Python
+module, where that is installed, with --require, --kink-angle and --json.
 
 Of CAD models (.step, .stp, .iges, .igs, .brep, .brp; where the program is
 built with OpenCASCADE) it encloses, over each whole edge that two faces share
@@ -168,8 +173,8 @@ Kink_rule kink_rule(const Command_line& line) {
 // The angle that no kink may exceed.
 GC::Corner_threshold max_kink(const Command_line& line) {
   const Exact degrees = line.number<Exact>("max-kink", Exact(1) / Exact(2));
-  if (!(Exact(0) < degrees && degrees < Exact(90)))
-    throw std::invalid_argument("--max-kink: " + line.text("max-kink") + " is not between 0 and 90 degrees");
+  if (degrees < Exact(0) || !(degrees < Exact(90)))
+    throw std::invalid_argument("--max-kink: " + line.text("max-kink") + " is not at least 0 and less than 90 degrees");
   return GC::Corner_threshold(degrees);
 }
 
@@ -311,6 +316,7 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
   std::optional<Requirement> required;
   if (line.has("require")) required = Requirement(line.text("require"));
   const Arguments files = line.files();
+  if (std::any_of(files.begin(), files.end(), is_font_source)) return verify_font_sources(line);
   std::optional<Baseline> baseline;
   if (line.has("baseline")) baseline.emplace(line.text("baseline"));
   const Report_mode mode{report_format(line),

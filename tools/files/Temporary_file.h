@@ -96,6 +96,7 @@ public:
   }
 
   int descriptor() const { return descriptor_; }
+  const char* path() const { return path_.get(); }
 
   // Gives the file its name. Everything is stored before, so that not even a power failure leaves
   // half a file.

@@ -5,6 +5,7 @@
 #include "formats/input_formats.h"
 
 #include "files/input.h"
+#include "files/output.h"
 #include "formats/cad/cad_file.h"
 #include "formats/font/font_files.h"
 #include "formats/foreign_formats.h"
@@ -29,18 +30,25 @@ namespace {
 namespace fs = std::filesystem;
 
 // The kinds of files that commands read.
-enum Kind : unsigned { curves = 1, drawings = 2, fonts = 4, models = 8, points = 16, toolpaths = 32 };
+enum Kind : unsigned { curves = 1, drawings = 2, fonts = 4, models = 8, points = 16, toolpaths = 32, sources = 64 };
 
 struct Reader {
   std::string_view command;
   unsigned kinds;
 };
 constexpr unsigned everything = curves | drawings | fonts | models | toolpaths;
-constexpr Reader readers[] = {
-    {"verify", everything},       {"report", everything}, {"repair", curves | drawings | fonts},
-    {"blend", curves | drawings}, {"connect", curves},    {"match", curves},
-    {"extend", curves},           {"plot", curves},       {"tessellate", curves},
-    {"round-edges", curves},      {"fit", points},        {"interpolate", points}};
+constexpr Reader readers[] = {{"verify", everything | sources},
+                              {"report", everything},
+                              {"repair", curves | drawings | fonts | sources},
+                              {"blend", curves | drawings},
+                              {"connect", curves},
+                              {"match", curves},
+                              {"extend", curves},
+                              {"plot", curves},
+                              {"tessellate", curves},
+                              {"round-edges", curves},
+                              {"fit", points},
+                              {"interpolate", points}};
 
 constexpr struct {
   Kind kind;
@@ -48,6 +56,7 @@ constexpr struct {
 } kind_words[] = {{curves, "curves or surfaces (.g2)", "curves and surfaces (.g2)"},
                   {drawings, "a drawing", "drawings (.svg, .svgz)"},
                   {fonts, "a font", "fonts (.ttf, .otf, .ttc, .woff, .woff2, .pfb and others, and folders with fonts)"},
+                  {sources, "the source of a font", "sources of fonts (.ufo, .glyphs, .designspace)"},
                   {models, "a CAD model", "CAD models (.step, .stp, .iges, .igs, .brep, .brp)"},
                   {toolpaths, "a toolpath", "toolpaths (.ngc, .nc, .gcode, .gco, .cnc, .tap)"},
                   {points, "points", "points (a text, a line for each)"}};
@@ -250,6 +259,7 @@ public:
 
   void check() const {
     std::error_code error;
+    if ((reader_.kinds & sources) != 0 && is_font_source(file_)) return;
     if (fs::is_directory(file_, error)) {
       std::string name = file_;
       if (const Foreign_format* const format = foreign_folder(file_, name)) Input_check(reader_, name).refuse(*format);
@@ -275,4 +285,12 @@ void check_input_formats(const std::string& command, const Arguments& files) {
   for (const Reader& reader : readers)
     if (reader.command == command)
       for (const std::string& file : files) Input_check(reader, file).check();
+}
+
+bool is_font_source(const std::string& file) {
+  std::string name = file;
+  name.erase(name.find_last_not_of('/') + 1);
+  const std::string ending = extension(name);
+  std::error_code error;
+  return fs::is_directory(name, error) ? ending == ".ufo" : ending == ".glyphs" || ending == ".designspace";
 }

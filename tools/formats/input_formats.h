@@ -15,4 +15,8 @@
 // damaged, are left to the command.
 void check_input_formats(const std::string& command, const Arguments& files);
 
+// Returns whether a name is that of a source of a font which the Python module reads: a folder
+// .ufo, .glyphs or .designspace.
+bool is_font_source(const std::string& file);
+
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_INPUT_FORMATS_H

@@ -6,13 +6,18 @@ units by moving handles of cubic curves. Nothing else changes: points keep their
 
 from __future__ import annotations
 
+import argparse
+import json
+import math
 import os
 import plistlib
 import re
 import shutil
+import sys
+from fractions import Fraction
 from typing import Dict, List, Optional
 
-from .outlines import Kink, Move, Point, kinks, mend
+from .outlines import Kink, Move, Point, joins, kinks, mend
 
 
 def _ufo_points(contour) -> List[Point]:
@@ -153,3 +158,123 @@ def mend_glyphs(font, kink_angle=5, max_move: Optional[float] = None) -> List[Mo
             node.position = type(node.position)(points[m.index].x, points[m.index].y)
         moves += moved
     return moves
+
+
+def _contours(path):
+    """Yields the name of each glyph of a source, the number of the contour and its points; of a designspace, of its UFOs."""
+    kind = os.path.splitext(os.fspath(path).rstrip("/"))[1].lower()
+    if kind == ".glyphs":
+        import glyphsLib
+
+        for name, number, contour in _glyphs_paths(glyphsLib.GSFont(path)):
+            yield name, number, _glyphs_points(contour)
+        return
+    import ufoLib2
+
+    masters = designspace_sources(path) if kind == ".designspace" else [path]
+    for master in masters:
+        for glyph in ufoLib2.Font.open(master):
+            for number, contour in enumerate(glyph):
+                name = glyph.name if len(masters) == 1 else f"{glyph.name} ({os.path.basename(master.rstrip('/'))})"
+                yield name, number, _ufo_points(contour)
+
+
+def verify_source(path, kink_angle=5, require: Optional[str] = None) -> Dict:
+    """Decides all joins of a source, a UFO, a .glyphs or the UFOs of a designspace, exactly, and returns how many have each grade, and the
+    kinks. Components are not looked into: no affine map makes a smooth join of the glyph that it repeats a kink.
+
+    require: "G1" or "G2": then `met` tells whether all joins but corners have this order.
+    """
+    counts = dict.fromkeys(("joins", "corner", "kink", "g1", "g2", "undecided"), 0)
+    found: List[Kink] = []
+    for name, number, points in _contours(path):
+        for join in joins(points):
+            grade = join.grade(kink_angle)
+            counts["joins"] += 1
+            counts["undecided" if grade is None else grade.name] += 1
+        found += kinks(points, kink_angle, name, number)
+    failing = counts["kink"] + counts["undecided"] + (counts["g1"] if require == "G2" else 0)
+    return {"file": os.fspath(path), "met": counts["joins"] > 0 and (require is None or failing == 0), "summary": counts, "kinks": found}
+
+
+def mend_source(path, output, kink_angle=5, max_move: Optional[float] = None) -> List[Move]:
+    """Mends the kinks of a source and writes it to `output`, which may be `path`; a designspace is written with its UFOs, which have the
+    same places beside it. Returns what was moved.
+
+    Raises FileExistsError where another UFO is there already, ValueError for UFOs that are not in the folder of their designspace.
+    """
+    same = os.path.exists(output) and os.path.samefile(path, output)
+    kind = os.path.splitext(os.fspath(path).rstrip("/"))[1].lower()
+    if kind == ".glyphs":
+        import glyphsLib
+
+        font = glyphsLib.GSFont(path)
+        moves = mend_glyphs(font, kink_angle, max_move)
+        font.save(output)
+        return moves
+    if kind != ".designspace":
+        return mend_ufo(path, None if same else output, kink_angle, max_move)
+    folder, copies = os.path.dirname(os.path.abspath(path)), os.path.dirname(os.path.abspath(output))
+    if not same:
+        for source in designspace_sources(path):
+            place = os.path.relpath(source, folder)
+            if place.startswith(os.pardir):
+                raise ValueError(f"{place}: not in the folder of the designspace; write the result over the designspace")
+            shutil.copytree(source, os.path.join(copies, place))
+        shutil.copyfile(path, output)
+    return [m for moved in mend_designspace(output, kink_angle, max_move).values() for m in moved]
+
+
+def _counts_text(counts: Dict) -> str:
+    words = {"corner": "corners", "kink": "kinks", "g1": "G1", "g2": "G2 or more", "undecided": "undecided"}
+    return f"{counts['joins']} joins: " + ", ".join(f"{counts[k]} {word}" for k, word in words.items() if counts[k] or k != "undecided")
+
+
+def _print_record(record: Dict, require: Optional[str]) -> None:
+    print(f"{record['file']}: {_counts_text(record['summary'])}")
+    for kink in sorted(record["kinks"], key=lambda k: -k.handle_offset)[:20]:
+        print(f"    {kink.glyph}, contour {kink.contour}, node {kink.node} at ({kink.point[0]}, {kink.point[1]}): "
+              f"{math.degrees(kink.angle):.3g} degrees, off by {kink.handle_offset:.3g} units")
+    if not record["summary"]["joins"]:
+        print("no join, nothing was decided")
+    elif require:
+        print(f"every join but corners is {require}, proved exactly" if record["met"] else f"not every join but corners is {require}")
+
+
+def main(arguments: List[str]) -> int:
+    """Verifies or repairs sources as the commands `verify` and `repair` of the program do, which call this."""
+    parser = argparse.ArgumentParser(prog="geometric_continuity")
+    commands = parser.add_subparsers(dest="command", required=True)
+    verify, repair = commands.add_parser("verify"), commands.add_parser("repair")
+    for command in (verify, repair):
+        command.add_argument("--kink-angle", type=Fraction, default=Fraction(5))
+    verify.add_argument("--require", choices=("G1", "G2"))
+    verify.add_argument("--json", action="store_true")
+    verify.add_argument("files", nargs="+")
+    repair.add_argument("--max-move", type=float)
+    repair.add_argument("file")
+    repair.add_argument("output")
+    given = parser.parse_args(arguments)
+    try:
+        if given.command == "repair":
+            before = verify_source(given.file, given.kink_angle)
+            moves = mend_source(given.file, given.output, given.kink_angle, given.max_move)
+            record = verify_source(given.output, given.kink_angle, "G1")
+            print(f"moves: {len(moves)} handles\nbefore: {_counts_text(before['summary'])}")
+            _print_record(record, "G1")
+            return 0 if record["met"] else 1
+        records = [verify_source(file, given.kink_angle, given.require) for file in given.files]
+    except ModuleNotFoundError as error:
+        if error.name not in ("ufoLib2", "glyphsLib", "fontTools"):
+            raise
+        print(f"{error.name} is not installed, which reads this source: pip install {error.name}", file=sys.stderr)
+        return 2
+    if given.json:
+        for record in records:
+            record["kinks"] = [{"glyph": k.glyph, "contour": k.contour, "node": k.node, "point": [float(c) for c in k.point],
+                                "angle_degrees": math.degrees(k.angle), "handle_offset": k.handle_offset} for k in record["kinks"]]
+        print(json.dumps({"sources": records, "met": all(r["met"] for r in records)}, indent=1))
+    else:
+        for record in records:
+            _print_record(record, given.require)
+    return 0 if all(r["met"] for r in records) else 1

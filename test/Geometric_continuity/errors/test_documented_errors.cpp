@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE(joins) {
   CHECK_ERROR(GC::join_certificate(in_plane, in_space, GC::Join_continuity<Q>(), 3), dimension_mismatch);
   CHECK_ERROR(GC::is_curvature_continuous(c2, C2{P2(3, 0), P2(4, -1)}), wrong_number_of_points);
   CHECK_ERROR(GC::is_torsion_continuous(c3, C3{P3(3, 0, 0), P3(4, -1, 0)}), wrong_number_of_points);
-  CHECK_ERROR(GC::Corner_threshold(0), parameter_outside_domain);
+  CHECK_ERROR(GC::Corner_threshold(-1), parameter_outside_domain);
   CHECK_ERROR(GC::Corner_threshold(180), parameter_outside_domain);
   CHECK_ERROR(GC::Corner_threshold(inf), not_finite);
   const std::vector<C2> chain{c2, C2{P2(3, 0), P2(4, -1), P2(5, -1), P2(6, 0)}};

@@ -3,22 +3,30 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 #include "commands/command_line.h"
+#include "commands/fonts/font_sources.h"
+#include "commands/fonts/verify_instances.h"
 #include "commands/kink_options.h"
 #include "commands/repair/repair_contour.h"
 #include "commands/repair/repair_drawing.h"
 #include "commands/repair/repair_font.h"
 #include "commands/repair/repair_report.h"
+#include "commands/repair/write_font.h"
 #include "files/output.h"
+#include "formats/font/Font_face.h"
+#include "formats/font/Font_tables.h"
 #include "formats/font/font_files.h"
 #include "formats/g2_text/g2_curves_text.h"
+#include "formats/input_formats.h"
 #include "formats/svg/Unpacked_bytes.h"
 #include "formats/svg/svg_drawing.h"
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 
 #include <algorithm>
+#include <iostream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -28,7 +36,8 @@
 
 namespace {
 
-const char* const repair_usage = R"(usage: geometric_continuity repair FILE.svg|FILE.g2|FONT -o FILE [OPTIONS]
+const char* const repair_usage = R"(usage: geometric_continuity repair FILE.svg|FILE.g2|FONT|SOURCE -o FILE
+       [OPTIONS]
 
 Makes the kinks of a drawing, or of a chain of plane curves, exactly G1 by
 moving handles, not nodes, on the grid of the file: the decimals of each path,
@@ -53,7 +62,15 @@ input, by the reader of verify, and the joins are counted as verify does; those
 of paths that are defined and not drawn are repaired, too, and counted apart. A
 drawing that is packed by gzip is refused. Units are those of each path.
 
-A font is not changed: -o FILE.json is the list of moves in its units, which
+A font is written where FILE ends with .ttf, .otf, .woff or .woff2: fontTools,
+in the Python that GEOMETRIC_CONTINUITY_PYTHON names or in python3, moves the
+handles, every table that need not change keeps its bytes, and what is written
+is decided again. The masters of a variable font (glyf, gvar) are mended
+together: at each node that is no corner in any of them the handles get one
+ratio or one direction in all masters, by the least moves on the grid, so that
+no instance has a kink; all instances are verified with --max-kink 0. These
+moves can be long, --max-move bounds them, and other joins stay.
+-o FILE.json is the list of moves in the units of the font instead, which
 scripts of font editors can apply, {"moves":[{"glyph":"S","index":54,
 "contour":0,"point":7,"node":[x,y],"from":[x,y],"to":[x,y]},...]}. A component
 is named once, with the glyphs that use it: "used_by". Joins are counted as
@@ -63,9 +80,12 @@ Handles move at all of them, and kinks must not be left. Where TrueType leaves
 out nodes between two handles, these handles do not move, and where such a node
 lies on half a unit, no handle of its contour does.
 
+The source of a font, a folder .ufo, .glyphs or .designspace with its UFOs, is
+repaired by the Python module, where that is installed: each master by itself.
+
 examples:
   geometric_continuity repair drawing.svg -o drawing.svg
-  geometric_continuity repair font.otf --to G2 -o moves.json
+  geometric_continuity repair font.otf -o smooth.otf
 
 Exit code: 0 when no kink is left, 1 when one is, when curves of a chain do not
 meet, which no handle can mend, or when not all joins are decided (an arc of a
@@ -109,23 +129,69 @@ std::string repaired_chain(const std::string& text, const std::string& name, boo
   return result;
 }
 
-// How a font becomes another one by moves, as a part of a message.
-std::string use_of_moves(const std::string& font) {
-  return "; a font is not written: geometric_continuity repair " + font +
-         " -o MOVES.json writes the moves, and fontforge -script apply_moves.py " + font +
-         " MOVES.json RESULT.ttf applies them; the Python module mends sources (UFO, Glyphs)";
+// The endings of the fonts that are written.
+const Arguments& written_fonts() {
+  static const Arguments endings{".ttf", ".otf", ".woff", ".woff2"};
+  return endings;
 }
 
-// Writes the moves that would repair a font.
+bool is_font_name(const std::string& file) {
+  return std::count(written_fonts().begin(), written_fonts().end(), extension(file)) != 0;
+}
+
+bool is_variable_font(const std::string& bytes) {
+  try {
+    const std::string unpacked = bytes.compare(0, 3, "wOF") == 0 ? Font_face(bytes).unpacked() : bytes;
+    return GC::Font_tables(unpacked).has("fvar");
+  } catch (const std::exception&) { // no font of that kind: the reader of fonts says what it is
+    return false;
+  }
+}
+
+// The demand that every join of a font is smooth at every instance.
+Instance_demand smooth_instances(const Repair_options& options) {
+  return {Glyph_selection(), {options.bound, GC::Corner_threshold(0), GC::Kink_search().limit}, "0", true, 20};
+}
+
+// Mends the masters of a variable font together, and verifies all instances of what is written.
+int repair_variable_font(const Command_line& line, const std::string& bytes, const Repair_options& options,
+                         const Report_mode& mode) {
+  line.refuse({"off-by"}, "not where the masters of a variable font are mended together");
+  if (options.harmonise)
+    throw std::invalid_argument("--to G2: the masters of a variable font are mended to G1 only; leave it out");
+  const std::string file = line.files()[0], output = line.text("output");
+  Arguments numbers{line.text("kink-angle")};
+  if (line.has("max-move")) numbers.push_back(line.text("max-move"));
+  const Written_font written = font_with_mended_masters(bytes, numbers, extension(output), input_name(file));
+  write_output(output, [&](std::ostream& os) { os << written.bytes; });
+  std::istringstream messages(written.messages);
+  for (std::string message; std::getline(messages, message);) std::cout << GC::printable(message) << '\n';
+  return verify_instances({output}, mode, smooth_instances(options));
+}
+
+// Repairs a font: writes the moves, or the font where the output has the name of one.
 int repair_font(const Command_line& line, const Repair_options& options, const Report_mode& mode) {
   line.refuse({"closed", "json"}, "not with fonts");
-  const std::string file = line.files()[0], output = line.text("output");
-  if (!is_standard_output(output) && !is_standard_input(file) && lead_to_one_file(file, output))
-    throw std::invalid_argument("--output: the font itself, which is not changed; the moves are written as JSON" +
-                                use_of_moves(file));
-  check_output_name(line, "output", {".json"}, use_of_moves(file));
-  const Font_repair done = repair_font(read_bytes(file), input_name(file), options, rounding_bound(line));
-  write_output(output, [&](std::ostream& os) { os << done.moves; });
+  const std::string file = line.files()[0], name = input_name(file), output = line.text("output");
+  const bool font = is_font_name(output);
+  if (!font) {
+    if (!is_standard_output(output) && !is_standard_input(file) && lead_to_one_file(file, output))
+      throw std::invalid_argument("--output: a font of a format that is not written; give a name that ends with .ttf, "
+                                  ".otf, .woff or .woff2, or with .json for the moves");
+    check_output_name(line, "output", {".json"},
+                      "; fonts are written as .ttf, .otf, .woff and .woff2, and the Python module mends sources (UFO, "
+                      "Glyphs)");
+  }
+  const std::string bytes = read_bytes(file);
+  if (font && is_variable_font(bytes)) return repair_variable_font(line, bytes, options, mode);
+  const Font_repair done = repair_font(bytes, name, options, rounding_bound(line));
+  if (font) {
+    const Written_font written = font_with_moves(bytes, done.moves, extension(output), file);
+    if (repair_font(written.bytes, output, options, rounding_bound(line)).before != done.after)
+      throw std::logic_error(name + ": the font that fontTools writes has other joins than the moves make");
+    write_output(output, [&](std::ostream& os) { os << written.bytes; });
+  } else
+    write_output(output, [&](std::ostream& os) { os << done.moves; });
   const Report_subject subject = repair_subject();
   const Conclusion end(done.claims, mode, subject);
   report_stream(line) << done.text << end.text();
@@ -165,6 +231,7 @@ int run_repair(const Command_line& line) {
                          line.has("allow-uncovered"), true, false};
   const std::string file = line.files()[0], name = input_name(file), output = line.text("output");
   if (output.empty()) throw std::invalid_argument("--output: the name is empty");
+  if (is_font_source(file)) return repair_font_source(line);
   if (is_font_file(file)) return repair_font(line, options, mode);
   const bool drawing = is_svg_file(file);
   if (drawing) line.refuse({"closed"}, "not with drawings");

@@ -216,7 +216,7 @@ public:
     claims.add({Claim::met, "join"}, after_.joins() - after_[Glyph_grade::kink]);
     return {"{\"moves\":[" + moves_.str() + "],\n \"not_repaired\":[" + unrepaired_.str() + "],\n \"before\":{" +
                 json_members(before) + "},\n \"after\":{" + json_members(after) + "}}\n",
-            text.str(), claims};
+            text.str(), json_members(before), json_members(after), claims};
   }
 };
 

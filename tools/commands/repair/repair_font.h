@@ -24,6 +24,8 @@ struct Font_repair {
   // the font
   std::string moves;
   std::string text; // the summary for people
+  // the joins before and after the moves, as members of JSON
+  std::string before, after;
   Claims claims;
 };
 

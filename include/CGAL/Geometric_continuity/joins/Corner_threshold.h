@@ -53,7 +53,7 @@ inline boost::multiprecision::cpp_int arc_tangent_of_inverse(int k, int w) {
   return sum;
 }
 
-// cos(a) and sin(a) for the angle a of p/q degrees, 0 < p/q < 180, in units of 2^-w, w >= 128,
+// cos(a) and sin(a) for the angle a of p/q degrees, 0 <= p/q < 180, in units of 2^-w, w >= 128,
 // wrong by less than `error` units.
 //
 // Pi = 16 atan(1/5) - 4 atan(1/239), by Machin, is wrong by less than 20 (2 (w/4 + 1)) units, and a
@@ -135,11 +135,11 @@ public:
   typedef typename Exact_field<double>::type Field;
 
   /// Makes the bound of this many degrees, as an exact number: 5 unless another one is given. (The
-  /// `double` 0.1 is not the decimal 0.1.)
-  /// \throws Error `parameter_outside_domain` unless the angle is larger than 0 and less than 180
+  /// `double` 0.1 is not the decimal 0.1.) With 0 every angle is larger.
+  /// \throws Error `parameter_outside_domain` unless the angle is at least 0 and less than 180
   ///   degrees, `not_finite`
   explicit Corner_threshold(const internal::Convertible_number<Field>& degrees = 5) : degrees_(degrees.value) {
-    if (!(Field(0) < degrees_) || !(degrees_ < Field(180)))
+    if (degrees_ < Field(0) || !(degrees_ < Field(180)))
       throw Error(Error_code::parameter_outside_domain,
                   "Corner_threshold: an angle that is not between 0 and 180 degrees");
     const Rotation rotation = rotation_bounds(128);

@@ -1,0 +1,106 @@
+#!/usr/bin/env bash
+# repair writes fonts by fontTools: nothing but the handles of its moves differs, and verify finds
+# what repair has promised. The masters of variable fonts are mended together. Skipped without
+# fontTools.
+here=$(cd "$(dirname "$0")" && pwd) python=
+for candidate in python3 /usr/bin/python3; do
+  $candidate -c 'import fontTools' 2>/dev/null && python=$candidate && break
+done
+[ -n "$python" ] || exit 77
+. "$here/functions.sh"
+
+font() { printf "$(LC_ALL=C awk -f "$here/make_font.awk" "$@")"; }
+# Compares two fonts with fontTools: prints the tables that differ and the points that have moved.
+compare() {
+  $python - "$@" <<'END'
+import sys
+from fontTools.pens.recordingPen import RecordingPen
+from fontTools.ttLib import TTFont
+old, new = (TTFont(name) for name in sys.argv[1:])
+print("tables:", *sorted(t for t in old.reader.keys() if t != "head" and old.reader[t] != new.reader[t]))
+for name in old.getGlyphOrder():
+    drawn = []
+    for font in (old, new):
+        glyph = font["glyf"][name] if "glyf" in font else None
+        pen = RecordingPen()
+        if glyph is None:
+            font.getGlyphSet()[name].draw(pen)
+        drawn.append([[p for _, points in pen.value for p in points], [o for o, _ in pen.value]] if glyph is None else
+                     [list(getattr(glyph, "coordinates", [])), list(getattr(glyph, "flags", []))])
+        if glyph is not None and glyph.numberOfContours > 0:
+            drawn[-1][1] += [glyph.xMin - font["hmtx"][name][1], glyph.program.getBytecode()]
+    assert drawn[0][1] == drawn[1][1], name
+    for p, q in zip(drawn[0][0], drawn[1][0]):
+        if p != q:
+            print("%s %s -> %s" % (name, tuple(p), tuple(q)))
+END
+}
+
+# TrueType, with a component, and a handle that leaves the box of its glyph.
+font -v bearing=5 >given.ttf <<'END'
+glyph .notdef
+glyph base 65
+contour 0,0 100,0 200,3* 300,300 0,300
+glyph composed 66
+component 1 400 0
+glyph outside 67
+contour 0,0 0,100 2,250* 300,300 300,0
+END
+cp given.ttf kept.ttf
+run 1 verify given.ttf --require G1
+run 0 repair given.ttf -o mended.ttf && says out "every join is free of kinks, proved exactly" "2 handles" && holds cmp -s given.ttf kept.ttf
+run 0 verify mended.ttf --require G1 && says out "0 kinks"
+compare given.ttf mended.ttf >differences && says differences "tables: glyf" "base (200, 3) -> (200, 0)" "outside (2, 250) -> (0, 250)"
+holds [ "$(wc -l <differences)" -eq 3 ]
+run 0 repair mended.ttf -o mended.ttf && says out "moves: 0 handles" && run 0 verify mended.ttf --require G1
+for ending in otf woff; do
+  run 0 repair given.ttf -o packed.$ending && run 0 verify packed.$ending --require G1
+done
+run 0 repair given.ttf -o moves.json && holds $python "$here/../../tools/fonttools/write_font.py" given.ttf moves.json script.ttf
+holds cmp -s mended.ttf script.ttf
+$python "$here/../../tools/fonttools/write_font.py" mended.ttf moves.json again.ttf 2>err && holds false
+says err "there is no handle at" && holds [ ! -e again.ttf ]
+
+# Cubic curves. A segment without length stays.
+font -v outlines=cff >given.otf <<'END'
+glyph .notdef
+glyph curve 65
+contour 0,0 100,0 150,3* 260,100* 300,300 300,300 0,300
+END
+run 0 repair given.otf -o mended.otf && run 0 verify mended.otf --require G1 && says out "0 kinks"
+compare given.otf mended.otf >differences && says differences "tables: CFF" "curve (150, 3) -> (150, 0)" && holds [ "$(wc -l <differences)" -eq 2 ]
+
+# Masters: one join whose masters are smooth kinks by 5 degrees between them.
+$python - <<'END'
+from fontTools.fontBuilder import FontBuilder
+from fontTools.pens.ttGlyphPen import TTGlyphPen
+from fontTools.ttLib.tables.TupleVariation import TupleVariation
+builder = FontBuilder(1000, isTTF=True)
+builder.setupGlyphOrder([".notdef", "K"])
+builder.setupCharacterMap({75: "K"})
+empty, pen = TTGlyphPen(None), TTGlyphPen(None)
+pen.moveTo((0, 0)), pen.lineTo((120, 120)), pen.qCurveTo((240, 240), (280, 400)), pen.lineTo((0, 400)), pen.closePath()
+builder.setupGlyf({".notdef": empty.glyph(), "K": pen.glyph()})
+builder.setupHorizontalMetrics({".notdef": (500, 0), "K": (500, 0)})
+builder.setupHorizontalHeader(), builder.setupNameTable({"familyName": "T", "styleName": "R"}), builder.setupPost()
+builder.setupFvar([("wght", 400, 400, 700, "Weight")], [])
+deltas = [(0, 0), (-20, -70), (160, -40), None, None, None, None, None, None]
+builder.setupGvar({"K": [TupleVariation({"wght": (0, 1, 1)}, deltas)]})
+builder.save("vf.ttf")
+END
+run 0 verify vf.ttf --require G1 && run 1 verify vf.ttf --all-instances --max-kink 0
+run 0 repair vf.ttf -o vf2.ttf && says out "1 joins are mended for all masters together" "135.8 units"
+run 0 verify vf2.ttf --all-instances --max-kink 0 && run 0 verify vf2.ttf --require G1
+compare vf.ttf vf2.ttf >differences && says differences "tables: glyf gvar" "K (240, 240) -> (336, 336)" && holds [ "$(wc -l <differences)" -eq 2 ]
+run 1 repair vf.ttf -o vf3.ttf --max-move 50 && says out "not mended: glyph K, contour 0, node (120, 120): a handle would move by 135.8 units"
+run 2 verify vf.ttf --all-instances --max-kink -1 && says err "--max-kink: -1 is not at least 0 and less than 90 degrees"
+
+# Without fontTools there is a way.
+GEOMETRIC_CONTINUITY_PYTHON=/nowhere/python3 run 2 repair given.ttf -o none.ttf && holds [ ! -e none.ttf ]
+says err "python3-fonttools" "GEOMETRIC_CONTINUITY_PYTHON" "repair given.ttf -o MOVES.json" "write_font.py given.ttf MOVES.json RESULT.ttf"
+
+# Sources of fonts, where the Python module is installed; otherwise one sentence.
+mkdir -p Font.ufo
+GEOMETRIC_CONTINUITY_PYTHON=/nowhere/python3 run 2 verify Font.ufo && says err "Font.ufo: sources of fonts are read by the Python module" "ufoLib2"
+run 2 verify Font.ufo --glyphs a && says err "--glyphs=a: not for sources of fonts"
+run 2 repair Font.ufo -o Font.glyphs && says err "the format is .ufo"
