@@ -22,9 +22,10 @@ cp "$data/lmroman10-regular_S_0.g2" as_drawn.g2
 "$program" plot as_drawn.g2 every_join_G2.g2 --closed --no-polygon --columns 2 --title "The letter S of Latin Modern" -o letter.svg
 "$program" plot "$data/planar.g2" --alternatives --no-comb -o alternatives.svg
 "$program" plot --surfaces "$data/teapot.g2" --title "The teapot: 32 bicubic patches, every edge decided exactly" -o teapot.svg
-for strategy in energy3 fairest; do
-  "$program" blend --surfaces "$data/bent_near.g2" "$data/bent_far.g2" --strategy $strategy -o blend.g2 >/dev/null
-  "$program" plot --surfaces "$data/bent_near.g2" blend.g2 "$data/bent_far.g2" --title "The blend by $strategy" -o surface_blend_$strategy.svg
+for figure in surface_blend_energy3 surface_blend_fairest; do
+  strategy=${figure##*_}
+  "$program" blend --surfaces "$data/bent_near.g2" "$data/bent_far.g2" --strategy "$strategy" -o blend.g2 >/dev/null
+  "$program" plot --surfaces "$data/bent_near.g2" blend.g2 "$data/bent_far.g2" --title "The blend by $strategy" -o $figure.svg
 done
 "$program" round-edges "$data/box.g2" --set-back 2 --plot rounded_box.svg >/dev/null
 "$program" plot --surfaces "$data/fillet.g2" --title "Cylinder, fillet, plane" -o fillet.svg

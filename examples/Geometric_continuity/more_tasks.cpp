@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <cmath>
 #include <iostream>
 #include <vector>
 
@@ -80,7 +81,7 @@ int main() {
 
   // 9. few curves near a polyline, and a fair spline through its points
   std::vector<Double_point> track;
-  for (int i = 0; i <= 40; ++i) track.emplace_back(i, i * i * (40 - i) / 400.);
+  for (int i = 0; i <= 40; ++i) track.emplace_back(i, 10 * std::sin(i / 6.));
   const auto fitted = GC::fit(track, 0.05);
   std::cout << "9. " << fitted.number_of_segments() << " cubics, " << GC::chain_continuity(fitted) << "; "
             << GC::chain_continuity(GC::interpolate_fair(track)) << '\n';

@@ -46,8 +46,8 @@ bool smooth(const GC::Bspline_curve<Plane>& c, const Patch& p, const std::vector
 }
 
 #ifdef OTHER_CALL // a name that there is not, and the sentence about it
-GC::Bezier_curve<Plane> curve;
-Patch patch;
+extern const GC::Bezier_curve<Plane> curve;
+extern const Patch patch;
 std::vector<Plane::Point> points;
 void call() { GC::OTHER_CALL; }
 #endif

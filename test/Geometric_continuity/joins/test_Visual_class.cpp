@@ -78,7 +78,7 @@ std::string grade(const std::vector<std::vector<double>>& left, const std::vecto
 // ---------------------------------------------------------------- the bound
 
 BOOST_AUTO_TEST_CASE(bounds_are_angles) {
-  for (int degrees : {0, 180, 181, -1}) CHECK_ERROR(Bound(degrees), parameter_outside_domain);
+  for (int degrees : {180, 181, -1}) CHECK_ERROR(Bound(degrees), parameter_outside_domain);
   CHECK_ERROR(Bound(std::numeric_limits<double>::quiet_NaN()), not_finite);
   CHECK_ERROR(Bound(std::numeric_limits<double>::infinity()), not_finite);
   CHECK_ERROR(Bound().is_exceeded(0., 0.), zero_direction);
@@ -86,6 +86,11 @@ BOOST_AUTO_TEST_CASE(bounds_are_angles) {
   CHECK_ERROR(Bound().is_exceeded(std::numeric_limits<double>::infinity(), 1.), not_finite);
   BOOST_CHECK(Bound().degrees() == 5);
   BOOST_CHECK(Bound(Q(1) / 3).degrees() == Q(1) / 3);
+  // every angle exceeds 0 degrees
+  const Q little = Q(1) / Q(std::numeric_limits<double>::max());
+  BOOST_CHECK(!Bound(0).is_exceeded(Q(0), Q(1)) && Bound(0).is_exceeded(Q(0), Q(-1)));
+  BOOST_CHECK(Bound(0).is_exceeded(little, Q(1)) && Bound(0).is_exceeded(Q(-little), Q(1)));
+  BOOST_CHECK(!Bound(0).is_exceeded(0., 1.) && Bound(0).is_exceeded(5e-324, 1.) && Bound(0).is_exceeded(0., -1.));
 }
 
 // An angle and the one that is a little larger.

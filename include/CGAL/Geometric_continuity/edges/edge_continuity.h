@@ -223,31 +223,30 @@ auto edge_continuity(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
 
 namespace internal {
 
-// The verdicts on all pairs of edges that have more than a point in common, and their names. The
-// edges of one surface are paired with each other.
-template <class Surface_a, class Surface_b>
-std::vector<Spline_edge_continuity<Edge_field<typename Surface_a::Traits>>>
-verdicts_on_common_edges(const Surface_a& a, const Surface_b& b, bool whole, std::string& names) {
-  const bool same = static_cast<const void*>(&a) == static_cast<const void*>(&b);
-  std::vector<Spline_edge_continuity<Edge_field<typename Surface_a::Traits>>> verdicts;
-  for (Patch_edge edge_a : patch_edges)
-    for (Patch_edge edge_b : patch_edges) {
-      if ((same && !(edge_a < edge_b)) || (whole && !edge_has_order<0>(a, edge_a, b, edge_b))) continue;
-      auto verdict = edge_continuity(a, edge_a, b, edge_b);
-      if (verdict.g_order < 0 || verdict.collapsed) continue;
-      names += std::string(verdicts.empty() ? "" : ", ") + to_string(edge_a) + " and " + to_string(edge_b);
-      verdicts.push_back(std::move(verdict));
-    }
-  return verdicts;
-}
+// A pair of edges and the verdict on them.
+template <class FT> struct Verdict_on_edges {
+  Patch_edge edge_a, edge_b;
+  Spline_edge_continuity<FT> verdict;
+};
 
-// The verdict on the one edge that two surfaces have in common, if there is one.
+// The verdict on the one edge that two surfaces have in common, if there is one: the only pair of
+// edges that have more than a point in common, first of those that are the same as a whole, then of
+// which a part is the same. The edges of one surface are paired with each other.
 template <class Surface_a, class Surface_b>
-std::optional<Spline_edge_continuity<Edge_field<typename Surface_a::Traits>>>
-verdict_on_common_edge(const Surface_a& a, const Surface_b& b) {
+std::optional<Verdict_on_edges<Edge_field<typename Surface_a::Traits>>> verdict_on_common_edge(const Surface_a& a,
+                                                                                               const Surface_b& b) {
+  const bool same = static_cast<const void*>(&a) == static_cast<const void*>(&b);
   for (bool whole : {true, false}) {
     std::string names;
-    auto verdicts = verdicts_on_common_edges(a, b, whole, names);
+    std::vector<Verdict_on_edges<Edge_field<typename Surface_a::Traits>>> verdicts;
+    for (Patch_edge edge_a : patch_edges)
+      for (Patch_edge edge_b : patch_edges) {
+        if ((same && !(edge_a < edge_b)) || (whole && !edge_has_order<0>(a, edge_a, b, edge_b))) continue;
+        auto verdict = edge_continuity(a, edge_a, b, edge_b);
+        if (verdict.g_order < 0 || verdict.collapsed) continue;
+        names += std::string(verdicts.empty() ? "" : ", ") + to_string(edge_a) + " and " + to_string(edge_b);
+        verdicts.push_back({edge_a, edge_b, std::move(verdict)});
+      }
     if (verdicts.size() == 1) return std::move(verdicts[0]);
     if (verdicts.size() > 1)
       throw Error(Error_code::several_common_edges, "edge_continuity: " + names +
@@ -271,7 +270,7 @@ verdict_on_common_edge(const Surface_a& a, const Surface_b& b) {
 template <class Surface_a, class Surface_b>
 auto edge_continuity(const Surface_a& a, const Surface_b& b)
     -> Spline_edge_continuity<Edge_field<typename Surface_a::Traits>> {
-  if (auto verdict = internal::verdict_on_common_edge(a, b)) return *std::move(verdict);
+  if (auto found = internal::verdict_on_common_edge(a, b)) return std::move(found->verdict);
   throw Error(Error_code::curves_do_not_meet,
               "edge_continuity: no edge of one surface is an edge of the other, or a part of it, exactly; deviation() "
               "of two named edges tells how far apart they are");
@@ -279,10 +278,13 @@ auto edge_continuity(const Surface_a& a, const Surface_b& b)
 
 namespace internal {
 
-template <class Surface_a, class Surface_b>
-bool common_edge_has_order(const Surface_a& a, const Surface_b& b, int order) {
-  const auto verdict = verdict_on_common_edge(a, b);
-  return verdict && verdict->g_order >= order;
+template <int order, class Surface_a, class Surface_b>
+bool common_edge_has_order(const Surface_a& a, const Surface_b& b) {
+  const auto found = verdict_on_common_edge(a, b);
+  if constexpr (order < 3)
+    return found && found->verdict.g_order >= order;
+  else
+    return found && edge_has_order<order>(a, found->edge_a, b, found->edge_b);
 }
 
 } // namespace internal
@@ -304,7 +306,7 @@ bool is_g0_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 /// `edge_continuity(a, b)` finds it; false where they have none.
 /// \throws Error `several_common_edges` with their names, and as for given edges
 template <class Surface_a, class Surface_b> bool is_g0_edge(const Surface_a& a, const Surface_b& b) {
-  return internal::common_edge_has_order(a, b, 0);
+  return internal::common_edge_has_order<0>(a, b);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -324,7 +326,7 @@ bool is_g1_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 /// `edge_continuity(a, b)` finds it; false where they have none.
 /// \throws Error `several_common_edges` with their names, and as for given edges
 template <class Surface_a, class Surface_b> bool is_g1_edge(const Surface_a& a, const Surface_b& b) {
-  return internal::common_edge_has_order(a, b, 1);
+  return internal::common_edge_has_order<1>(a, b);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -343,7 +345,7 @@ bool is_g2_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 /// `edge_continuity(a, b)` finds it; false where they have none.
 /// \throws Error `several_common_edges` with their names, and as for given edges
 template <class Surface_a, class Surface_b> bool is_g2_edge(const Surface_a& a, const Surface_b& b) {
-  return internal::common_edge_has_order(a, b, 2);
+  return internal::common_edge_has_order<2>(a, b);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces
@@ -364,7 +366,7 @@ bool is_g3_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch
 /// `edge_continuity(a, b)` finds it; false where they have none.
 /// \throws Error `several_common_edges` with their names, and as for given edges
 template <class Surface_a, class Surface_b> bool is_g3_edge(const Surface_a& a, const Surface_b& b) {
-  return internal::common_edge_has_order(a, b, 3);
+  return internal::common_edge_has_order<3>(a, b);
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces

@@ -215,6 +215,7 @@ private:
     if (c == zero && dot == zero)
       throw Error(Error_code::zero_direction, "Corner_threshold: the angle of a vector of no length");
     if (c == zero) return dot < zero; // an angle of 0 or of 180 degrees
+    if (degrees_ == Field(0)) return true;
     const NT size = c + (dot < zero ? NT(-dot) : dot);
     for (int bits = 128;; bits *= 2) {
       const Rotation r = rotation_bounds(bits);

@@ -334,9 +334,9 @@ Matching_shape<typename Surface_b::FT> nearest_matching_shape(const Surface_a& a
 ///   derivative along it jumps that \f$ \alpha \f$ multiplies; `negative_count` for another order; `dimension_mismatch`; `zero_weight` when a weight is not positive; `not_finite` when
 ///   floating-point numbers overflow
 template <class Surface_a, class Surface_b>
-typename internal::Blended_surfaces<Surface_a, Surface_b>::Surface
-match(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, int order,
-      const Matching_shape<typename Surface_b::FT>& shape, Edge_direction direction) {
+Blend_surface<Surface_a, Surface_b> match(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                                          int order, const Matching_shape<typename Surface_b::FT>& shape,
+                                          Edge_direction direction) {
   return internal::Surface_match<Surface_a, Surface_b>(a, edge_a, b, edge_b, order, direction)(shape, edge_b);
 }
 
@@ -345,8 +345,8 @@ match(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge
 /// edge runs in `nearer_direction()`.
 /// \throws Error as the function with a shape
 template <class Surface_a, class Surface_b>
-typename internal::Blended_surfaces<Surface_a, Surface_b>::Surface
-match(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b, int order = 2) {
+Blend_surface<Surface_a, Surface_b> match(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                                          int order = 2) {
   const internal::Surface_match<Surface_a, Surface_b> match(a, edge_a, b, edge_b, order,
                                                             nearer_direction(a, edge_a, b, edge_b));
   return match(match.nearest_shape(), edge_b);
