@@ -150,6 +150,13 @@ template <int order> struct Has_order {
       return is_g3_join(a, b);
   }
 
+  // This refuses a tolerance.
+  template <class A, class B, class Number> bool operator()(const A&, const B&, const Number&) const {
+    static_assert(!std::is_same_v<Number, Number>, "order_within(a, b, 1e-6) proves or refutes the orders within a "
+                                                   "tolerance; of surfaces it takes the edges, too");
+    return false;
+  }
+
   template <class Chain> bool operator()(const Chain& chain) const {
     if constexpr (Has_traits<Chain>::value) {
       const auto knots = knot_continuities(chain, order);
@@ -213,6 +220,7 @@ continuity(const Rational_bspline_curve<Traits>& c, int max_order = 3) {
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN                                                                             \
   "continuity(a, b) decides the join of two curves: .g_order, .c_order, .f_order, .betas(); is_g2_join(a, b) is "      \
   "true or false; order_within(a, b, 1e-6) allows a tolerance; edge_continuity(a, b) is of two surfaces"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_geometrically_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_join, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
@@ -229,6 +237,7 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(order_of_continuity, CGAL_GEOMETRIC_CONTIN
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_chain, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_chain_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_chain, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN
 
@@ -246,6 +255,9 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(make_blend, "blend(a, b) joins two curves 
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
     blend_surfaces, "blend(a, Patch_edge::v1, b, Patch_edge::v0) joins two surfaces by a surface that is G2 along both "
                     "edges")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
+    blend_surface, "blend(a, Patch_edge::v1, b, Patch_edge::v0) joins two surfaces by a surface that is G2 along both "
+                   "edges")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fillet, "round_corners(points_or_curves, distance) rounds the corners of a "
                                               "polyline or a chain, round_corner(a, b, distance) one of them, "
                                               "round_edge() the edge between two surfaces")

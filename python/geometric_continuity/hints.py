@@ -39,7 +39,8 @@ _GUESSED = {
     "smooth": "call blend(left, right) to connect curves smoothly, continuity(left, right) to decide how smoothly they meet",
     "connect": "call blend(left, right)",
     "bridge": "call blend(left, right)",
-    "continuous": "call continuity(left, right).g_order >= 1, chain_joins(spline) for the joins inside of a spline",
+    "continuous": "call continuity(left, right).g_order >= 1, order_within(left, right, tolerance) with a tolerance, "
+                  "chain_joins(spline) for the joins inside of a spline",
     "knot_continuity": "call chain_joins(spline), which decides the joins at its knots",
     "curvature_continuous": "call continuity(left, right).g_order >= 2, chain_joins(spline) for the joins inside of a spline",
     "control_point": "a curve has .points, e.g. blend(left, right).points",
@@ -48,9 +49,10 @@ _GUESSED = {
     "tangent": "call evaluate(curve, parameters, 1)",
     "measure": "call deviation(left, right)",
     "distance": "call deviation(left, right), which has the gap",
-    "check": "call continuity(left, right) for curves, verify(file) for files",
+    "check": "call continuity(left, right) for curves, chain_joins(spline) for a spline or a list of curves, verify(file) for files",
     "repair": "call `geometric_continuity repair` for files; representable_blend(left, right) and align_handles(left, right) for curves",
     "fillet": "call round_corner(left, right, distance)",
+    "round_corner": "round_corner(left, right, distance) rounds one corner; call it for each pair of neighbours",
 }
 
 # Members that other libraries have, and those here.

@@ -8,7 +8,7 @@
 printf 'ISO-10303-21;\n' >any.step
 cp "$program" alone
 "$PWD/alone" verify any.step >out 2>err
-holds [ $? -eq 2 ] && says err "any.step: STEP, IGES and BREP are read by an optional part of this program" "geometric-continuity-cad" "libocct-data-exchange-dev"
+holds [ $? -eq 2 ] && says err "any.step: STEP, IGES and BREP are read and written by an optional part of this program" "geometric-continuity-cad" "libocct-data-exchange-dev"
 made_by MAKE_CAD_MODELS models
 holds "$CHECK_CAD_CONVERSION" models/*
 

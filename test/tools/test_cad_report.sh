@@ -8,7 +8,7 @@ mirrored=$(realpath "$(dirname "$0")")/cad/data/mirrored.brep
 printf 'ISO-10303-21;\n' >any.step
 cp "$program" alone
 "$PWD/alone" report any.step -o any.html >out 2>err
-holds [ $? -eq 2 ] && says err "any.step: STEP, IGES and BREP are read by an optional part of this program" "libocct-data-exchange-dev"
+holds [ $? -eq 2 ] && says err "any.step: STEP, IGES and BREP are read and written by an optional part of this program" "libocct-data-exchange-dev"
 holds [ ! -e any.html ]
 made_by MAKE_CAD_MODELS models "$mirrored"
 
