@@ -6,7 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_INTERNAL_FAIR_MINIMUM_H
 
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fairness_quadrature.h>
@@ -296,19 +295,7 @@ private:
 
   // The minimum of the expansion with damping, not too far away.
   Unknowns step(const Unknowns& y, const Fairness_expansion<unknowns>& e, double damping) const {
-    std::array<std::array<double, unknowns>, unknowns> matrix = e.matrix;
-    Unknowns h;
-    for (int k = 0; k < unknowns; ++k) {
-      h[k] = -e.gradient[k];
-      matrix[k][k] += damping * matrix[k][k] + (std::numeric_limits<double>::min)();
-    }
-    for (int k = 0; k < unknowns; ++k)
-      if (is_fixed(k, y, e.gradient)) {
-        for (int l = 0; l < unknowns; ++l) matrix[k][l] = matrix[l][k] = 0;
-        matrix[k][k] = 1;
-        h[k] = 0;
-      }
-    h = solve_positive_definite(matrix, h);
+    const Unknowns h = e.step(damping, [&](int k) { return is_fixed(k, y, e.gradient); });
     double longest = 0;
     for (int k : shape_unknowns) longest = (std::max)(longest, std::abs(h[k]));
     const double part = longest > longest_step ? longest_step / longest : 1;

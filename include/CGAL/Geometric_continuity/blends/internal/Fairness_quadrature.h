@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_INTERNAL_FAIRNESS_QUADRATURE_H
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
 
@@ -80,6 +81,24 @@ private:
 template <int unknowns> struct Fairness_expansion {
   std::array<double, unknowns> gradient;
   std::array<std::array<double, unknowns>, unknowns> matrix;
+
+  // The step to the minimum of the expansion with damping, where the unknowns that `is_fixed` names
+  // do not change.
+  template <class Is_fixed> std::array<double, unknowns> step(double damping, const Is_fixed& is_fixed) const {
+    std::array<std::array<double, unknowns>, unknowns> damped = matrix;
+    std::array<double, unknowns> h;
+    for (int k = 0; k < unknowns; ++k) {
+      h[k] = -gradient[k];
+      damped[k][k] += damping * damped[k][k] + (std::numeric_limits<double>::min)();
+    }
+    for (int k = 0; k < unknowns; ++k)
+      if (is_fixed(k)) {
+        for (int l = 0; l < unknowns; ++l) damped[k][l] = damped[l][k] = 0;
+        damped[k][k] = 1;
+        h[k] = 0;
+      }
+    return solve_positive_definite(damped, h);
+  }
 };
 
 template <Blend_kind kind, int M, int nodes> class Fairness_quadrature {

@@ -178,17 +178,12 @@ private:
     double total = 0;
     for (const Sample& sample : samples_) {
       const int k = piece_of(sample);
-      const double t = sample.t - k, u = 1 - t;
+      const double t = sample.t - k;
       const std::array<Vector, 2> offset = pieces_[k].offset(t, sample.x);
       const double speed = Path::length(offset[1]);
       if (!(speed > 0)) continue;
       const Vector tangent = (1 / speed) * offset[1];
-      std::array<double, degree + 1> w; // Bernstein polynomials
-      if constexpr (degree == 3)
-        w = {u * u * u, 3 * u * u * t, 3 * u * t * t, t * t * t};
-      else
-        w = {u * u * u * u * u,      5 * u * u * u * u * t, 10 * u * u * u * t * t,
-             10 * u * u * t * t * t, 5 * u * t * t * t * t, t * t * t * t * t};
+      const std::array<double, degree + 1> w = Piece::bernstein(t);
       // columns of the reflection that takes the tangent to the last axis, or away from it
       Vector normal = tangent;
       normal[d - 1] += tangent[d - 1] < 0 ? -1 : 1;

@@ -37,6 +37,15 @@ public:
   std::vector<Vector> polyline;   // its vertices, from the start of the piece to its end
   std::vector<double> parameters; // of these
 
+  // The Bernstein polynomials, in the order of the points
+  static std::array<double, degree + 1> bernstein(double t) {
+    const double u = 1 - t;
+    if constexpr (degree == 3)
+      return {u * u * u, 3 * u * u * t, 3 * u * t * t, t * t * t};
+    else
+      return {u * u * u * u * u,      5 * u * u * u * u * t, 10 * u * u * u * t * t,
+              10 * u * u * t * t * t, 5 * u * t * t * t * t, t * t * t * t * t};
+  }
   // x(t) - p, x'(t)
   std::array<Vector, 2> offset(double t, const Vector& p) const {
     std::array<Vector, degree + 1> b = points;

@@ -373,13 +373,8 @@ private:
     std::array<Handles, unknowns> a{};
     Handles r{};
     for (int k = 1; k < samples; ++k) {
-      const double t = u[k], s = 1 - t;
-      std::array<double, degree + 1> b; // Bernstein polynomials
-      if constexpr (degree == 3)
-        b = {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
-      else
-        b = {s * s * s * s * s,      5 * s * s * s * s * t, 10 * s * s * s * t * t,
-             10 * s * s * t * t * t, 5 * s * t * t * t * t, t * t * t * t * t};
+      const double t = u[k];
+      const std::array<double, degree + 1> b = Piece::bernstein(t);
       const std::array<Vector, 2> offset = piece.offset(t, x[k]);
       const double square = dot(offset[1], offset[1]);
       const auto across = [&](const Vector& v) -> Vector {

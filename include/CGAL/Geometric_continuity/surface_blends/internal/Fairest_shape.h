@@ -9,7 +9,6 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
-#include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
@@ -243,19 +242,10 @@ private:
 
   // The minimum of the expansion with damping, not too far away.
   static Unknowns step(const Unknowns& x, const Fairness_expansion<unknowns>& e, double damping) {
-    std::array<std::array<double, unknowns>, unknowns> matrix = e.matrix;
-    Unknowns h;
-    for (int k = 0; k < unknowns; ++k) {
-      h[k] = -e.gradient[k];
-      matrix[k][k] += damping * matrix[k][k] + (std::numeric_limits<double>::min)();
-    }
-    for (int k : shape_unknowns)
-      if ((x[k] >= most_change && h[k] > 0) || (x[k] <= -most_change && h[k] < 0)) {
-        for (int l = 0; l < unknowns; ++l) matrix[k][l] = matrix[l][k] = 0;
-        matrix[k][k] = 1;
-        h[k] = 0;
-      }
-    h = solve_positive_definite(matrix, h);
+    const Unknowns h = e.step(damping, [&](int k) {
+      const bool of_shape = k == shape_unknowns[0] || k == shape_unknowns[1];
+      return of_shape && ((x[k] >= most_change && e.gradient[k] < 0) || (x[k] <= -most_change && e.gradient[k] > 0));
+    });
     double longest = 0;
     for (int k : shape_unknowns) longest = (std::max)(longest, std::abs(h[k]));
     const double part = longest > longest_step ? longest_step / longest : 1;
