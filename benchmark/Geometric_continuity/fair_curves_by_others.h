@@ -6,9 +6,9 @@
 
 // Four well-known curves through points in the plane, for comparison with `interpolate_fair`,
 // written from their papers: the splines of J. D. Hobby (Smooth, easy to compute interpolating
-// splines, 1986), the spiro splines of R. Levien (From Spiral to Spline, 2009), kappa-curves (Z. Yan
-// et al., kappa-Curves: Interpolation with Local Curvature Control, 2017), and cubic splines with
-// centripetal parameters (E. T. Y. Lee, 1989). Each is returned as samples.
+// splines, 1986), the spiro splines of R. Levien (From Spiral to Spline, 2009), kappa-curves (Z.
+// Yan et al., kappa-Curves: Interpolation with Local Curvature Control, 2017), and cubic splines
+// with centripetal parameters (E. T. Y. Lee, 1989). Each is returned as samples.
 
 #include <Eigen/Dense>
 
