@@ -21,24 +21,20 @@ std::size_t end_of_numbers(const GC::Svg_path_places& places, std::size_t comman
   return command + 1 < places.commands.size() ? places.commands[command + 1].first_number : places.numbers.size();
 }
 
-Drawing_traits::FT power_of_ten(int exponent) {
-  Drawing_traits::FT power(1);
-  for (; exponent > 0; --exponent) power *= 10;
-  return power;
-}
-
 // Puts edits together: numbers may follow each other without a space where they cannot be taken for
 // one, which depends on how they begin.
 class Edit_list {
   const std::string_view data_;
   Path_decimals& decimals_;
+  const bool keeps_grid_;
   std::size_t last_end_ = 0; // of the number before; 0 behind a letter
   bool last_changed_ = false;
 
 public:
   std::vector<Text_edit> edits;
 
-  Edit_list(std::string_view data, Path_decimals& decimals) : data_(data), decimals_(decimals) {}
+  Edit_list(std::string_view data, Path_decimals& decimals, bool keeps_grid)
+      : data_(data), decimals_(decimals), keeps_grid_(keeps_grid) {}
 
   void letter(const GC::Text_range& range, const std::optional<std::string>& replacement) {
     if (replacement) edits.push_back({range, *replacement});
@@ -47,7 +43,7 @@ public:
   }
 
   void number(const GC::Text_range& range, std::optional<std::string> replacement) {
-    if (replacement) keep_grid(range, *replacement);
+    if (replacement && keeps_grid_) keep_grid(range, *replacement);
     const char first = replacement ? (*replacement)[0] : data_[range.begin];
     const bool adjoins = range.begin == last_end_ && range.begin > 0;
     const bool separate = adjoins && (last_changed_ || replacement) && first != '-' && first != '+';
@@ -84,7 +80,7 @@ void Path_decimals::add(std::string_view data, const GC::Svg_path_places& places
           data.substr(places.numbers[k].begin, places.numbers[k].end - places.numbers[k].begin);
       const std::optional<Grid_number> x = Grid_number::read(number);
       if (!x || x->decimals > Grid_number::max_decimals)
-        refusal = "a number has too many digits: " + std::string(number.substr(0, 30));
+        fit = false;
       else {
         if (x->decimals > most) finest = 0;
         most = (std::max)(most, x->decimals);
@@ -120,14 +116,8 @@ std::optional<GC::Grid_vector> Path_text::on_grid(const Drawing_traits::Point& p
 }
 
 Grid_curve Path_text::curve(const GC::Svg_segment<Drawing_traits>& segment) const {
+  if (segment.arc()) return arc(segment, decimals_.most);
   Grid_curve result;
-  if (segment.arc()) {
-    const Drawing_traits::FT unit = power_of_ten(decimals_.most), zero(0);
-    result.arc = std::make_shared<const Exact_segment>(
-        static_cast<const Exact_segment&>(segment).transform(Drawing_transform({unit, zero, zero, unit, zero, zero})));
-    result.reason = "an arc of a rotated ellipse";
-    return result;
-  }
   for (const Drawing_traits::Point& p : *segment.bezier())
     if (const std::optional<GC::Grid_vector> v = on_grid(p))
       result.points.push_back(*v);
@@ -139,22 +129,52 @@ Grid_curve Path_text::curve(const GC::Svg_segment<Drawing_traits>& segment) cons
   return result;
 }
 
-Grid_contour Path_text::contour() const {
+Grid_curve Path_text::arc(const GC::Svg_segment<Drawing_traits>& segment, int decimals) {
+  const Drawing_traits::FT unit = power_of_ten(decimals), zero(0);
+  Grid_curve result;
+  result.arc = std::make_shared<const Exact_segment>(
+      static_cast<const Exact_segment&>(segment).transform(Drawing_transform({unit, zero, zero, unit, zero, zero})));
+  result.reason = "an arc of a rotated ellipse";
+  return result;
+}
+
+template <class Curve> Grid_contour Path_text::contour_of(int decimals, Curve curve) const {
   Grid_contour result;
   result.closed = subpath_.closed;
-  result.decimals = decimals_.most;
+  result.decimals = decimals;
   result.map = map_;
   result.curves.reserve(subpath_.segments.size());
   for (const auto& segment : subpath_.segments) result.curves.push_back(curve(segment));
   return result;
 }
 
+Grid_contour Path_text::contour() const {
+  return contour_of(decimals_.most, [&](const auto& segment) { return curve(segment); });
+}
+
+Grid_contour Path_text::contour_beside_grid(int decimals) const {
+  Grid_contour result = contour_of(decimals, [&](const auto& segment) {
+    if (segment.arc()) return arc(segment, decimals);
+    return curve_beside_grid({segment.bezier()->begin(), segment.bezier()->end()}, decimals);
+  });
+  result.is_beside_grid = true;
+  return result;
+}
+
+int Path_text::coarser_decimals(std::int64_t longest) const {
+  std::vector<Drawing_traits::Point> nodes;
+  for (const auto& segment : subpath_.segments) {
+    nodes.push_back(segment.start());
+    nodes.push_back(segment.end());
+  }
+  return ::coarser_decimals(nodes, longest);
+}
+
 std::vector<Text_edit> Path_text::edits(const Grid_contour& from, const Grid_contour& to) {
-  typedef GC::Grid_vector Vector;
-  Edit_list list(data_, decimals_);
-  Vector moved{0, 0};     // by which the handle that a shorthand reflects has moved
-  long long moved_by = 0; // the command that draws its curve
-  char in_force = '\0';   // the letter that numbers without one would repeat
+  Edit_list list(data_, decimals_, !from.is_beside_grid);
+  Grid_offset moved(0, 0); // by which the handle that a shorthand reflects has moved
+  long long moved_by = 0;  // the command that draws its curve
+  char in_force = '\0';    // the letter that numbers without one would repeat
   std::size_t segment = 0;
   for (std::size_t i = 0; i < places_.commands.size(); ++i) {
     const GC::Svg_command& command = places_.commands[i];
@@ -164,29 +184,34 @@ std::vector<Text_edit> Path_text::edits(const Grid_contour& from, const Grid_con
     std::vector<std::optional<std::string>> values(end - begin);
     std::string inserted; // in front of the numbers
     if (segment < subpath_.segments.size() && subpath_.segments[segment].command == number) {
-      const std::vector<Vector>&old = from.curves[segment].points, &p = to.curves[segment].points;
+      const Grid_curve &old = from.curves[segment], &p = to.curves[segment];
       const char kind = upper(letter);
-      if (p.size() > 2) {
-        const auto text = [&](const Vector& v) -> std::pair<std::string, std::string> {
-          const Vector x = is_relative(letter) ? v - p[0] : v;
-          return {from.text(x.x), from.text(x.y)};
+      if (p.points.size() > 2) {
+        const auto text = [&](std::size_t k) -> std::pair<std::string, std::string> {
+          const GC::Grid_vector x = is_relative(letter) ? p.points[k] - p.points[0] : p.points[k];
+          if (!to.is_beside_grid) return {to.text(x.x), to.text(x.y)};
+          const Grid_offset y = exact_point(p, k) - (is_relative(letter) ? exact_point(p, 0) : CGAL::ORIGIN);
+          return {to.text(y.x()), to.text(y.y())};
         };
+        const auto move = [&](std::size_t k) { return exact_point(p, k) - exact_point(old, k); };
         const bool implied = kind == 'S' || kind == 'T';
         // the first control point with numbers of its own
         const std::size_t written = implied ? 2 : 1;
-        for (std::size_t k = written; k + 1 < p.size(); ++k) {
-          const auto [x, y] = text(p[k]);
-          if (p[k].x != old[k].x) values[2 * (k - written)] = x;
-          if (p[k].y != old[k].y) values[2 * (k - written) + 1] = y;
+        for (std::size_t k = written; k + 1 < p.points.size(); ++k) {
+          const Grid_offset v = move(k);
+          if (v == CGAL::NULL_VECTOR) continue;
+          const auto [x, y] = text(k);
+          if (v.x() != 0) values[2 * (k - written)] = x;
+          if (v.y() != 0) values[2 * (k - written) + 1] = y;
         }
         const char before = i > 0 && moved_by == number - 1 ? upper(places_.commands[i - 1].letter) : '\0';
         const bool reflects = kind == 'S' ? before == 'C' || before == 'S' : before == 'Q' || before == 'T';
-        if (implied && p[1] != (reflects ? old[1] - moved : old[1])) { // the full command
-          const auto [x, y] = text(p[1]);
+        if (implied && move(1) != (reflects ? -moved : Grid_offset(0, 0))) { // the full command
+          const auto [x, y] = text(1);
           letter = static_cast<char>(letter + (kind == 'S' ? 'C' - 'S' : 'Q' - 'T'));
           inserted = x + ' ' + y + ' ';
         }
-        moved = p[p.size() - 2] - old[p.size() - 2];
+        moved = move(p.points.size() - 2);
         moved_by = number;
       }
       ++segment;

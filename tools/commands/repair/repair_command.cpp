@@ -6,6 +6,7 @@
 #include "commands/fonts/font_sources.h"
 #include "commands/fonts/verify_instances.h"
 #include "commands/kink_options.h"
+#include "commands/repair/chain_direction.h"
 #include "commands/repair/repair_contour.h"
 #include "commands/repair/repair_drawing.h"
 #include "commands/repair/repair_font.h"
@@ -28,6 +29,7 @@
 #include <algorithm>
 #include <iostream>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -103,27 +105,96 @@ std::string read_text(const std::string& file) {
   return std::string(std::istreambuf_iterator<char>(input), std::istreambuf_iterator<char>());
 }
 
-void check_curves(const std::string& text, const std::string& name) {
+// Reads the curves, calling f(curve) for each.
+template <class Function> void for_each_curve(const std::string& text, const std::string& name, Function f) {
   std::istringstream is(text);
   GC::G2_curve_reader<Chain_traits, GC::Rational_bspline_curve<Chain_traits>> reader(is, name);
-  while (reader.next()) {
-  }
+  while (const auto curve = reader.next()) f(*curve);
 }
 
-std::string repaired_chain(const std::string& text, const std::string& name, bool closed, const Repair_options& options,
-                           Repair_report& report) {
-  check_curves(text, name);
-  const G2_curves_text curves(text, name);
-  if (!curves.refusal().empty()) throw GC::Error(GC::Error_code::malformed_input, name + ": " + curves.refusal());
-  Grid_contour contour = curves.contour();
+void check_curves(const std::string& text, const std::string& name) {
+  for_each_curve(text, name, [](const auto&) {});
+}
+
+// Returns which curves, which are in the plane, run backwards.
+Chain_reversal backward_curves(const std::string& text, const std::string& name, bool closed,
+                               const CGAL::Exact_rational& gap) {
+  std::vector<Curve_ends> ends;
+  for_each_curve(text, name, [&](const auto& curve) {
+    const auto point = [&](const CGAL::Exact_rational& t) {
+      const auto p = curve(t);
+      return Drawing_traits::Point(p[0], p[1]);
+    };
+    ends.push_back({point(curve.domain().first), point(curve.domain().second)});
+  });
+  return find_reversal(ends, closed, gap);
+}
+
+std::string curve_numbers(const std::vector<bool>& curves) {
+  std::string numbers;
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    if (curves[i] && ++count <= 10) numbers += (count == 1 ? "" : ", ") + std::to_string(i + 1);
+  return (count == 1 ? "curve " : "curves ") + numbers + (count > 10 ? ", ..." : "");
+}
+
+// The chain on the grid that is asked for, on its own, or where this is too fine on a coarser one,
+// for a reason.
+Grid_contour chain_contour(const G2_curves_text& curves, const Repair_options& options, bool closed,
+                           std::string& reason) {
+  const auto is_unknown = [](const Grid_curve& c) {
+    return c.points.empty() && c.reason.find("too large") != std::string::npos;
+  };
+  Grid_contour contour;
+  if (options.grid_decimals)
+    contour = curves.contour_beside_grid(*options.grid_decimals);
+  else if (curves.fits()) {
+    contour = curves.contour();
+    contour.closed = closed;
+    reason = std::any_of(contour.curves.begin(), contour.curves.end(), is_unknown)
+                 ? "a coordinate is too large for its decimals"
+                 : needs_coarser_grid(contour, options);
+  } else
+    reason = "its numbers are no decimals of at most 15 digits";
+  if (!reason.empty()) {
+    contour = curves.contour_beside_grid(curves.coarser_decimals(longest_beside_grid(options)));
+    contour.may_add_decimals = true;
+  }
   contour.closed = closed;
-  const Grade_counts before = grades(contour, options.bound);
+  return contour;
+}
+
+std::string repaired_chain(const std::string& given, const std::string& name, const Command_line& line,
+                           const Repair_options& options, Repair_report& report) {
+  const bool closed = line.has("closed");
+  check_curves(given, name);
+  const G2_curves_text given_curves(given, name);
+  if (!given_curves.refusal().empty())
+    throw GC::Error(GC::Error_code::malformed_input, name + ": " + given_curves.refusal());
+  std::string reason;
+  const Grade_counts before = grades(chain_contour(given_curves, options, closed, reason), options.bound);
+  std::string text = given;
+  if (line.has("reverse") || before.count(GC::Visual_class::gap) != 0) {
+    const Chain_reversal found = backward_curves(given, name, closed, options.close.value_or(0));
+    if (line.has("reverse")) {
+      text = given_curves.with_reversed(found.curves);
+      for (std::size_t i = 0; i < found.curves.size(); ++i)
+        if (found.curves[i]) report.add_reversed(i + 1);
+    } else if (found.gaps_after < found.gaps_before)
+      report.add_hint("chain: " + curve_numbers(found.curves) + " reversed would close " +
+                      counted(found.gaps_before - found.gaps_after, "gap") + "; --reverse does that");
+  }
+  const G2_curves_text curves(text, name);
+  Grid_contour contour = chain_contour(curves, options, closed, reason);
   const Contour_repair done = repair(contour, options);
+  if (contour.is_beside_grid && done.is_of_use())
+    report.add_grid("chain", "\"element\":\"chain\"", contour.unit(), reason);
   report.add("chain", "\"element\":\"chain\"", contour, done,
              [](std::size_t curve) { return "curve " + std::to_string(curve + 1); });
   std::string result = curves.with(contour);
   check_curves(result, name);
-  Grid_contour again = G2_curves_text(result, name).contour();
+  const G2_curves_text written(result, name);
+  Grid_contour again = contour.is_beside_grid ? written.contour_beside_grid(contour.decimals) : written.contour();
   again.closed = closed;
   report.add_grades(before, grades(again, options.bound));
   return result;
@@ -171,7 +242,7 @@ int repair_variable_font(const Command_line& line, const std::string& bytes, con
 
 // Repairs a font: writes the moves, or the font where the output has the name of one.
 int repair_font(const Command_line& line, const Repair_options& options, const Report_mode& mode) {
-  line.refuse({"closed", "json"}, "not with fonts");
+  line.refuse({"closed", "close", "grid", "json", "reverse"}, "not with fonts");
   const std::string file = line.files()[0], name = input_name(file), output = line.text("output");
   const bool font = is_font_name(output);
   if (!font) {
@@ -198,6 +269,16 @@ int repair_font(const Command_line& line, const Repair_options& options, const R
   return end.exit_code();
 }
 
+// The decimals of the grid that is asked for, if one is.
+std::optional<int> grid_decimals(const Command_line& line) {
+  if (!line.has("grid")) return std::nullopt;
+  const CGAL::Exact_rational unit = line.number("grid", CGAL::Exact_rational(1));
+  constexpr int most = 30;
+  for (int decimals = -most; decimals <= most; ++decimals)
+    if (unit == power_of_ten(-decimals)) return decimals;
+  throw std::invalid_argument("--grid: '" + line.text("grid") + "' is no power of ten such as 0.001");
+}
+
 void describe_repair(po::options_description_easy_init add) {
   add("output,o", po::value<std::string>(), "the file to write, which may be the input");
   add("to", po::value<std::string>()->default_value("G1"), "G1 or G2");
@@ -205,9 +286,17 @@ void describe_repair(po::options_description_easy_init add) {
   add("max-move", po::value<std::string>(),
       "how far a handle may move, in units of the last decimal; twice what the kink is off and one more unless it is "
       "given, and for --to G2 a tenth of the shorter handle, at least 1");
+  add("grid", po::value<std::string>(),
+      "handles move to whole multiples of this power of ten from their nodes, e.g. 0.001; of the last decimal unless "
+      "it "
+      "is given, or where that is too fine of the smallest that the size of the drawing allows, which is told");
   add("off-by", po::value<std::string>(),
       "for fonts: up to so many units a handle may be off because of rounding, which is counted apart from kinks; 1 if "
       "not given");
+  add("close", po::value<std::string>(),
+      "of chains: gaps of up to this width, in coordinates, are closed; both ends move to the middle, or one to the "
+      "other where that harms fewer joins");
+  add("reverse", "of chains: curves that run backwards are reversed, as few as leave the fewest gaps");
   add("closed", "the last curve of the chain leads back to the first");
   add("allow-undecided", "what is undecided does not count as not met");
   add("allow-uncovered", "what is not covered does not count as not met");
@@ -227,6 +316,12 @@ int run_repair(const Command_line& line) {
     options.max_move = line.number("max-move", CGAL::Exact_rational(1));
     if (*options.max_move <= 0) throw std::invalid_argument("--max-move: not a positive number of units");
   }
+  options.grid_decimals = grid_decimals(line);
+  if (line.has("close")) {
+    options.close = line.number("close", CGAL::Exact_rational(1));
+    if (*options.close <= 0)
+      throw std::invalid_argument("--close: '" + line.text("close") + "' is not a positive length");
+  }
   const Report_mode mode{line.has("json") ? Report_format::json : Report_format::text, line.has("allow-undecided"),
                          line.has("allow-uncovered"), true, false};
   const std::string file = line.files()[0], name = input_name(file), output = line.text("output");
@@ -234,13 +329,13 @@ int run_repair(const Command_line& line) {
   if (is_font_source(file)) return repair_font_source(line);
   if (is_font_file(file)) return repair_font(line, options, mode);
   const bool drawing = is_svg_file(file);
-  if (drawing) line.refuse({"closed"}, "not with drawings");
+  if (drawing) line.refuse({"closed", "close", "reverse"}, "not with drawings, whose curves meet");
   line.refuse({"off-by"}, "only for fonts");
   check_output_name(line, "output", drawing ? Arguments{".svg", ".xml"} : Arguments{".g2"});
   Repair_report report(mode);
   const std::string text = read_text(file);
-  const std::string result = drawing ? repaired_drawing(text, name, options, report)
-                                     : repaired_chain(text, name, line.has("closed"), options, report);
+  const std::string result =
+      drawing ? repaired_drawing(text, name, options, report) : repaired_chain(text, name, line, options, report);
   write_output(output, [&](std::ostream& os) { os << result; });
   return report.print(report_stream(line), name);
 }

@@ -22,13 +22,17 @@ struct Repair_options {
   // in units; unless it is given, twice what the kink is off and one more, for curvatures a
   // tenth of the shorter handle
   std::optional<CGAL::Exact_rational> max_move;
-  bool harmonise = false; // the curvatures, too
+  bool harmonise = false;                          // the curvatures, too
+  std::optional<int> grid_decimals = std::nullopt; // of another grid than that of the file
+  // up to which width gaps are closed, in coordinates
+  std::optional<CGAL::Exact_rational> close = std::nullopt;
 };
 
 // A control point that has moved.
 struct Handle_move {
   std::size_t curve, point;
   GC::Grid_vector from, to;
+  Grid_offset offset_from = Grid_offset(0, 0), offset_to = Grid_offset(0, 0);
 
   // The distance.
   GC::Enclosure distance() const;
@@ -53,13 +57,23 @@ struct Curvature_jump {
   std::string reason;          // why it is not harmonised; empty when it is
 };
 
+// A gap that was closed.
+struct Closed_gap {
+  std::size_t join;
+  GC::Enclosure width; // in coordinates
+};
+
 // The result of the repair of a contour.
 struct Contour_repair {
-  std::vector<Handle_move> moves;
+  std::vector<Closed_gap> closed;
+  std::vector<Handle_move> moves; // of nodes, too, where gaps are closed
   std::vector<Unrepaired_join> unrepaired;
   std::map<std::string, std::size_t> undecided; // how many joins have no grade, for each reason
   std::vector<Curvature_jump> jumps;
   std::vector<std::size_t> lost; // the joins that were G2 and now are G1
+
+  // Returns whether there is something to tell.
+  bool is_of_use() const { return !moves.empty() || !unrepaired.empty() || !jumps.empty(); }
 };
 
 // Makes each kink exactly G1 by moving handles, not nodes, so that the curves change as little as
@@ -69,6 +83,20 @@ struct Contour_repair {
 // known stays as it is; a join that is G2 falls to G1 only where no other move does. Mirror images
 // are repaired to mirror images. The exact predicates confirm all repairs that are reported.
 // Repairing again changes nothing.
+//
+// Gaps are closed first where that is asked for. Both nodes come to one point, with the handles
+// that belong to them alone: to the middle, or to one of the nodes where this harms fewer joins.
+//
+// Beside the grid, both handles of a node move to whole units from it; where no position is near
+// enough, and the contour may get more decimals, one handle moves to a short decimal multiple of
+// the other one, or of a line.
 Contour_repair repair(Grid_contour& contour, const Repair_options& options);
+
+// Returns why a contour needs a coarser grid for its repair: a vector that decides about it is
+// longer than a handle may be. Empty where it does not.
+std::string needs_coarser_grid(const Grid_contour& contour, const Repair_options& options);
+
+// The largest coordinate of the whole of a contour beside the grid.
+std::int64_t longest_beside_grid(const Repair_options& options);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPAIR_REPAIR_CONTOUR_H
