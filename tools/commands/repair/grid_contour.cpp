@@ -187,13 +187,9 @@ std::optional<GC::Grid_vector> arc_direction(const Exact_segment& arc, bool at_e
   return primitive_direction(Grid_offset((*jet)[1][0], (*jet)[1][1]));
 }
 
-namespace {
-
-Exact_segment exact_segment(const Grid_curve& curve) {
+Exact_segment grid_segment(const Grid_curve& curve) {
   return curve.arc ? *curve.arc : Exact_segment{exact_bezier(curve)};
 }
-
-} // namespace
 
 std::optional<GC::Visual_class> grade(const Grid_contour& contour, std::size_t join,
                                       const GC::Corner_threshold& bound) {
@@ -203,7 +199,7 @@ std::optional<GC::Visual_class> grade(const Grid_contour& contour, std::size_t j
     return contour.is_beside_grid ? segment_class(exact_bezier(left), exact_bezier(right), bound)
                                   : segment_class(grid_bezier(left.points), grid_bezier(right.points), bound);
   if (!beziers && ((left.points.empty() && !left.arc) || (right.points.empty() && !right.arc))) return std::nullopt;
-  const Exact_segment x = exact_segment(left), y = exact_segment(right);
+  const Exact_segment x = grid_segment(left), y = grid_segment(right);
   return contour.map ? segment_class(x.transform(*contour.map), y.transform(*contour.map), bound)
                      : segment_class(x, y, bound);
 }

@@ -44,6 +44,8 @@ struct Grid_curve {
   std::shared_ptr<const Exact_segment> arc = nullptr; // an arc of an ellipse, in units of the grid
   // how far each control point lies beside its point on the grid; of contours beside the grid only
   std::vector<Grid_offset> offsets = {};
+  // of the arc as it is written, with the radii in units
+  std::optional<GC::Elliptical_arc_parameters<Grid_fraction>> written = std::nullopt;
 };
 
 // Curves of some length, each of which starts where the one before it ends. Glyphs, paths and
@@ -64,6 +66,10 @@ struct Grid_contour {
   // handles may get more decimals than there are: where no other position is exact, beside the grid
   bool may_add_decimals = false;
   bool takes_fractions = false; // coordinates need not be decimals
+  // whether the point where it starts, or ends, belongs to one curve and may be written anew, with at
+  // most so many decimals
+  bool has_free_start = false, has_free_end = false;
+  int most_decimals = 0;
 
   // Returns a coordinate as a decimal, or as a fraction where it is none.
   std::string text(std::int64_t coordinate) const;
@@ -110,6 +116,9 @@ Grid_bezier grid_bezier(const std::vector<GC::Grid_vector>& points);
 // A curve with all of its digits, in units.
 typedef GC::Bezier_curve<Drawing_traits> Exact_bezier;
 Exact_bezier exact_bezier(const Grid_curve& curve);
+
+// A curve as a segment of a path.
+Exact_segment grid_segment(const Grid_curve& curve);
 
 // Returns whether the control points lie on the chord, in order.
 bool is_line(const Grid_curve& curve);

@@ -42,8 +42,8 @@ public:
     last_changed_ = false;
   }
 
-  void number(const GC::Text_range& range, std::optional<std::string> replacement) {
-    if (replacement && keeps_grid_) keep_grid(range, *replacement);
+  void number(const GC::Text_range& range, std::optional<std::string> replacement, bool is_coordinate) {
+    if (replacement && keeps_grid_ && is_coordinate) keep_grid(range, *replacement);
     const char first = replacement ? (*replacement)[0] : data_[range.begin];
     const bool adjoins = range.begin == last_end_ && range.begin > 0;
     const bool separate = adjoins && (last_changed_ || replacement) && first != '-' && first != '+';
@@ -129,12 +129,21 @@ Grid_curve Path_text::curve(const GC::Svg_segment<Drawing_traits>& segment) cons
   return result;
 }
 
-Grid_curve Path_text::arc(const GC::Svg_segment<Drawing_traits>& segment, int decimals) {
+std::string_view Path_text::number(std::size_t index) const {
+  return data_.substr(places_.numbers[index].begin, places_.numbers[index].end - places_.numbers[index].begin);
+}
+
+Grid_curve Path_text::arc(const GC::Svg_segment<Drawing_traits>& segment, int decimals) const {
   const Drawing_traits::FT unit = power_of_ten(decimals), zero(0);
   Grid_curve result;
   result.arc = std::make_shared<const Exact_segment>(
       static_cast<const Exact_segment&>(segment).transform(Drawing_transform({unit, zero, zero, unit, zero, zero})));
   result.reason = "an arc of a rotated ellipse";
+  const std::size_t first =
+      places_.commands[static_cast<std::size_t>(segment.command - places_.first_command)].first_number;
+  const auto value = [&](std::size_t k) { return GC::parse_number<Drawing_traits::FT>(number(first + k)); };
+  result.written = {Drawing_traits::FT(value(0) * unit), Drawing_traits::FT(value(1) * unit), value(2), value(3) != 0,
+                    value(4) != 0};
   return result;
 }
 
@@ -145,6 +154,14 @@ template <class Curve> Grid_contour Path_text::contour_of(int decimals, Curve cu
   result.map = map_;
   result.curves.reserve(subpath_.segments.size());
   for (const auto& segment : subpath_.segments) result.curves.push_back(curve(segment));
+  if (subpath_.closed || subpath_.segments.empty()) return result;
+  // ends that are written once, and on which nothing else depends
+  const std::size_t first = static_cast<std::size_t>(subpath_.segments.front().command - places_.first_command),
+                    last = static_cast<std::size_t>(subpath_.segments.back().command - places_.first_command);
+  const auto is_move = [&](std::size_t i) { return places_.commands[i].letter == 'M'; };
+  result.has_free_start = first > 0 && (is_move(first - 1) || (places_.first_command == 1 && first == 1)) &&
+                          places_.commands[first].is_given;
+  result.has_free_end = last + 1 == places_.commands.size() || is_move(last + 1);
   return result;
 }
 
@@ -170,6 +187,11 @@ int Path_text::coarser_decimals(std::int64_t longest) const {
   return ::coarser_decimals(nodes, longest);
 }
 
+std::string Path_text::moved_text(std::size_t index, const Drawing_traits::FT& by, const Grid_contour& contour) const {
+  return contour.text(
+      Drawing_traits::FT(GC::parse_number<Drawing_traits::FT>(number(index)) * power_of_ten(contour.decimals) + by));
+}
+
 std::vector<Text_edit> Path_text::edits(const Grid_contour& from, const Grid_contour& to) {
   Edit_list list(data_, decimals_, !from.is_beside_grid);
   Grid_offset moved(0, 0); // by which the handle that a shorthand reflects has moved
@@ -183,7 +205,25 @@ std::vector<Text_edit> Path_text::edits(const Grid_contour& from, const Grid_con
     char letter = command.letter;
     std::vector<std::optional<std::string>> values(end - begin);
     std::string inserted; // in front of the numbers
+    bool is_arc = false;
+    if (segment == 0 && !from.curves.empty() && upper(letter) == 'M' && from.curves[0].arc &&
+        subpath_.segments[0].command == number + 1) {
+      const Drawing_traits::Point p = to.curves[0].arc->start();
+      const Grid_offset v = p - from.curves[0].arc->start();
+      if (v.x() != 0) values[0] = moved_text(begin, v.x(), to);
+      if (v.y() != 0) values[1] = moved_text(begin + 1, v.y(), to);
+    }
     if (segment < subpath_.segments.size() && subpath_.segments[segment].command == number) {
+      if (from.curves[segment].arc) {
+        is_arc = true;
+        const Grid_curve &x = from.curves[segment], &y = to.curves[segment];
+        if (x.written->rx != y.written->rx) values[0] = to.text(y.written->rx);
+        if (x.written->ry != y.written->ry) values[1] = to.text(y.written->ry);
+        Grid_offset v = y.arc->end() - x.arc->end();
+        if (is_relative(letter)) v = v - (y.arc->start() - x.arc->start());
+        if (v.x() != 0) values[5] = moved_text(begin + 5, v.x(), to);
+        if (v.y() != 0) values[6] = moved_text(begin + 6, v.y(), to);
+      }
       const Grid_curve &old = from.curves[segment], &p = to.curves[segment];
       const char kind = upper(letter);
       if (p.points.size() > 2) {
@@ -224,7 +264,8 @@ std::vector<Text_edit> Path_text::edits(const Grid_contour& from, const Grid_con
                   changes ? std::optional<std::string>(letter + inserted) : std::nullopt);
     } else if (letter_needed || !inserted.empty())
       list.letter({first, first}, (letter_needed ? std::string(1, letter) : std::string(" ")) + inserted);
-    for (std::size_t k = begin; k < end; ++k) list.number(places_.numbers[k], values[k - begin]);
+    for (std::size_t k = begin; k < end; ++k)
+      list.number(places_.numbers[k], values[k - begin], !is_arc || k - begin >= 5);
     in_force = letter;
   }
   return std::move(list.edits);

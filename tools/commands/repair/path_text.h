@@ -46,7 +46,11 @@ class Path_text {
   std::optional<GC::Grid_vector> on_grid(const Drawing_traits::Point& point) const;
   Grid_curve curve(const GC::Svg_segment<Drawing_traits>& segment) const;
   template <class Curve> Grid_contour contour_of(int decimals, Curve curve) const;
-  static Grid_curve arc(const GC::Svg_segment<Drawing_traits>& segment, int decimals);
+  Grid_curve arc(const GC::Svg_segment<Drawing_traits>& segment, int decimals) const;
+  std::string_view number(std::size_t index) const;
+
+  // A number as it will be when it changes by so many units.
+  std::string moved_text(std::size_t index, const Drawing_traits::FT& by, const Grid_contour& contour) const;
   void forget();
 
 public:
@@ -67,8 +71,8 @@ public:
   Grid_contour contour_beside_grid(int decimals) const;
   int coarser_decimals(std::int64_t longest) const;
 
-  // Returns the edits, in order, that move the handles of the subpath from where they are in one
-  // contour to where they are in another one. A path on its own grid keeps it: the last number with
+  // Returns the edits, in order, that move the handles of the subpath, and change its arcs, from
+  // how they are in one contour to how they are in another one. A path on its own grid keeps it: the last number with
   // the most decimals keeps them.
   std::vector<Text_edit> edits(const Grid_contour& from, const Grid_contour& to);
 };

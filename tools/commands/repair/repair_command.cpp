@@ -242,7 +242,7 @@ int repair_variable_font(const Command_line& line, const std::string& bytes, con
 
 // Repairs a font: writes the moves, or the font where the output has the name of one.
 int repair_font(const Command_line& line, const Repair_options& options, const Report_mode& mode) {
-  line.refuse({"closed", "close", "grid", "json", "reverse"}, "not with fonts");
+  line.refuse({"arcs", "closed", "close", "grid", "json", "reverse"}, "not with fonts");
   const std::string file = line.files()[0], name = input_name(file), output = line.text("output");
   const bool font = is_font_name(output);
   if (!font) {
@@ -296,6 +296,9 @@ void describe_repair(po::options_description_easy_init add) {
   add("close", po::value<std::string>(),
       "of chains: gaps of up to this width, in coordinates, are closed; both ends move to the middle, or one to the "
       "other where that harms fewer joins");
+  add("arcs",
+      "of drawings: where no handle can move, an arc of a kink gets another radius, or another end where that is "
+      "free, if the kink vanishes exactly and the number is a short decimal");
   add("reverse", "of chains: curves that run backwards are reversed, as few as leave the fewest gaps");
   add("closed", "the last curve of the chain leads back to the first");
   add("allow-undecided", "what is undecided does not count as not met");
@@ -317,6 +320,7 @@ int run_repair(const Command_line& line) {
     if (*options.max_move <= 0) throw std::invalid_argument("--max-move: not a positive number of units");
   }
   options.grid_decimals = grid_decimals(line);
+  options.change_arcs = line.has("arcs");
   if (line.has("close")) {
     options.close = line.number("close", CGAL::Exact_rational(1));
     if (*options.close <= 0)
@@ -329,7 +333,10 @@ int run_repair(const Command_line& line) {
   if (is_font_source(file)) return repair_font_source(line);
   if (is_font_file(file)) return repair_font(line, options, mode);
   const bool drawing = is_svg_file(file);
-  if (drawing) line.refuse({"closed", "close", "reverse"}, "not with drawings, whose curves meet");
+  if (drawing)
+    line.refuse({"closed", "close", "reverse"}, "not with drawings, whose curves meet");
+  else
+    line.refuse({"arcs"}, "only for drawings");
   line.refuse({"off-by"}, "only for fonts");
   check_output_name(line, "output", drawing ? Arguments{".svg", ".xml"} : Arguments{".g2"});
   Repair_report report(mode);

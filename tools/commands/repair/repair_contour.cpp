@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <set>
 #include <sstream>
 #include <tuple>
@@ -127,12 +128,19 @@ class Contour_mender {
   struct State {
     std::size_t join;
     std::optional<GC::Visual_class> grade;
-    std::optional<GC::Kink_size> size; // of a kink
+    std::optional<GC::Kink_size> size;                 // of a kink
+    std::optional<GC::Enclosure> angle = std::nullopt; // of a kink with an arc
   };
+  Exact_segment drawn_segment(std::size_t curve) const {
+    const Exact_segment segment = grid_segment(contour_.curves[curve]);
+    return contour_.map ? segment.transform(*contour_.map) : segment;
+  }
   State state(std::size_t join) const {
     State s{join, grade(join), std::nullopt};
     if (s.grade == GC::Visual_class::kink && !points(join).empty() && !points(next(join)).empty())
       s.size = kink_size(contour_, join);
+    else if (s.grade == GC::Visual_class::kink)
+      s.angle = segment_angle(drawn_segment(join), drawn_segment(next(join)));
     return s;
   }
 
@@ -394,6 +402,9 @@ class Contour_mender {
           if (rank(in) < rank(out)) std::swap(choices[choices.size() - 1], choices[choices.size() - 2]);
         }
       }
+      // only one of them, to a whole multiple of a short direction of the other one
+      if (const std::optional<Vector> d = primitive_direction(v)) choices.push_back({to_left(join, nearest(u, *d))});
+      if (const std::optional<Vector> d = primitive_direction(u)) choices.push_back({to_right(join, nearest(v, *d))});
       longer = {{to_place(left, last - 1, last, -along(u, v))}, {to_place(right, 1, 0, along(v, u))}};
       if (rank(in) < rank(out)) std::swap(longer[0], longer[1]);
     } else if (is_free(left)) {
@@ -638,8 +649,14 @@ class Contour_mender {
         factor = !a.movable   ? 1
                  : !b.movable ? 1 / ratio
                               : (l + m) / (l + ratio * m);
+    // by whole units where the direction has short steps
     const auto multiple = [](const Grid_offset& handle, double times) {
-      return along(CGAL::Exact_rational(times) * handle, handle);
+      constexpr std::int64_t short_step = 4;
+      const Grid_offset wanted = CGAL::Exact_rational(times) * handle;
+      const std::optional<Vector> d = primitive_direction(handle);
+      if (!d || (std::max)((std::abs)(d->x), (std::abs)(d->y)) > short_step) return along(wanted, handle);
+      const Vector v = nearest(wanted, *d);
+      return Grid_offset(exact(v.x), exact(v.y));
     };
     Moves moves;
     if (a.movable) moves.push_back(to_place(left, n - 1, n, -multiple(u, factor)));
@@ -733,6 +750,182 @@ class Contour_mender {
 
   bool is_bezier_join(std::size_t join) const { return !points(join).empty() && !points(next(join)).empty(); }
 
+  // The direction in which a curve ends or starts, rounded; nothing for ellipses whose rotation is
+  // irrational.
+  std::optional<std::complex<double>> rounded_direction(std::size_t curve, bool at_end) const {
+    const Grid_curve& c = contour_.curves[curve];
+    if (!c.arc) {
+      const Grid_offset v = exact_direction(curve, at_end);
+      return std::complex<double>(CGAL::to_double(v.x()), CGAL::to_double(v.y()));
+    }
+    if (!c.written) return std::nullopt;
+    const Arc_frame frame(*c.written);
+    const std::complex<double> chord = frame.from(c.arc->end() - c.arc->start());
+    const double angle = frame.chord_angle(chord) * (c.written->sweep == at_end ? 1 : -1);
+    return frame.to(chord * std::polar(1., angle));
+  }
+
+  // Adds those of one side whose neighbour is smooth with it, where it does not harm the join at its
+  // other end.
+  void add_arc_offers(std::size_t join, bool of_right, std::vector<Arc_offer>& offers) {
+    const std::size_t curve = of_right ? next(join) : join, other = of_right ? join : next(join);
+    const Grid_curve given = contour_.curves[curve];
+    if (!given.arc || !given.written || curve == other) return;
+    const std::optional<std::complex<double>> direction = rounded_direction(other, of_right);
+    if (!direction || *direction == 0.) return;
+    // run through from the node on
+    const Drawing_traits::Point node = of_right ? given.arc->start() : given.arc->end(),
+                                far = of_right ? given.arc->end() : given.arc->start();
+    const Arc_frame frame(*given.written);
+    const std::complex<double> tangent = frame.from(of_right ? *direction : -*direction),
+                               chord = frame.from(far - node);
+    const bool sweep = given.written->sweep == of_right;
+    const double angle = std::arg(chord / tangent) * (sweep ? 1 : -1);
+    if (!(angle > 0)) return;
+    const auto offer = [&](Arc_offer o) {
+      if (!is_smooth_with(join, curve, o.changed)) return false;
+      for (const Arc_offer& x : offers)
+        if (x.curve == o.curve && x.numbers == o.numbers) return true;
+      offers.push_back(std::move(o));
+      return true;
+    };
+    const double radius = std::abs(chord) / (2 * std::sin(angle)),
+                 unit = CGAL::to_double(power_of_ten(-contour_.decimals));
+    if (const std::optional<Grid_fraction> in_coordinates = short_fraction(radius * unit)) {
+      Arc_offer o;
+      o.curve = curve;
+      o.changed = given;
+      GC::Elliptical_arc_parameters<Grid_fraction>& p = *o.changed.written;
+      const Grid_fraction rx = *in_coordinates * power_of_ten(contour_.decimals);
+      p.ry = Grid_fraction(p.ry * rx / p.rx);
+      p.rx = rx;
+      o.numbers = {contour_.text(p.rx), contour_.text(p.ry)};
+      o.is_decimal = is_decimal(p.rx) && is_decimal(p.ry);
+      o.size = std::abs(radius / frame.radius - 1);
+      set_ends(o.changed, given.arc->start(), given.arc->end());
+      offer(std::move(o));
+    }
+    const bool is_free =
+        of_right ? contour_.has_free_end && curve + 1 == contour_.curves.size() : contour_.has_free_start && curve == 0;
+    if (!is_free) return;
+    const auto offer_end = [&](const Drawing_traits::Point& to) {
+      Arc_offer o;
+      o.curve = curve;
+      o.changed = given;
+      o.is_on_grid = is_decimal(to.x(), contour_.decimals) && is_decimal(to.y(), contour_.decimals);
+      o.moves_start = !of_right;
+      o.moves_end = of_right;
+      o.numbers = {contour_.text(to.x()), contour_.text(to.y())};
+      o.is_decimal = is_decimal(to.x(), contour_.most_decimals) && is_decimal(to.y(), contour_.most_decimals);
+      o.size = std::sqrt(CGAL::to_double((to - far).squared_length()));
+      set_ends(o.changed, of_right ? node : to, of_right ? to : node);
+      return offer(std::move(o));
+    };
+    if (const std::optional<Grid_fraction> t = short_fraction(2 * frame.radius * std::sin(angle) / std::abs(chord)))
+      offer_end(node + *t * (far - node));
+    // the nearest point of the grid on the ellipse
+    const std::complex<double> centre =
+        tangent / std::abs(tangent) * std::polar(frame.radius, sweep ? quarter : -quarter);
+    const std::optional<std::int64_t> x = on_grid(far.x()), y = on_grid(far.y());
+    const int widest = static_cast<int>((std::min)(100., (std::max)(3., 0.1 * frame.radius)));
+    std::vector<Vector> near;
+    for (int i = -widest; i <= widest && x && y; ++i)
+      for (int j = -widest; j <= widest; ++j) {
+        const Grid_offset v = Drawing_traits::Point(exact(*x + i), exact(*y + j)) - node;
+        const double off = std::abs(frame.from(v) - centre) / frame.radius - 1;
+        if (std::abs(off) < 1e-9) near.push_back({i, j});
+      }
+    std::stable_sort(near.begin(), near.end(),
+                     [](const Vector& u, const Vector& v) { return squared_length(u) < squared_length(v); });
+    for (const Vector& v : near)
+      if (offer_end(Drawing_traits::Point(exact(*x + v.x), exact(*y + v.y)))) break;
+  }
+
+  static constexpr double quarter = 1.5707963267948966;
+
+  // Lengths and angles of an ellipse, rounded, in a frame in which it is a circle.
+  struct Arc_frame {
+    double radius;
+    std::complex<double> turn;
+    double stretch; // of the second axis
+    bool large;
+
+    explicit Arc_frame(const GC::Elliptical_arc_parameters<Grid_fraction>& p)
+        : radius(std::abs(CGAL::to_double(p.rx))), turn(std::polar(1., CGAL::to_double(p.rotation) * quarter / 90)),
+          stretch(radius / std::abs(CGAL::to_double(p.ry))), large(p.large) {}
+
+    std::complex<double> from(const std::complex<double>& v) const {
+      const std::complex<double> w = v / turn;
+      return {w.real(), w.imag() * stretch};
+    }
+    std::complex<double> from(const Grid_offset& v) const {
+      return from(std::complex<double>(CGAL::to_double(v.x()), CGAL::to_double(v.y())));
+    }
+    std::complex<double> to(const std::complex<double>& v) const {
+      return turn * std::complex<double>(v.real(), v.imag() / stretch);
+    }
+    // Between the chord and the tangents at its ends.
+    double chord_angle(const std::complex<double>& chord) const {
+      const double angle = std::asin((std::min)(1., std::abs(chord) / (2 * radius)));
+      return large ? 2 * quarter - angle : angle;
+    }
+  };
+
+  // The first convergent of a continued fraction that is as near to a positive number as rounding
+  // can tell; what it stands for is proved later.
+  static std::optional<Grid_fraction> short_fraction(double x) {
+    constexpr double nearness = 1e-12, largest = 1e6;
+    if (!(x > 0 && x < 1e12)) return std::nullopt;
+    double p0 = 1, q0 = 0, p1 = std::floor(x), q1 = 1, rest = x - p1;
+    while (std::abs(p1 / q1 - x) > nearness * x) {
+      if (!(rest > 0)) return std::nullopt;
+      const double a = std::floor(1 / rest);
+      rest = 1 / rest - a;
+      const double p = a * p1 + p0, q = a * q1 + q0;
+      if (!(q <= largest)) return std::nullopt;
+      p0 = std::exchange(p1, p);
+      q0 = std::exchange(q1, q);
+    }
+    return Grid_fraction(Grid_fraction(p1) / Grid_fraction(q1));
+  }
+
+  bool is_decimal(const Grid_fraction& x, int most_decimals = 6) const {
+    return decimal_text(Grid_fraction(x * power_of_ten(-contour_.decimals)), most_decimals).has_value();
+  }
+
+  // Makes the arc of a curve anew, as it is written.
+  static void set_ends(Grid_curve& curve, const Drawing_traits::Point& start, const Drawing_traits::Point& end) {
+    curve.arc.reset();
+    try {
+      if (start != end)
+        curve.arc = std::make_shared<const Exact_segment>(
+            Exact_segment{GC::Elliptical_arc<Drawing_traits>(start, end, *curve.written)});
+    } catch (const GC::Error&) { // sizes that differ too much
+    }
+  }
+
+  // Returns whether a join is smooth, and no other harmed, with another arc.
+  bool is_smooth_with(std::size_t join, std::size_t curve, const Grid_curve& arc) {
+    if (!arc.arc) return false;
+    std::vector<State> before;
+    for (const std::size_t j : joins_of(curve))
+      if (j != join) before.push_back(state(j));
+    const Grid_curve given = std::exchange(contour_.curves[curve], arc);
+    bool smooth = grade(join) >= GC::Visual_class::g1;
+    for (const State& x : before) {
+      const State after = state(x.join);
+      smooth = smooth && x.grade && !is_harmed(x, after, {}) &&
+               (x.grade != GC::Visual_class::kink || after.grade != GC::Visual_class::kink || is_no_larger(x, after));
+    }
+    contour_.curves[curve] = given;
+    return smooth;
+  }
+
+  // Returns whether a kink of an arc did not grow; known only where it has not changed.
+  static bool is_no_larger(const State& before, const State& after) {
+    return before.angle && after.angle && after.angle->upper <= before.angle->lower;
+  }
+
   // The points to which both ends of a gap may move: those nearest to its middle, and the ends.
   std::vector<Drawing_traits::Point> meeting_points(const Drawing_traits::Point& p,
                                                     const Drawing_traits::Point& q) const {
@@ -808,6 +1001,20 @@ public:
     return closed;
   }
 
+  // Returns how an arc at a kink would be smooth with its neighbour: with other radii of the same
+  // ratio, or with another end where that is free. All are proved; first those of radii.
+  std::vector<Arc_offer> arc_offers(std::size_t join) {
+    std::vector<Arc_offer> offers;
+    for (const bool of_right : {true, false}) add_arc_offers(join, of_right, offers);
+    std::stable_sort(offers.begin(), offers.end(), [](const Arc_offer& x, const Arc_offer& y) {
+      const auto rank = [](const Arc_offer& o) {
+        return std::tuple(!o.is_decimal, o.moves_start || o.moves_end, !o.is_on_grid, o.size);
+      };
+      return rank(x) < rank(y);
+    });
+    return offers;
+  }
+
   // Makes the kinks smooth.
   Contour_repair mend() {
     repair_kinks();
@@ -866,7 +1073,51 @@ std::vector<Curvature_jump> harmonised(Grid_contour& contour, const Repair_optio
   return jumps;
 }
 
+// Changes arcs of joins that were not repaired, where that is asked for and can be written, and notes
+// what there is for the others.
+void offer_arcs(Grid_contour& contour, const Repair_options& options, Contour_repair& result) {
+  bool changed = false;
+  for (Unrepaired_join& x : result.unrepaired) {
+    if (grade(contour, x.join, options.bound) != GC::Visual_class::kink) continue;
+    x.offers = Contour_mender(contour, options).arc_offers(x.join);
+    if (!options.change_arcs || x.offers.empty() || !x.offers.front().is_decimal) continue;
+    contour.curves[x.offers.front().curve] = x.offers.front().changed;
+    changed = true;
+  }
+  if (!changed) return;
+  Contour_repair again = Contour_mender(contour, options).mend();
+  for (Unrepaired_join& x : again.unrepaired) x.offers = Contour_mender(contour, options).arc_offers(x.join);
+  again.closed = std::move(result.closed);
+  result = std::move(again);
+}
+
+// Adds what has changed of an arc.
+void add_changes(const Grid_contour& contour, std::size_t i, const Grid_curve& given,
+                 std::vector<Arc_change>& changes) {
+  const Grid_curve& curve = contour.curves[i];
+  if (!curve.arc || curve.arc == given.arc) return;
+  const auto radii = [&](const Grid_curve& c) {
+    std::vector<std::string> r{contour.text(c.written->rx), contour.text(c.written->ry)};
+    if (r[0] == r[1]) r.pop_back();
+    return r;
+  };
+  const auto point = [&](const Drawing_traits::Point& p) {
+    return std::vector<std::string>{contour.text(p.x()), contour.text(p.y())};
+  };
+  if (radii(given) != radii(curve)) changes.push_back({i, "radius", radii(given), radii(curve)});
+  if (given.arc->start() != curve.arc->start())
+    changes.push_back({i, "start", point(given.arc->start()), point(curve.arc->start())});
+  if (given.arc->end() != curve.arc->end())
+    changes.push_back({i, "end", point(given.arc->end()), point(curve.arc->end())});
+}
+
 } // namespace
+
+std::string Arc_offer::text() const {
+  if (moves_start || moves_end)
+    return std::string(moves_start ? "the start (" : "the end (") + numbers[0] + ", " + numbers[1] + ')';
+  return numbers[0] == numbers[1] ? "the radius " + numbers[0] : "the radii " + numbers[0] + ", " + numbers[1];
+}
 
 GC::Enclosure Handle_move::distance() const {
   if (offset_from == offset_to) return GC::sqrt_enclosure(squared_distance(from, to));
@@ -906,6 +1157,7 @@ Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
     next.closed = std::move(result.closed);
     result = std::move(next);
   }
+  if (!result.unrepaired.empty()) offer_arcs(contour, options, result);
   if (options.harmonise) {
     result.jumps = harmonised(contour, options);
     const auto is_mended = [&](const Unrepaired_join& x) { // as other handles have moved
@@ -915,6 +1167,7 @@ Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
     left.erase(std::remove_if(left.begin(), left.end(), is_mended), left.end());
   }
   std::set<std::size_t> touched;
+  for (std::size_t i = 0; i < contour.curves.size(); ++i) add_changes(contour, i, given.curves[i], result.arcs);
   for (std::size_t i = 0; i < contour.curves.size(); ++i)
     for (std::size_t k = 0; k < contour.curves[i].points.size(); ++k) {
       const GC::Grid_vector &from = given.curves[i].points[k], &to = contour.curves[i].points[k];

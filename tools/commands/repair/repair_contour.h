@@ -24,6 +24,7 @@ struct Repair_options {
   std::optional<CGAL::Exact_rational> max_move;
   bool harmonise = false;                          // the curvatures, too
   std::optional<int> grid_decimals = std::nullopt; // of another grid than that of the file
+  bool change_arcs = false;                        // where no handle can move
   // up to which width gaps are closed, in coordinates
   std::optional<CGAL::Exact_rational> close = std::nullopt;
 };
@@ -44,10 +45,31 @@ std::string rounded_up(double x);
 // Returns a distance, rounded up, e.g. "1 unit".
 std::string units(const GC::Enclosure& distance);
 
+// An arc with other radii, or with another end, where it is smooth with its neighbour.
+struct Arc_offer {
+  std::size_t curve = 0;
+  Grid_curve changed = {};
+  bool moves_start = false, moves_end = false; // otherwise the radii change
+  std::vector<std::string> numbers = {};       // both radii, or the coordinates of the end
+  bool is_decimal = false;                     // so that it can be written
+  bool is_on_grid = false;                     // without more decimals than there are
+  double size = 0;                             // of the change
+
+  std::string text() const;
+};
+
 // The join behind a curve that was not repaired.
 struct Unrepaired_join {
   std::size_t join;
   std::string reason;
+  std::vector<Arc_offer> offers = {}; // each of which would repair it
+};
+
+// An arc that was changed: what of it, e.g. "radius", and the numbers.
+struct Arc_change {
+  std::size_t curve;
+  std::string what;
+  std::vector<std::string> from, to;
 };
 
 // The curvatures at a join that were to agree.
@@ -67,13 +89,14 @@ struct Closed_gap {
 struct Contour_repair {
   std::vector<Closed_gap> closed;
   std::vector<Handle_move> moves; // of nodes, too, where gaps are closed
+  std::vector<Arc_change> arcs;
   std::vector<Unrepaired_join> unrepaired;
   std::map<std::string, std::size_t> undecided; // how many joins have no grade, for each reason
   std::vector<Curvature_jump> jumps;
   std::vector<std::size_t> lost; // the joins that were G2 and now are G1
 
   // Returns whether there is something to tell.
-  bool is_of_use() const { return !moves.empty() || !unrepaired.empty() || !jumps.empty(); }
+  bool is_of_use() const { return !moves.empty() || !arcs.empty() || !unrepaired.empty() || !jumps.empty(); }
 };
 
 // Makes each kink exactly G1 by moving handles, not nodes, so that the curves change as little as

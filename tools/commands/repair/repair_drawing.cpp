@@ -70,6 +70,10 @@ std::optional<Drawing_transform> skewing_map(const Drawing_element& element, Pat
 // Returns whether a curve is read as it was computed. One that has become straight by a handle at
 // its node is read as a line.
 bool is_read_as(const Grid_curve& read, const Grid_curve& computed) {
+  if (read.arc && computed.arc)
+    return read.arc->start() == computed.arc->start() && read.arc->end() == computed.arc->end() &&
+           read.written->rx == computed.written->rx && read.written->ry == computed.written->ry;
+  if (read.points.empty() || computed.points.empty()) return false;
   if (read.points.size() == computed.points.size()) {
     if (computed.offsets.empty()) return read.points == computed.points;
     for (std::size_t k = 0; k < computed.points.size(); ++k)
@@ -211,7 +215,9 @@ private:
     std::vector<std::pair<std::size_t, Grid_contour>> changed; // with the number of the subpath
     Path_text text(path.value, path.place, decimals, map, element.is_filled);
     const std::string coarse = reason_for_coarser_grid(element, path, map, decimals);
-    const bool may_add_decimals = !coarse.empty() && !has_rounding(element, path, map, decimals);
+    const bool has_rounding =
+                   (!coarse.empty() || options_.change_arcs) && this->has_rounding(element, path, map, decimals),
+               may_add_decimals = !coarse.empty() && !has_rounding, adds_ends = !has_rounding;
     for (std::size_t number = 1; text.next(); ++number) {
       bool has_kinks = options_.harmonise;
       const std::string place = element.text() + ", subpath " + std::to_string(number),
@@ -229,6 +235,7 @@ private:
       if (!has_kinks) continue;
       Grid_contour given = contour_of(text, !coarse.empty());
       given.may_add_decimals = may_add_decimals;
+      given.most_decimals = given.decimals + (adds_ends ? 2 : 0);
       const auto unknown = std::find_if(given.curves.begin(), given.curves.end(), is_unknown);
       if (unknown != given.curves.end()) {
         report_.add_unread(place, place_members, unknown->reason);
@@ -241,7 +248,7 @@ private:
       const auto& segments = text.subpath().segments;
       report_.add(place, place_members, contour, done,
                   [&](std::size_t curve) { return "command " + std::to_string(segments[curve].command); });
-      if (done.moves.empty()) continue;
+      if (done.moves.empty() && done.arcs.empty()) continue;
       for (Text_edit& edit : text.edits(given, contour)) all.push_back(std::move(edit));
       changed.emplace_back(number, std::move(contour));
     }

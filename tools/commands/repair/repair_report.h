@@ -13,6 +13,7 @@
 #include <CGAL/Geometric_continuity/IO/text.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <ostream>
@@ -35,10 +36,12 @@ inline Report_subject repair_subject(bool has_gaps = false) {
 class Repair_report {
   const Report_mode mode_;
   const bool json_ = mode_.format == Report_format::json;
-  std::vector<std::string> grids_, reversed_, closed_, moves_, unrepaired_, jumps_, lost_; // lines, or JSON objects
+  std::vector<std::string> grids_, reversed_, closed_, arcs_, moves_, unrepaired_, jumps_,
+      lost_; // lines, or JSON objects
   Grade_counts before_, after_, defined_before_, defined_after_;
   std::map<std::string, std::size_t> undecided_;
-  Claims claims_; // but for the joins that have grades
+  Claims claims_;               // but for the joins that have grades
+  bool is_beside_grid_ = false; // something that was not repaired
   std::size_t curvatures_ = 0, harmonised_ = 0, exact_ = 0;
   GC::Enclosure largest_{0, 0}, largest_jump_{0, 0};
   std::string largest_place_, largest_unit_;
@@ -48,6 +51,21 @@ class Repair_report {
   static std::size_t kinks(const Grade_counts& counts) {
     const auto found = counts.find(GC::Visual_class::kink);
     return found == counts.end() ? 0 : found->second;
+  }
+  static std::string json_texts(const std::vector<std::string>& texts) {
+    std::vector<std::string> quoted;
+    for (const std::string& text : texts) quoted.push_back(json_text(text));
+    return json_array(quoted);
+  }
+  static std::string tuple(const std::vector<std::string>& numbers) {
+    return numbers.size() == 1 ? numbers[0] : '(' + numbers[0] + ", " + numbers[1] + ')';
+  }
+  static std::string offer_object(const Arc_offer& o) {
+    return "{\"curve\":" + std::to_string(o.curve + 1) +
+           (o.moves_start ? ",\"start\":"
+            : o.moves_end ? ",\"end\":"
+                          : ",\"radii\":") +
+           json_texts(o.numbers) + ",\"is_decimal\":" + (o.is_decimal ? "true}" : "false}");
   }
   static std::string percent(const GC::Enclosure& x) { return rounded_up(x.upper * 100 * (1 + 1e-15)) + " %"; }
   static GC::Enclosure in_percent(const GC::Enclosure& x) {
@@ -126,10 +144,25 @@ public:
                                                    ",\"to\":" + pair(to) + ",\"units\":" + json_text(distance))
                              : where + ": " + from + " -> " + to + ", " + units(distance));
     }
+    for (const Arc_change& x : done.arcs)
+      arcs_.push_back(
+          json_ ? object(x.curve,
+                         "\"what\":\"" + x.what + "\",\"from\":" + json_texts(x.from) + ",\"to\":" + json_texts(x.to))
+                : place + ", " + curve_name(x.curve) + ", " + x.what + ": " + tuple(x.from) + " -> " + tuple(x.to));
     for (const auto& [reason, count] : done.undecided) undecided_[reason] += count;
-    for (const Unrepaired_join& x : done.unrepaired)
-      unrepaired_.push_back(json_ ? object(x.join, "\"reason\":" + json_text(x.reason))
-                                  : behind(x.join) + ": " + x.reason);
+    for (const Unrepaired_join& x : done.unrepaired) {
+      is_beside_grid_ = is_beside_grid_ || x.reason.find("on this grid") != std::string::npos;
+      std::string offers;
+      for (const Arc_offer& o : x.offers)
+        offers += json_ ? (offers.empty() ? "" : ",") + offer_object(o)
+                        : (offers.empty() ? "; smooth with " : ", or with ") + o.text() + " of " + curve_name(o.curve) +
+                              (o.is_decimal ? "" : ", which is no short decimal");
+      const bool can = std::any_of(x.offers.begin(), x.offers.end(), [](const Arc_offer& o) { return o.is_decimal; });
+      unrepaired_.push_back(json_
+                                ? object(x.join, "\"reason\":" + json_text(x.reason) +
+                                                     (offers.empty() ? "" : ",\"smooth_with\":[" + offers + ']'))
+                                : behind(x.join) + ": " + x.reason + offers + (can ? "; --arcs takes the first" : ""));
+    }
     for (const std::size_t join : done.lost)
       lost_.push_back(json_ ? object(join, "\"before\":\"G2\",\"after\":\"G1\"")
                             : behind(join) + ": G2 before, now G1");
@@ -214,6 +247,7 @@ private:
       write_array(os, "grids", grids_);
       write_array(os, "reversed", reversed_);
       write_array(os, "closed", closed_);
+      write_array(os, "arcs", arcs_);
       write_array(os, "moves", moves_);
       write_array(os, "curvatures", jumps_);
       write_array(os, "lost", lost_);
@@ -232,11 +266,13 @@ private:
     for (const std::string& line : grids_) os << GC::printable(line) << '\n';
     for (const std::string& line : reversed_) os << line << '\n';
     for (const std::string& line : closed_) os << "closed: " << GC::printable(line) << '\n';
+    for (const std::string& line : arcs_) os << "changed: " << GC::printable(line) << '\n';
     for (const std::string& line : moves_) os << "moved: " << GC::printable(line) << '\n';
     for (const std::string& line : lost_) os << GC::printable(line) << '\n';
     for (const std::string& line : jumps_) os << GC::printable(line) << '\n';
     for (const std::string& line : unrepaired_) os << "not repaired: " << GC::printable(line) << '\n';
-    if (moves_.empty() && reversed_.empty()) os << "nothing is changed: no handle moves\n";
+    if (is_beside_grid_) os << "--grid with a smaller unit has nearer positions for what is not on this grid\n";
+    if (moves_.empty() && reversed_.empty() && arcs_.empty()) os << "nothing is changed: no handle moves\n";
     os << "before: ";
     write_counts(os, before_, false);
     os << "\nafter:  ";
