@@ -241,8 +241,8 @@ path 'M0 0A3 4 30 0 1 5 5Q6 9 30 40L40 51' 1 && becomes 'M0 0A3 4 30 0 1 5 5Q6 9
 says out "not on this grid" "before: 1 corner, 1 kink"
 path 'M0 0A5 4 1e-350 0 1 10 0Q10 9 20 30L29 51' 1 && becomes 'M0 0A5 4 1e-350 0 1 10 0Q10 9 20 30L29 51' # no direction changes beside what is undecided
 says out "both nodes bind the handle of a quadratic" "undecided: 1 join, an arc of a rotated ellipse"
-# Other radii and ends of arcs with which a kink vanishes are told, and --arcs takes the first that is
-# a short decimal.
+# Other radii and ends of arcs with which a kink vanishes are told, and --arcs takes the first that
+# is a short decimal.
 arcs='M 10 30 A 20 20 0 0 1 46 30 A 25 25 0 0 0 90 30'
 path "$arcs" 1 && becomes "$arcs" && says out "behind command 2: no point of the grid lies in the direction of the arc; smooth with the end (91, 30) of command 3, or with the start (10.8, 30) of command 2, or with the radius 220/9 of command 3, which is no short decimal, or with the radius 225/11 of command 2, which is no short decimal; --arcs takes the first"
 path "$arcs" 1 --json && says out '"smooth_with":[{"curve":2,"end":["91","30"],"is_decimal":true},{"curve":1,"start":["10.8","30"],"is_decimal":true},{"curve":2,"radii":["220/9","220/9"],"is_decimal":false}'

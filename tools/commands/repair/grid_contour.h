@@ -66,8 +66,8 @@ struct Grid_contour {
   // handles may get more decimals than there are: where no other position is exact, beside the grid
   bool may_add_decimals = false;
   bool takes_fractions = false; // coordinates need not be decimals
-  // whether the point where it starts, or ends, belongs to one curve and may be written anew, with at
-  // most so many decimals
+  // whether the point where it starts, or ends, belongs to one curve and may be written anew, with
+  // at most so many decimals
   bool has_free_start = false, has_free_end = false;
   int most_decimals = 0;
 

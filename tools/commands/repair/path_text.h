@@ -72,8 +72,8 @@ public:
   int coarser_decimals(std::int64_t longest) const;
 
   // Returns the edits, in order, that move the handles of the subpath, and change its arcs, from
-  // how they are in one contour to how they are in another one. A path on its own grid keeps it: the last number with
-  // the most decimals keeps them.
+  // how they are in one contour to how they are in another one. A path on its own grid keeps it:
+  // the last number with the most decimals keeps them.
   std::vector<Text_edit> edits(const Grid_contour& from, const Grid_contour& to);
 };
 

@@ -57,6 +57,22 @@ agree: exactly where the grid allows it, otherwise as nearly as it does, and the
 jump that is left is told. It is not changed where it would harm a join that is
 G2. To repair again changes nothing.
 
+Where numbers have more digits than a grid of their last decimal can hold (17
+digits, fractions, handles longer than 2^28 units), nodes keep all of theirs,
+and handles move to whole units of a coarser grid from their nodes: the finest
+on which the drawing is no longer than 2^27 units. The unit is told. Where that
+has no position near enough, one handle moves to a short decimal multiple of the
+other one, or of a line, which takes more decimals. --grid UNIT takes another
+grid, such as 0.001, also a finer one than that of the file, which mends what is
+"not on this grid"; then no other positions are taken.
+
+Of an arc another radius, or another end where it is free, may make a kink
+vanish exactly. Such numbers are told where no handle can move, and --arcs takes
+the first of them that is a short decimal. Of a chain, --reverse reverses curves
+that run backwards, as few as leave the fewest gaps, and --close GAP closes gaps
+up to this width: both ends move to the middle, with the handles that are theirs
+alone, or one end to the other where fewer joins would be harmed.
+
 Nothing else in the file changes: of drawings only numbers in the attribute d of
 paths, in which a shorthand S or T becomes C or Q where its handle moves. What
 is written is read and decided again before it replaces FILE, which may be the
@@ -90,7 +106,7 @@ examples:
   geometric_continuity repair font.otf -o smooth.otf
 
 Exit code: 0 when no kink is left, 1 when one is, when curves of a chain do not
-meet, which no handle can mend, or when not all joins are decided (an arc of a
+meet (see --close and --reverse), or when not all joins are decided (an arc of a
 rotated ellipse) or covered (an element that is not read), unless
 --allow-undecided and --allow-uncovered leave them out; 2 on bad input.
 )";

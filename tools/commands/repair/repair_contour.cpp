@@ -765,8 +765,8 @@ class Contour_mender {
     return frame.to(chord * std::polar(1., angle));
   }
 
-  // Adds those of one side whose neighbour is smooth with it, where it does not harm the join at its
-  // other end.
+  // Adds those of one side whose neighbour is smooth with it, where it does not harm the join at
+  // its other end.
   void add_arc_offers(std::size_t join, bool of_right, std::vector<Arc_offer>& offers) {
     const std::size_t curve = of_right ? next(join) : join, other = of_right ? join : next(join);
     const Grid_curve given = contour_.curves[curve];
@@ -1073,8 +1073,8 @@ std::vector<Curvature_jump> harmonised(Grid_contour& contour, const Repair_optio
   return jumps;
 }
 
-// Changes arcs of joins that were not repaired, where that is asked for and can be written, and notes
-// what there is for the others.
+// Changes arcs of joins that were not repaired, where that is asked for and can be written, and
+// notes what there is for the others.
 void offer_arcs(Grid_contour& contour, const Repair_options& options, Contour_repair& result) {
   bool changed = false;
   for (Unrepaired_join& x : result.unrepaired) {

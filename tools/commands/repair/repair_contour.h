@@ -21,7 +21,7 @@ struct Repair_options {
   GC::Corner_threshold bound; // kinks are angles up to this one
   // in units; unless it is given, twice what the kink is off and one more, for curvatures a
   // tenth of the shorter handle
-  std::optional<CGAL::Exact_rational> max_move;
+  std::optional<CGAL::Exact_rational> max_move = std::nullopt;
   bool harmonise = false;                          // the curvatures, too
   std::optional<int> grid_decimals = std::nullopt; // of another grid than that of the file
   bool change_arcs = false;                        // where no handle can move
