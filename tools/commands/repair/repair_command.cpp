@@ -80,10 +80,11 @@ input, by the reader of verify, and the joins are counted as verify does; those
 of paths that are defined and not drawn are repaired, too, and counted apart. A
 drawing that is packed by gzip is refused. Units are those of each path.
 
-A font is written where FILE ends with .ttf, .otf, .woff or .woff2: fontTools,
-in the Python that GEOMETRIC_CONTINUITY_PYTHON names or in python3, moves the
-handles, every table that need not change keeps its bytes, and what is written
-is decided again. The masters of a variable font (glyf, gvar) are mended
+A font is written where FILE ends with .ttf, .otf, .woff or .woff2, a collection
+where it ends with .ttc or .otc: fontTools, in the Python that
+GEOMETRIC_CONTINUITY_PYTHON names or in python3, moves the handles, every table
+that need not change keeps its bytes, and what is written is decided again. The
+masters of a variable font (glyf, gvar) are mended
 together: at each node that is no corner in any of them the handles get one
 ratio or one direction in all masters, by the least moves on the grid, so that
 no instance has a kink; all instances are verified with --max-kink 0. These
@@ -218,12 +219,17 @@ std::string repaired_chain(const std::string& given, const std::string& name, co
 
 // The endings of the fonts that are written.
 const Arguments& written_fonts() {
-  static const Arguments endings{".ttf", ".otf", ".woff", ".woff2"};
+  static const Arguments endings{".ttf", ".otf", ".woff", ".woff2", ".ttc", ".otc"};
   return endings;
 }
 
 bool is_font_name(const std::string& file) {
   return std::count(written_fonts().begin(), written_fonts().end(), extension(file)) != 0;
+}
+
+bool ends_like_a_collection(const std::string& file) {
+  const std::string ending = extension(file);
+  return ending == ".ttc" || ending == ".otc";
 }
 
 bool is_variable_font(const std::string& bytes) {
@@ -270,6 +276,11 @@ int repair_font(const Command_line& line, const Repair_options& options, const R
                       "Glyphs)");
   }
   const std::string bytes = read_bytes(file);
+  const bool is_collection = bytes.compare(0, 4, "ttcf") == 0, as_collection = ends_like_a_collection(output);
+  if (font && is_collection != as_collection)
+    throw std::invalid_argument("--output: " + output + ": " +
+                                (is_collection ? "a collection of fonts is written as .ttc or .otc"
+                                               : "a single font is written as .ttf, .otf, .woff or .woff2"));
   if (font && is_variable_font(bytes)) return repair_variable_font(line, bytes, options, mode);
   const Font_repair done = repair_font(bytes, name, options, rounding_bound(line));
   if (font) {
