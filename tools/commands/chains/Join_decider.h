@@ -46,6 +46,10 @@ public:
     joins.summary.add(join);
     const Drawn drawn = this->drawn(join, left, right);
     if (drawn) joins.drawn.add(*drawn);
+    if (join.c_order < 0) {
+      const Closing_reversal reversal = closing_reversal(ends);
+      if (reversal.left || reversal.right) joins.gaps.push_back({place.left, place.right, reversal});
+    }
     if (mode_.certificate != nullptr) joins.certificates.push_back(certificate(place, join, left, right));
     const bool is_open = demand_.max_order > 0 && lacks_direction(join, drawn, left, right);
     Claim claim = this->claim(join, drawn, within);

@@ -6,6 +6,7 @@
 
 #include "commands/drawings/segment_joins.h"
 #include "commands/kink_options.h"
+#include "commands/repair/decimal_text.h"
 #include "files/input.h"
 #include "files/output.h"
 #include "formats/svg/read_svg_path.h"
@@ -60,26 +61,10 @@ Fraction with_significant_digits(const Fraction& x, int digits) {
 
 // Writes a finite decimal as it is, and another number as a double.
 void write_decimal(std::ostream& os, const Fraction& x) {
-  constexpr int most_digits = 60;
-  typedef CGAL::Fraction_traits<Fraction> Parts;
-  Fraction scaled = x < 0 ? Fraction(-x) : x;
-  Parts::Numerator_type p;
-  Parts::Denominator_type q;
-  for (int digits = 0; digits <= most_digits; ++digits, scaled *= 10) {
-    Parts::Decompose()(scaled, p, q);
-    if (q != 1) continue;
-    std::ostringstream integer;
-    integer << p;
-    std::string text = integer.str();
-    if (digits > 0) {
-      const std::size_t n = static_cast<std::size_t>(digits);
-      if (text.size() <= n) text.insert(0, n + 1 - text.size(), '0');
-      text.insert(text.size() - n, ".");
-    }
-    os << (x < 0 ? "-" : "") << text;
-    return;
-  }
-  GC::write_number(os, CGAL::to_double(x));
+  if (const std::optional<std::string> text = decimal_text(x))
+    os << *text;
+  else
+    GC::write_number(os, CGAL::to_double(x));
 }
 
 // A subpath of Bezier curves whose corners are rounded, in the coordinates of its element.
