@@ -145,4 +145,15 @@ Edge_record edge_continuity(const Numbers& a, const std::string& edge_a, const N
 // Along the edge that they have in common; where both are one object, along two of its edges.
 Edge_record edge_continuity(const Numbers& a, const Numbers& b);
 
+// The second surface, matched to the first one along edges, exactly.
+struct Matched_numbers {
+  Numbers points;
+  std::vector<std::pair<std::string, Exact>> shape; // names and numbers, those up to the order
+  Edge_record before;
+  bool has_order; // along the whole edge, which is proved
+};
+// `shape` has the names of what is given; all else is the nearest.
+Matched_numbers match(const Numbers& a, const std::string& edge_a, const Numbers& b, const std::string& edge_b,
+                      int order, const std::vector<std::pair<std::string, Exact>>& shape);
+
 #endif // GEOMETRIC_CONTINUITY_PYTHON_GEOMETRY_H
