@@ -470,12 +470,12 @@ PYBIND11_MODULE(_native, m) {
     record["moved"] = r.moved;
     return record;
   });
-  m.def("round_corner", [](const py::object& left, const py::object& right, const py::object& distance,
+  m.def("round_corner", [](const py::object& left, const py::object& right, const py::object& size, bool is_radius,
                            const std::string& strategy, const std::optional<bool>& exact) {
     const Numbers a = numbers_of(left), b = numbers_of(right);
-    const double d = nearest_double(exact_number(distance));
+    const double d = nearest_double(exact_number(size));
     const Wish wish(exact, {&a, &b});
-    Corner_numbers r = released([&] { return round_corner(a, b, d, strategy, wish.field); });
+    Corner_numbers r = released([&] { return round_corner(a, b, d, is_radius, strategy, wish.field); });
     py::dict record;
     record["left"] = array_of(std::move(r.left), wish.exact);
     record["blend"] = array_of(std::move(r.blend), wish.exact);
@@ -547,6 +547,7 @@ PYBIND11_MODULE(_native, m) {
     record["points"] = array_of(std::move(r.points), is_exact);
     for (const auto& [name, value] : r.shape) numbers[name.c_str()] = number(value, is_exact);
     record["shape"] = numbers;
+    record["edges"] = r.edges;
     record["before"] = std::move(r.before);
     record["has_order"] = r.has_order;
     return record;

@@ -66,14 +66,17 @@ Edge_record edge_continuity(const Numbers& a, const Numbers& b) {
 
 Matched_numbers match(const Numbers& a, const std::string& edge_a, const Numbers& b, const std::string& edge_b,
                       int order, const std::vector<std::pair<std::string, Exact>>& shape) {
-  const GC::Patch_edge first = patch_edge(edge_a, "match"), second = patch_edge(edge_b, "match");
   const GC::Bezier_patch<Exact_space> s = patch<Exact_space>(a, "match"), t = patch<Exact_space>(b, "match");
+  const bool are_given = !edge_a.empty();
+  const auto [first, second] =
+      are_given ? std::pair(patch_edge(edge_a, "match"), patch_edge(edge_b, "match")) : GC::nearest_edges(s, t);
   const GC::Edge_direction direction = nearer_direction(s, first, t, second);
   GC::Matching_shape<Exact> x = nearest_matching_shape(s, first, t, second, order, direction);
   std::vector<std::pair<std::string, Exact*>> numbers{{"alpha", &x.alpha}, {"beta", &x.beta}};
   if (order > 1) numbers.insert(numbers.end(), {{"alpha2", &x.alpha2}, {"delta", &x.delta}});
   if (order > 2) numbers.insert(numbers.end(), {{"alpha3", &x.alpha3}, {"delta3", &x.delta3}});
   Matched_numbers result;
+  result.edges = {to_string(first), to_string(second)};
   for (const auto& [name, value] : shape)
     for (const auto& [known, number] : numbers)
       if (name == known) *number = value;

@@ -75,6 +75,20 @@ class Matches(unittest.TestCase):
                     self.assertTrue(m.proved or m.after.normal_vanishes)
                     self.assertGreaterEqual(n, 2)
 
+    def test_edges(self):
+        """Without names the edges are those that are nearest, and the common one where there is one."""
+        self.assertEqual(gc.match(A, B).edges, ("v1", "v0"))
+        turned = numpy.array(B, dtype=object).transpose(1, 0, 2)[::-1]
+        m = gc.match(A, turned, order="G1")
+        self.assertEqual((m.edges, m.before.g_order, m.after.g_order), (("v1", "u1"), 0, 1))
+        shifted = numpy.array(B, dtype=object) + [0, Fraction(1, 10), 0]
+        m = gc.match(A, shifted)
+        self.assertEqual((m.edges, m.before.g_order, m.after.g_order), (("v1", "v0"), -1, 2))
+        square = [[(x, y, 0) for y in (0, 1)] for x in (0, 1)]
+        with self.assertRaises(gc.Error) as caught:
+            gc.match(square, [[(x, y, 1) for y in (0, 1)] for x in (0, 1)])
+        self.assertEqual(caught.exception.code, "several_common_edges")
+
     def test_errors(self):
         for call, code in ((lambda: gc.match(A, B, "v1"), "parameter_outside_domain"),
                            (lambda: gc.match(A, B, ("v1", "x")), "parameter_outside_domain"),
@@ -83,7 +97,7 @@ class Matches(unittest.TestCase):
                            (lambda: gc.match(A, B, beta=0), "nonpositive_beta"),
                            (lambda: gc.match(A, B, order=1, delta=2), "parameter_outside_domain"),
                            (lambda: gc.match([(0, 0, 0)], B), "wrong_number_of_points"),
-                           (lambda: gc.match(numpy.zeros((2, 2, 3)), B), "zero_tangent"),
+                           (lambda: gc.match(numpy.zeros((2, 2, 3)), B, ("v1", "v0")), "zero_tangent"),
                            (lambda: gc.match(A, numpy.full((2, 2, 3), numpy.nan)), "not_finite")):
             with self.assertRaises(gc.Error) as caught:
                 call()
