@@ -108,7 +108,7 @@ Cad_model read_cad(const std::string& file, const Cad_reading& reading) {
   }
 }
 
-void make_cad_model(const std::string& shapes, const std::string& model) {
-  const std::uint64_t memory = memory_for(shapes);
-  content(answer({reader_program(), shapes, model, std::to_string(memory)}, 600, memory), memory);
+void make_cad_model(const std::string& given, const std::string& model) {
+  const std::uint64_t memory = memory_for(given);
+  content(answer({reader_program(), given, model, std::to_string(memory)}, 600, memory), memory);
 }

@@ -19,8 +19,8 @@ bool are_cad_files(const Arguments& files);
 // been built without OpenCASCADE.
 Cad_model read_cad(const std::string& file, const Cad_reading& reading);
 
-// Makes a model of the splines in a file .shapes, see write_cad(). Throws std::runtime_error with
-// the reason.
-void make_cad_model(const std::string& shapes, const std::string& model);
+// Makes a model of the splines in a file .shapes, or of the shell in a file .shell, see write_cad().
+// Throws std::runtime_error with the reason.
+void make_cad_model(const std::string& given, const std::string& model);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_READ_CAD_H
