@@ -7,6 +7,7 @@
 
 #include "formats/cad/Cad_model.h"
 #include "formats/cad/Cad_reading.h"
+#include "formats/cad/Planar_solid.h"
 #include "formats/cad/Shell_model.h"
 
 #include <array>
@@ -56,6 +57,8 @@ template <> inline constexpr int number_of_members<Shell_model::Edge> = 3;
 template <> inline constexpr int number_of_members<Shell_model::Use> = 3;
 template <> inline constexpr int number_of_members<Shell_model::Face> = 4;
 template <> inline constexpr int number_of_members<Shell_model> = 3;
+template <> inline constexpr int number_of_members<Planar_solid::Face> = 5;
+template <> inline constexpr int number_of_members<Planar_solid> = 3;
 
 // References to all members of an object.
 template <class T> auto members(T& x) {

@@ -27,8 +27,7 @@ struct Distinct_knots {
       }
     }
     for (std::size_t i = 1; i + 1 < values.size(); ++i)
-      if (multiplicities[i] > degree)
-        throw std::runtime_error("a CAD model holds no spline that may jump at a knot");
+      if (multiplicities[i] > degree) throw std::runtime_error("a CAD model holds no spline that may jump at a knot");
   }
   TColStd_Array1OfReal knots() const {
     return TColStd_Array1OfReal(values.front(), 1, static_cast<int>(values.size()));

@@ -4,6 +4,7 @@
 
 #include "formats/cad/Cad_answer.h"
 #include "formats/cad/model_bytes.h"
+#include "formats/cad/opencascade/planar_solid.h"
 #include "formats/cad/opencascade/read_model.h"
 #include "formats/cad/opencascade/write_model.h"
 #include "formats/cad/opencascade/write_shell.h"
@@ -121,11 +122,15 @@ int main(int argc, char** argv) {
       write_shell(read_shell(argv[1]), argv[2]);
       answer(descriptor, Cad_answer::model, "");
     }
+    Byte_writer bytes;
+    if (argv[2] == std::string_view("solid")) {
+      bytes(planar_solid(read_shape(argv[1], Cad_reading())));
+      answer(descriptor, Cad_answer::model, bytes.bytes());
+    }
     Cad_reading reading;
     const std::string request = from_hexadecimal(argv[2]);
     Byte_reader bytes_of_request(request);
     bytes_of_request(reading);
-    Byte_writer bytes;
     bytes(read(argv[1], reading));
     answer(descriptor, Cad_answer::model, bytes.bytes());
   } catch (const Standard_OutOfMemory&) {
