@@ -10,13 +10,16 @@
 #include <string>
 #include <vector>
 
-// What a CAD model has of planes with straight edges, by the doubles of the file; whether it is
-// closed, is not decided here. Edges and faces have the numbers by which `verify` names them.
+// The planes with straight edges that a CAD model consists of, by the doubles of the file. They need
+// not be closed. Edges and faces have the numbers by which `verify` names them.
 struct Planar_solid {
+  // As the file orients it: edge i leads from vertex i to the next one.
+  struct Loop {
+    std::vector<std::size_t> vertices, edges;
+  };
   struct Face {
     std::array<double, 3> point, normal; // of its plane, in either direction
-    // Its boundary as the file orients it: edge i leads from vertex i to the next one.
-    std::vector<std::size_t> vertices, edges;
+    std::vector<Loop> loops;
     std::string name; // e.g. `#17 "top"`; empty if the file gives it none
   };
   std::vector<std::array<double, 3>> vertices;

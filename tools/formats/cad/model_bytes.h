@@ -57,7 +57,8 @@ template <> inline constexpr int number_of_members<Shell_model::Edge> = 3;
 template <> inline constexpr int number_of_members<Shell_model::Use> = 3;
 template <> inline constexpr int number_of_members<Shell_model::Face> = 4;
 template <> inline constexpr int number_of_members<Shell_model> = 3;
-template <> inline constexpr int number_of_members<Planar_solid::Face> = 5;
+template <> inline constexpr int number_of_members<Planar_solid::Loop> = 2;
+template <> inline constexpr int number_of_members<Planar_solid::Face> = 4;
 template <> inline constexpr int number_of_members<Planar_solid> = 3;
 
 // References to all members of an object.

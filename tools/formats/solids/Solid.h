@@ -15,10 +15,14 @@
 // A closed polyhedron over fractions, the faces of which are exactly planar.
 struct Solid {
   typedef std::array<CGAL::Exact_rational, 3> Point;
-  struct Face {
-    // Its boundary, counterclockwise as seen from outside: edge i leads from vertex i to the next
-    // one. Edges have the numbers by which `verify` names them, where it reads the format.
+  // Edge i leads from vertex i to the next one. Edges have the numbers by which `verify` names them,
+  // where it reads the format. Seen from outside, boundaries of faces run counterclockwise, and
+  // those of holes in faces clockwise.
+  struct Loop {
     std::vector<std::size_t> vertices, edges;
+  };
+  struct Face {
+    std::vector<Loop> loops;
     std::string name; // the label of the file, e.g. `#17 "top"`, or empty
   };
   std::vector<Point> vertices;

@@ -41,12 +41,13 @@ void check_connected(const Solid& solid, const Edge_passes& passes) {
   while (!next.empty()) {
     const Solid::Face& face = solid.faces[next.back()];
     next.pop_back();
-    for (const std::size_t edge : face.edges)
-      for (const Edge_pass& pass : passes.at(edge))
-        if (!found[pass.face]) {
-          found[pass.face] = true;
-          next.push_back(pass.face);
-        }
+    for (const Solid::Loop& loop : face.loops)
+      for (const std::size_t edge : loop.edges)
+        for (const Edge_pass& pass : passes.at(edge))
+          if (!found[pass.face]) {
+            found[pass.face] = true;
+            next.push_back(pass.face);
+          }
   }
   const auto other = std::find(found.begin(), found.end(), false);
   if (other != found.end())
@@ -54,16 +55,17 @@ void check_connected(const Solid& solid, const Edge_passes& passes) {
            "no edges lead from it to face 0: one solid is expected in a file, without voids");
 }
 
-// Six times the volume: the sum of determinants over triangles.
+// Returns six times the volume: the sum of determinants over triangles, those of holes negative.
 CGAL::Exact_rational volume(const Solid& solid) {
   CGAL::Exact_rational sum = 0;
   for (const Solid::Face& face : solid.faces)
-    for (std::size_t i = 1; i + 1 < face.vertices.size(); ++i) {
-      const Solid::Point &a = solid.vertices[face.vertices[0]], &b = solid.vertices[face.vertices[i]],
-                         &c = solid.vertices[face.vertices[i + 1]];
-      sum +=
-          a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
-    }
+    for (const Solid::Loop& loop : face.loops)
+      for (std::size_t i = 1; i + 1 < loop.vertices.size(); ++i) {
+        const Solid::Point &a = solid.vertices[loop.vertices[0]], &b = solid.vertices[loop.vertices[i]],
+                           &c = solid.vertices[loop.vertices[i + 1]];
+        sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+               a[2] * (b[0] * c[1] - b[1] * c[0]);
+      }
   return sum;
 }
 
@@ -79,17 +81,21 @@ void check_closed(Solid& solid) {
   Edge_passes passes;
   for (std::size_t f = 0; f < solid.faces.size(); ++f) {
     const Solid::Face& face = solid.faces[f];
-    if (face.vertices.size() < 3) refuse(solid, f, "it has less than three edges");
-    for (std::size_t i = 0; i < face.edges.size(); ++i) passes[face.edges[i]].push_back({f, face.vertices[i]});
+    if (face.loops.empty()) refuse(solid, f, "it has no edges");
+    for (const Solid::Loop& loop : face.loops) {
+      if (loop.vertices.size() < 3) refuse(solid, f, "it has less than three edges");
+      for (std::size_t i = 0; i < loop.edges.size(); ++i) passes[loop.edges[i]].push_back({f, loop.vertices[i]});
+    }
   }
   for (const auto& [edge, faces] : passes) check_edge(solid, edge, faces);
   check_connected(solid, passes);
   const CGAL::Exact_rational six_volumes = volume(solid);
   if (six_volumes == 0) throw std::runtime_error("its volume is 0");
   if (six_volumes > 0) return;
-  for (Solid::Face& face : solid.faces) {
-    std::reverse(face.vertices.begin(), face.vertices.end());
-    std::reverse(face.edges.begin(), face.edges.end()); // edge i leads to vertex i
-    std::rotate(face.edges.begin(), face.edges.begin() + 1, face.edges.end());
-  }
+  for (Solid::Face& face : solid.faces)
+    for (Solid::Loop& loop : face.loops) {
+      std::reverse(loop.vertices.begin(), loop.vertices.end());
+      std::reverse(loop.edges.begin(), loop.edges.end()); // edge i leads to vertex i
+      std::rotate(loop.edges.begin(), loop.edges.begin() + 1, loop.edges.end());
+    }
 }

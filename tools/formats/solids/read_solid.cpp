@@ -101,19 +101,19 @@ public:
       const std::size_t n = count(words_[0]);
       if (words_.size() <= n)
         refuse(std::to_string(n) + " vertices are expected, and there are " + std::to_string(words_.size() - 1));
-      Solid::Face face;
+      Solid::Loop loop;
       for (std::size_t i = 1; i <= n; ++i) {
-        face.vertices.push_back(count(words_[i]));
-        if (face.vertices.back() >= vertices)
+        loop.vertices.push_back(count(words_[i]));
+        if (loop.vertices.back() >= vertices)
           refuse("vertex " + words_[i] + ": there are only " + std::to_string(vertices) + ", counted from 0");
-        if (std::count(face.vertices.begin(), face.vertices.end(), face.vertices.back()) > 1)
+        if (std::count(loop.vertices.begin(), loop.vertices.end(), loop.vertices.back()) > 1)
           refuse("vertex " + words_[i] + " comes twice");
       }
       for (std::size_t i = 0; i < n; ++i) {
-        const auto [low, high] = std::minmax(face.vertices[i], face.vertices[(i + 1) % n]);
-        face.edges.push_back(edges.emplace(std::pair(low, high), edges.size()).first->second);
+        const auto [low, high] = std::minmax(loop.vertices[i], loop.vertices[(i + 1) % n]);
+        loop.edges.push_back(edges.emplace(std::pair(low, high), edges.size()).first->second);
       }
-      solid.faces.push_back(std::move(face));
+      solid.faces.push_back({{std::move(loop)}, ""});
     }
     return solid;
   }
@@ -140,7 +140,9 @@ Solid read_cad_solid(const std::string& file) {
   for (const std::array<double, 3>& p : read.vertices) solid.vertices.push_back(exact_point(p));
   std::vector<std::optional<Solid_plane>> planes;
   for (const Planar_solid::Face& face : read.faces) {
-    solid.faces.push_back({face.vertices, face.edges, face.name});
+    Solid::Face& result = solid.faces.emplace_back();
+    for (const Planar_solid::Loop& loop : face.loops) result.loops.push_back({loop.vertices, loop.edges});
+    result.name = face.name;
     planes.push_back(Solid_plane{exact_point(face.point), exact_point(face.normal)});
   }
   try {

@@ -86,16 +86,18 @@ class Solid_reader {
     result.point = checked(axes.Location().XYZ());
     result.normal = checked(axes.Direction().XYZ());
     result.name = label(face);
-    add_loop(number, face, result);
+    add_loops(number, steps(number, face), result);
     result_.faces.push_back(std::move(result));
   }
 
-  void add_loop(std::size_t number, const TopoDS_Face& face, Planar_solid::Face& result) const {
-    struct Step {
-      std::size_t edge, next;
-    };
-    std::map<std::size_t, Step> steps; // by the vertex where they begin
-    std::size_t first = 0;
+  // An edge on its way round a face, to the vertex where the next one begins.
+  struct Step {
+    std::size_t edge, next;
+  };
+  typedef std::map<std::size_t, Step> Steps; // by the vertices where they begin
+
+  Steps steps(std::size_t number, const TopoDS_Face& face) const {
+    Steps result;
     for (TopExp_Explorer i(face, TopAbs_EDGE); i.More(); i.Next()) {
       const TopoDS_Edge edge = TopoDS::Edge(i.Current());
       const std::size_t e = index(edges_, edge);
@@ -107,21 +109,26 @@ class Solid_reader {
       if (!is_straight(curve)) fail(number, name + "is no line, but a " + curve_name(curve));
       const TopoDS_Vertex from = TopExp::FirstVertex(edge, true), to = TopExp::LastVertex(edge, true);
       if (from.IsNull() || to.IsNull()) fail(number, name + "has no end");
-      first = index(vertices_, from);
-      if (!steps.emplace(first, Step{e, index(vertices_, to)}).second)
+      if (!result.emplace(index(vertices_, from), Step{e, index(vertices_, to)}).second)
         fail(number, "its boundary passes a vertex of edge " + std::to_string(e) + " twice");
     }
-    if (steps.empty()) fail(number, "it has no boundary");
-    for (std::size_t v = first; result.vertices.empty() || v != first;) {
-      const auto step = steps.find(v);
-      if (step == steps.end() || result.vertices.size() == steps.size()) fail(number, "its boundary does not close");
-      result.vertices.push_back(v);
-      result.edges.push_back(step->second.edge);
-      v = step->second.next;
+    return result;
+  }
+
+  void add_loops(std::size_t number, Steps steps, Planar_solid::Face& result) const {
+    while (!steps.empty()) {
+      const std::size_t first = steps.begin()->first;
+      Planar_solid::Loop& loop = result.loops.emplace_back();
+      std::size_t v = first;
+      do {
+        const auto step = steps.find(v);
+        if (step == steps.end()) fail(number, "its boundary does not close");
+        loop.vertices.push_back(v);
+        loop.edges.push_back(step->second.edge);
+        v = step->second.next;
+        steps.erase(step);
+      } while (v != first);
     }
-    if (result.vertices.size() != steps.size())
-      fail(number, "it has more than one loop: faces with holes in them are not rounded");
-    if (steps.size() < 3) fail(number, "its boundary has less than three edges");
   }
 
 public:

@@ -9,7 +9,7 @@
 #include "formats/cad/opencascade/read_model.h"
 
 // Returns the faces of a file. Throws std::runtime_error, with the face and the edge, for a surface
-// that is no plane, an edge that is not straight, and a face with more than one loop.
+// that is no plane, and an edge that is not straight.
 Planar_solid planar_solid(const Shape_of_file& file);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_OPENCASCADE_PLANAR_SOLID_H
