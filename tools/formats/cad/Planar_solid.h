@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-// The planes with straight edges that a CAD model consists of, by the doubles of the file. They need
-// not be closed. Edges and faces have the numbers by which `verify` names them.
+// The planes with straight edges that a CAD model consists of, by the doubles of the file. They
+// need not be closed. Edges and faces have the numbers by which `verify` names them.
 struct Planar_solid {
   // As the file orients it: edge i leads from vertex i to the next one.
   struct Loop {

@@ -15,9 +15,9 @@
 // A closed polyhedron over fractions, the faces of which are exactly planar.
 struct Solid {
   typedef std::array<CGAL::Exact_rational, 3> Point;
-  // Edge i leads from vertex i to the next one. Edges have the numbers by which `verify` names them,
-  // where it reads the format. Seen from outside, boundaries of faces run counterclockwise, and
-  // those of holes in faces clockwise.
+  // Edge i leads from vertex i to the next one. Edges have the numbers by which `verify` names
+  // them, where it reads the format. Seen from outside, boundaries of faces run counterclockwise,
+  // and those of holes in faces clockwise.
   struct Loop {
     std::vector<std::size_t> vertices, edges;
   };

@@ -125,7 +125,7 @@ class Planar_maker {
       });
   }
 
-  // The shortest way from a vertex to its planes is a sum of their normals n_i with the factors c_i:
+  // The shortest way from a vertex to its planes is a sum of their normals n_i with factors c_i:
   // (sum of c_j n_j) . n_i = (p_i - vertex) . n_i, a linear system with a symmetric matrix.
   Point way(std::size_t v) const {
     const std::vector<std::size_t>& faces = planes_of_[v];

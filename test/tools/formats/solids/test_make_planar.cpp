@@ -130,8 +130,8 @@ BOOST_AUTO_TEST_CASE(planes_of_the_file) {
   BOOST_CHECK_CLOSE(s.largest_move, 1e-9, 1e-6);
 }
 
-// Two halves of a face have one plane, the point between them stays on the edge, and one inside of a
-// face in the plane.
+// Two halves of a face have one plane, the point between them stays on the edge, and one inside of
+// a face in the plane.
 BOOST_AUTO_TEST_CASE(divided_faces) {
   const Q little(1, 1000000000);
   std::vector<Solid::Point> points = corners();
