@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_PLANAR_SOLID_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_PLANAR_SOLID_H
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// What a CAD model has of planes with straight edges, by the doubles of the file; whether it is
+// closed, is not decided here. Edges and faces have the numbers by which `verify` names them.
+struct Planar_solid {
+  struct Face {
+    std::array<double, 3> point, normal; // of its plane, in either direction
+    // Its boundary as the file orients it: edge i leads from vertex i to the next one.
+    std::vector<std::size_t> vertices, edges;
+    std::string name; // e.g. `#17 "top"`; empty if the file gives it none
+  };
+  std::vector<std::array<double, 3>> vertices;
+  std::vector<Face> faces;
+  double tolerance = 0; // the largest one of the vertices, as the file says
+};
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_PLANAR_SOLID_H
