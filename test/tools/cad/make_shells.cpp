@@ -12,6 +12,7 @@
 #include "formats/cad/opencascade/cad_surface.h"
 #include "formats/cad/opencascade/read_model.h"
 #include "formats/cad/opencascade/write_shell.h"
+#include "formats/cad/run_along_v.h"
 
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
@@ -287,9 +288,11 @@ Splines splines_of(const Shell_model& shell) {
         result.flat_curves.insert(numbers_of(use.curve));
       }
     if (face.loops.size() != 2) continue;
-    for (const double u : {s.knots_u.front(), s.knots_u.back()})
-      result.flat_curves.insert(numbers_of(line_2(s.knots_v, {u, 0}, {u, 1})));
-    result.curves.insert(numbers_of(Shell_model::Spline_curve{s.degree_v, s.knots_v, s.points.front()}));
+    for (const double v : {s.knots_v.front(), s.knots_v.back()}) // that runs along v
+      result.flat_curves.insert(numbers_of(line_2(s.knots_u, {0, v}, {1, v})));
+    Shell_model::Spline_curve seam{s.degree_u, s.knots_u, {}};
+    for (const auto& row : s.points) seam.points.push_back(row.front());
+    result.curves.insert(numbers_of(seam));
   }
   for (const int edge : used) result.curves.insert(numbers_of(shell.edges[static_cast<std::size_t>(edge)].curve));
   return result;
@@ -331,9 +334,10 @@ Splines splines_read(const std::string& file) {
   return result;
 }
 
-void make(const Shell_model& shell, const std::string& name) {
+void make(Shell_model shell, const std::string& name) {
+  for (const char* ending : {".step", ".brep"}) write_shell(shell, name + ending);
+  run_along_v(shell);
   for (const char* ending : {".step", ".brep"}) {
-    write_shell(shell, name + ending);
     const Splines written = splines_of(shell), read = splines_read(name + ending);
     require(written.surfaces == read.surfaces, name + ending + ": its surfaces differ");
     require(written.curves == read.curves, name + ending + ": its edges differ");

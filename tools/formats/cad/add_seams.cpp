@@ -104,7 +104,9 @@ public:
     if (!begin_at_seam(low, s) || !begin_at_seam(high, s))
       fail("a loop has no vertex where the closed direction of the surface begins");
     for (const auto& [loop, at] : {std::pair<const Loop&, double>(low, t.begin), {high, t.end}})
-      if (!t.near(first(loop[0])[t.number], at)) fail("a loop runs round inside of the surface, not along its end");
+      for (const Shell_model::Use& use : loop)
+        for (const std::array<double, 2>& uv : use.curve.points)
+          if (!t.near(uv[t.number], at)) fail("a loop runs round inside of the surface, not along its end");
     const Shell_model::Surface& surface = face_.surface;
     const Shell_model::Spline_curve curve{t.number == 0 ? surface.degree_u : surface.degree_v,
                                           t.number == 0 ? surface.knots_u : surface.knots_v,

@@ -7,6 +7,7 @@
 #include "formats/cad/add_seams.h"
 #include "formats/cad/opencascade/Distinct_knots.h"
 #include "formats/cad/opencascade/write_shape.h"
+#include "formats/cad/run_along_v.h"
 
 #include <BRepCheck.hxx>
 #include <BRepCheck_Analyzer.hxx>
@@ -254,6 +255,7 @@ public:
 } // namespace
 
 void write_shell(Shell_model shell, const std::string& model_file) {
+  run_along_v(shell);
   add_seams(shell);
   const Solid_builder builder(shell);
   write_shape(builder.checked(), model_file, true, builder.names());
