@@ -30,25 +30,32 @@ typedef CGAL::Exact_rational Exact;
 
 Solid::Point exact_point(const std::array<double, 3>& p) { return {Exact(p[0]), Exact(p[1]), Exact(p[2])}; }
 
-// A polygon mesh: after the word OFF the numbers of vertices, faces and edges, then for each vertex
-// a line of coordinates, and for each face a line of the number of its vertices and their numbers.
-// What follows in a line, such as a colour, is skipped, and so are empty lines and what follows #.
+// A polygon mesh: after the word OFF the numbers of vertices, faces and edges, then the coordinates
+// of all vertices, and for each face a line of the number of its vertices and their numbers. What
+// follows in the line of a face, such as a colour, is skipped, and what follows # in any line.
 class Off_reader {
   std::istream& is_;
   const std::string& name_;
   long long line_ = 0;
   std::vector<std::string> words_; // of the line
+  std::size_t next_ = 0;           // the number of the next one
 
   [[noreturn]] void refuse(const std::string& reason) const {
     throw GC::Error(GC::Error_code::malformed_input, name_ + ":" + std::to_string(line_) + ": " + reason);
   }
 
-  // Reads the next line that has words. Returns false at the end.
-  bool next() {
-    words_.clear();
-    for (std::string line; words_.empty() && std::getline(is_, line);) {
+  bool is_at_end_of_line() const { return next_ == words_.size(); }
+  void skip_line() { next_ = words_.size(); }
+
+  // Reads the next word, also in another line.
+  const std::string& word(const std::string& what) {
+    while (is_at_end_of_line()) {
+      std::string line;
+      if (!std::getline(is_, line)) refuse("the file ends where " + what + " is expected");
       ++line_;
       line.erase((std::min)(line.find('#'), line.size()));
+      words_.clear();
+      next_ = 0;
       for (std::size_t begin = 0;;) {
         begin = line.find_first_not_of(" \t\r\v\f", begin);
         if (begin == std::string::npos) break;
@@ -57,13 +64,7 @@ class Off_reader {
         begin = end;
       }
     }
-    return !words_.empty();
-  }
-  void need(const std::string& what, std::size_t words) {
-    if (!next()) refuse("the file ends where " + what + " is expected");
-    if (words_.size() < words)
-      refuse(std::to_string(words) + " numbers are expected for " + what + ", and there are " +
-             std::to_string(words_.size()));
+    return words_[next_++];
   }
 
   std::size_t count(const std::string& word) const {
@@ -85,30 +86,32 @@ public:
   Off_reader(std::istream& is, const std::string& name) : is_(is), name_(name) {}
 
   Solid read() {
-    if (!next() || words_[0] != "OFF") refuse("the word OFF is expected at the beginning of a mesh");
-    words_.erase(words_.begin());
-    if (words_.empty()) need("vertices, faces and edges", 2);
-    if (words_.size() < 2) refuse("the numbers of vertices and of faces are expected");
-    const std::size_t vertices = count(words_[0]), faces = count(words_[1]);
+    if (word("the word OFF") != "OFF") refuse("the word OFF is expected at the beginning of a mesh");
+    const std::size_t vertices = count(word("the number of vertices")), faces = count(word("the number of faces"));
+    skip_line();
     Solid solid;
     for (std::size_t i = 0; i < vertices; ++i) {
-      need("vertex " + std::to_string(i), 3);
-      solid.vertices.push_back({number(words_[0]), number(words_[1]), number(words_[2])});
+      solid.vertices.emplace_back();
+      for (Exact& x : solid.vertices.back()) x = number(word("vertex " + std::to_string(i)));
     }
+    if (!is_at_end_of_line()) refuse("there are more than three numbers for each vertex");
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> edges; // by their vertices, the smaller one first
     for (std::size_t f = 0; f < faces; ++f) {
-      need("face " + std::to_string(f), 1);
-      const std::size_t n = count(words_[0]);
-      if (words_.size() <= n)
-        refuse(std::to_string(n) + " vertices are expected, and there are " + std::to_string(words_.size() - 1));
+      const std::string name = "face " + std::to_string(f);
+      const std::size_t n = count(word(name));
+      if (words_.size() - next_ < n)
+        refuse(std::to_string(n) + " vertices are expected of " + name + ", and there are " +
+               std::to_string(words_.size() - next_) + " in the line");
       Solid::Loop loop;
-      for (std::size_t i = 1; i <= n; ++i) {
-        loop.vertices.push_back(count(words_[i]));
+      for (std::size_t i = 0; i < n; ++i) {
+        const std::string& vertex = word(name);
+        loop.vertices.push_back(count(vertex));
         if (loop.vertices.back() >= vertices)
-          refuse("vertex " + words_[i] + ": there are only " + std::to_string(vertices) + ", counted from 0");
+          refuse("vertex " + vertex + ": there are only " + std::to_string(vertices) + ", counted from 0");
         if (std::count(loop.vertices.begin(), loop.vertices.end(), loop.vertices.back()) > 1)
-          refuse("vertex " + words_[i] + " comes twice");
+          refuse("vertex " + vertex + " comes twice");
       }
+      skip_line();
       for (std::size_t i = 0; i < n; ++i) {
         const auto [low, high] = std::minmax(loop.vertices[i], loop.vertices[(i + 1) % n]);
         loop.edges.push_back(edges.emplace(std::pair(low, high), edges.size()).first->second);
