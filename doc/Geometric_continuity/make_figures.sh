@@ -49,6 +49,16 @@ else
   echo "report_of_a_cad_model.png stays as it is: it needs OpenCASCADE, $model and Chromium" >&2
 fi
 
+draw_solids=$(dirname "$draw_figures")/draw_solids
+if [ -x "$draw_solids" ]; then
+  "$draw_solids" make . | while read -r name set_back; do
+    "$program" round-edges "$name.step" --set-back "$set_back" -o "${name}_rounded.step" >/dev/null
+  done
+  "$draw_solids" draw . rounded_solids.png
+else
+  echo "rounded_solids.png stays as it is: it needs OpenCASCADE" >&2
+fi
+
 for figure in *.svg *.png; do
   [ -f "$figure" ] || continue
   [ "$(wc -c <"$figure")" -lt 200000 ] || { echo "$figure has more than 200 kB" >&2 && exit 1; }

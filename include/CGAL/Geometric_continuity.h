@@ -93,6 +93,7 @@
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/round_edges.h>
+#include <CGAL/Geometric_continuity/models/round_polyhedron.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 
 #include <CGAL/Geometric_continuity/IO/g2.h>
