@@ -92,6 +92,7 @@
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
+#include <CGAL/Geometric_continuity/models/Road_network.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/round_edges.h>

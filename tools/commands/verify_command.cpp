@@ -14,12 +14,15 @@
 #include "commands/fonts/verify_instances.h"
 #include "commands/kink_options.h"
 #include "commands/lists/verify_list.h"
+#include "commands/roads/road_options.h"
+#include "commands/roads/verify_roads.h"
 #include "commands/surfaces_hint.h"
 #include "commands/tolerances.h"
 #include "files/output.h"
 #include "formats/cad/read_cad.h"
 #include "formats/font/font_files.h"
 #include "formats/input_formats.h"
+#include "formats/opendrive/read_opendrive.h"
 #include "reports/Baseline.h"
 
 #include <algorithm>
@@ -240,6 +243,7 @@ void describe_verify(po::options_description_easy_init add) {
       "the largest angle that is a kink, in degrees, instead of 5; what is larger is a corner, which in drawings, "
       "fonts and CAD models is meant and need not meet a requirement of G orders");
   describe_curvature_bound(add);
+  describe_road_demand(add);
   add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
   add("time-limit", po::value<std::string>(),
       "for CAD models: the seconds of processor time that reading one file may take, 60 if not given; with --jsonl, "
@@ -342,6 +346,14 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
     return verify_cad(files, mode, cad_demand(line, required),
                       {Cad_drawing::none, line.length("sew"), line.seconds("time-limit", 60)});
   line.refuse({"sew", "time-limit"}, "only for CAD models");
+  const auto roads = std::count_if(files.begin(), files.end(), is_road_file);
+  if (roads != 0) {
+    if (roads != static_cast<std::ptrdiff_t>(files.size()))
+      throw std::invalid_argument("road networks (.xodr) and other files cannot be verified together");
+    refuse_bound("not for road networks");
+    return verify_roads(files, mode, road_demand(line, required));
+  }
+  line.refuse({"gap", "kink", "curvature"}, "only for road networks");
   const auto drawings = std::count_if(files.begin(), files.end(), is_drawing_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))

@@ -4,13 +4,14 @@
 
 #include "formats/input_formats.h"
 
+#include "files/Unpacked_bytes.h"
 #include "files/input.h"
 #include "files/output.h"
 #include "formats/cad/cad_file.h"
 #include "formats/font/font_files.h"
 #include "formats/foreign_formats.h"
 #include "formats/gcode/toolpath.h"
-#include "formats/svg/Unpacked_bytes.h"
+#include "formats/opendrive/read_opendrive.h"
 #include "formats/svg/svg_drawing.h"
 
 #include <CGAL/Geometric_continuity/Error.h>
@@ -30,14 +31,23 @@ namespace {
 namespace fs = std::filesystem;
 
 // The kinds of files that commands read.
-enum Kind : unsigned { curves = 1, drawings = 2, fonts = 4, models = 8, points = 16, toolpaths = 32, sources = 64 };
+enum Kind : unsigned {
+  curves = 1,
+  drawings = 2,
+  fonts = 4,
+  models = 8,
+  points = 16,
+  toolpaths = 32,
+  sources = 64,
+  roads = 128
+};
 
 struct Reader {
   std::string_view command;
   unsigned kinds;
 };
 constexpr unsigned everything = curves | drawings | fonts | models | toolpaths;
-constexpr Reader readers[] = {{"verify", everything | sources},
+constexpr Reader readers[] = {{"verify", everything | sources | roads},
                               {"report", everything},
                               {"repair", curves | drawings | fonts | sources},
                               {"blend", curves | drawings},
@@ -59,6 +69,7 @@ constexpr struct {
                   {sources, "the source of a font", "sources of fonts (.ufo, .glyphs, .designspace)"},
                   {models, "a CAD model", "CAD models (.step, .stp, .iges, .igs, .brep, .brp)"},
                   {toolpaths, "a toolpath", "toolpaths (.ngc, .nc, .gcode, .gco, .cnc, .tap)"},
+                  {roads, "a road network", "road networks (.xodr)"},
                   {points, "points", "points (a text, a line for each)"}};
 
 // E.g. "drawings (.svg, .svgz) and fonts".
@@ -125,7 +136,7 @@ bool may_be_numbers(std::string_view text) {
 
 const Foreign_format* foreign_by_xml(std::string_view text) {
   using namespace foreign;
-  if (has(text, "<svg") || has(text, ":svg")) return nullptr;
+  if (has(text, "<svg") || has(text, ":svg") || begins_as_opendrive(text)) return nullptr;
   if (has(text, "<designspace")) return &designspace;
   if (has(text, "<glyph ")) return &ufo;
   if (has(text, "<ttFont")) return &font_source;
@@ -248,6 +259,7 @@ class Input_check {
       refuse("a CAD model, which is told by the end of its name: call it *" + ending);
     }
     if (is_font_file(file_)) return check(fonts);
+    if (is_road_file(file_)) return check(roads);
     if (is_svg_file(file_)) return check(drawings);
     if (is_toolpath_file(file_)) return check(toolpaths);
     const bool is_named = endings(file_).empty() || endings(file_).back() == ".g2" || is_standard_input(file_);
@@ -274,6 +286,7 @@ public:
     const std::string ending = all.empty() ? "" : all.back();
     if (ending == ".svg" || ending == ".svgz") return check(drawings);
     if (!ending.empty() && is_toolpath_file(file_)) return check(toolpaths);
+    if (!ending.empty() && is_road_file(file_)) return check(roads);
     if (reader_.kinds == points && ending == ".g2") return check(curves);
     if (is_standard_input(file_) || fs::is_regular_file(file_, error)) check_content();
   }

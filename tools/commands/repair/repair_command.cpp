@@ -11,13 +11,13 @@
 #include "commands/repair/repair_font.h"
 #include "commands/repair/repair_report.h"
 #include "commands/repair/write_font.h"
+#include "files/Unpacked_bytes.h"
 #include "files/output.h"
 #include "formats/font/Font_face.h"
 #include "formats/font/Font_tables.h"
 #include "formats/font/font_files.h"
 #include "formats/g2_text/g2_curves_text.h"
 #include "formats/input_formats.h"
-#include "formats/svg/Unpacked_bytes.h"
 #include "formats/svg/svg_drawing.h"
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
