@@ -14,6 +14,7 @@
 #include "commands/fonts/verify_instances.h"
 #include "commands/kink_options.h"
 #include "commands/lists/verify_list.h"
+#include "commands/roads/rails.h"
 #include "commands/roads/road_options.h"
 #include "commands/roads/verify_roads.h"
 #include "commands/surfaces_hint.h"
@@ -353,7 +354,14 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
     refuse_bound("not for road networks");
     return verify_roads(files, mode, road_demand(line, required));
   }
-  line.refuse({"gap", "kink", "curvature"}, "only for road networks");
+  const auto rails = std::count_if(files.begin(), files.end(), is_rail_file);
+  if (rails != 0) {
+    if (rails != static_cast<std::ptrdiff_t>(files.size()))
+      throw std::invalid_argument("alignments (.ifc, LandXML) and other files cannot be verified together");
+    refuse_bound("not for alignments");
+    return verify_rails(files, mode, rail_demand(line, required));
+  }
+  line.refuse({"gap", "kink", "curvature"}, "only for road networks and alignments");
   const auto drawings = std::count_if(files.begin(), files.end(), is_drawing_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))

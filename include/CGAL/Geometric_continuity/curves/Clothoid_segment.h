@@ -175,6 +175,13 @@ public:
     return p;
   }
 
+  /// Returns the point whose coordinates are the sums of those of both.
+  friend Enclosed_point operator+(const Enclosed_point& p, const Enclosed_point& q) {
+    Enclosed_point sum = p;
+    sum.sum_.add(q.sum_);
+    return sum;
+  }
+
   /// Returns the coordinates when the way to them shows that they are rational.
   std::optional<std::pair<FT, FT>> rational() const {
     if (!sum_.is_rational()) return std::nullopt;
