@@ -163,6 +163,8 @@ struct Road_plan_join {
   const Road_geometry &before, &after;
   Road_number s_error; ///< how far the second one's \f$ s \f$ is from the end of the first
   Alignment_join join; ///< what is decided
+  /// the same for the other reading of a range that is `missing`, where its order is another one
+  std::optional<Alignment_join> other_reading;
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
@@ -230,6 +232,7 @@ struct Road_link_join {
   Alignment_join join;
   Road_number step, grade_jump; ///< of the elevations
   bool is_returned;             ///< the other road names this one, or a junction
+  bool has_lanes;               ///< lanes of both are linked, by themselves or by a junction
   long long line;
 };
 
