@@ -7,17 +7,21 @@
 
 #include <CGAL/Geometric_continuity/numbers/internal/enclosing_arithmetic.h>
 
-#include <algorithm>
+#include <CGAL/Interval_nt.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 /// \file cubic_length.h
 /// The arc length of planar parametric cubics, enclosed: the square \f$ q \f$ of the speed is a
 /// polynomial of degree 4, and the Taylor series \f$ f \f$ of its root follows from
-/// \f$ 2 f_0 f_n = q_n - \sum_{0 < j < n} f_j f_{n-j} \f$. The last coefficient over a whole piece
-/// bounds what is left out.
+/// \f$ 2 f_0 f_n = q_n - \sum_{0 < j < n} f_j f_{n-j} \f$. On a piece with the half width \f$ h \f$ on
+/// which \f$ q_0 > \sum_{k > 0} |q_k| (8h)^k \f$ the root is analytic in the circle with the radius
+/// \f$ 8h \f$ and at most \f$ \sqrt{2 q_0} \f$ there. Then by Cauchy \f$ |f_n h^n| \f$ is at most
+/// \f$ \sqrt{2 q_0}\, 8^{-n} \f$. Other pieces are halved.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -51,64 +55,53 @@ template <class Arithmetic> class Cubic_length {
 
   const Arithmetic& a_;
   const std::array<Rational, 5> square_;
-  const int order_; // even
+  const int terms_; // 8^-terms < 2^-accuracy
   double least_piece_ = 0;
   int pieces_ = 0;
 
-  // The coefficients 0 to order_ of the root, from those of the square.
-  std::vector<Number> root_series(const std::array<Number, 5>& q) const {
-    a_.charge(order_ * order_ / 2.);
+  // The integral of the root over [-1, 1].
+  Number integral_of_root(const std::array<Number, 5>& q) const {
+    a_.charge(terms_ * terms_ / 2.);
     std::vector<Number> f(1, a_.square_root(q[0]));
     const Number twice = f[0] * 2;
-    for (int n = 1; n <= order_; ++n) {
+    Number sum = f[0];
+    for (int n = 1; n < terms_; ++n) {
       Number s = n < 5 ? q[static_cast<std::size_t>(n)] : a_(0);
       for (int j = 1; j < n; ++j) s = s - f[static_cast<std::size_t>(j)] * f[static_cast<std::size_t>(n - j)];
       f.push_back(s / twice);
+      if (n % 2 == 0) sum = sum + f.back() / (n + 1);
     }
-    return f;
+    return 2 * (sum + twice * a_.symmetric(-a_.accuracy()));
   }
 
   Number over_piece(const Rational& from, const Rational& to) {
     ++pieces_;
     const Rational middle = Rational((from + to) / 2), half = Rational((to - from) / 2);
-    std::array<Rational, 5> q = square_;
+    std::array<Rational, 5> q = square_; // at middle + half w
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 4; j-- > i;) q[j] = Rational(q[j] + middle * q[j + 1]);
-    const Number h = a_(half), x = a_.symmetric(0) * h;
-    std::array<Number, 5> here, around; // at the middle, and everywhere in the piece
-    static constexpr int binomial[5][5] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}};
+    std::array<Number, 5> here;
+    double rest = 0;
+    Rational power(1);
     for (std::size_t k = 0; k < 5; ++k) {
-      here[k] = a_(q[k]);
-      around[k] = a_(0);
+      here[k] = a_(Rational(q[k] * power));
+      if (k > 0) rest += std::ldexp(a_.magnitude(here[k]), 3 * static_cast<int>(k));
+      power = Rational(power * half);
     }
-    for (std::size_t k = 0; k < 5; ++k) {
-      Number power = a_(1);
-      for (std::size_t i = k; i < 5; ++i) {
-        around[k] = around[k] + here[i] * power * binomial[i][k];
-        power = power * x;
-      }
+    if (rest < CGAL::to_double(q[0]) * (1 - 1e-9) && !a_.contains_zero(here[0]))
+      return a_(half) * integral_of_root(here);
+    if (CGAL::to_double(half) < least_piece_ || pieces_ > 20000) { // near a stop
+      Number largest = a_(0);
+      for (const Number& x : here) largest = largest + a_.absolute_value(x);
+      return a_.hull(a_(0), a_.square_root(largest) * a_(half) * 2);
     }
-    if (!a_.contains_zero(around[0]) && !a_.contains_zero(here[0])) {
-      const std::vector<Number> f = root_series(here), rest = root_series(around);
-      const double size = CGAL::to_double(half);
-      if (a_.magnitude(rest.back()) * std::pow(size, order_) < std::ldexp(a_.magnitude(f[0]), -a_.accuracy() + 4)) {
-        Number sum = a_(0), power = h;
-        for (int n = 0; n < order_; n += 2) {
-          sum = sum + f[static_cast<std::size_t>(n)] * power / (n + 1);
-          power = power * h * h;
-        }
-        return 2 * (sum + rest.back() * power * a_.symmetric(0) / (order_ + 1));
-      }
-    }
-    if (CGAL::to_double(half) < least_piece_ || pieces_ > 20000) // near a stop
-      return a_.hull(a_(0), a_.square_root(a_.absolute_value(around[0])) * h * 2);
     const Number first = over_piece(from, middle);
     return first + over_piece(middle, to);
   }
 
 public:
   Cubic_length(const Arithmetic& a, const Cubic& u, const Cubic& v)
-      : a_(a), square_(squared_speed(u, v)), order_(10 + (std::max)(0, a.accuracy() - 60) / 8 * 2) {}
+      : a_(a), square_(squared_speed(u, v)), terms_(a.accuracy() / 3 + 1) {}
 
   // \pre from <= to
   Number operator()(const Rational& from, const Rational& to) {
@@ -119,33 +112,41 @@ public:
   }
 };
 
-// The parameter at which a graph (t, v(t)) has an arc length from t = 0: by Newton's iteration,
-// proved because the speed is at least 1.
+// A parameter at which a graph (t, v(t)) has about an arc length from t = 0, and the error of that
+// length there: by Newton's iteration from a parameter in [0, length], which stays there.
 template <class Arithmetic>
-typename Arithmetic::Number parameter_of_length(const Arithmetic& a, const Cubic& v, const Rational& length) {
+std::pair<Rational, typename Arithmetic::Number> near_parameter(const Arithmetic& a, const Cubic& v,
+                                                                const Rational& length, Rational t) {
   typedef typename Arithmetic::Number Number;
-  const Cubic u = {Rational(0), Rational(1), Rational(0), Rational(0)};
-  Cubic_length<Arithmetic> length_to(a, u, v);
-  Rational low(0), high = length, t = length, best = length;
-  Number error = a(length);
-  double least = std::numeric_limits<double>::infinity();
+  Cubic_length<Arithmetic> length_to(a, {Rational(0), Rational(1), Rational(0), Rational(0)}, v);
+  std::pair<Rational, Number> best(t, a(length));
+  Rational low(0), high = length;
   for (int i = 0; i < 200; ++i) {
-    const Number e = length_to(Rational(0), t) - a(length);
-    if (a.magnitude(e) < least) {
-      least = a.magnitude(e);
-      best = t;
-      error = e;
-    } else if (least < std::ldexp(CGAL::to_double(length), -40))
+    const Number error = length_to(Rational(0), t) - a(length);
+    if (i == 0 || a.magnitude(error) < a.magnitude(best.second))
+      best = {t, error};
+    else if (a.magnitude(best.second) < std::ldexp(CGAL::to_double(length), -40))
       break; // it does not become better
-    (a.middle(e) > 0 ? high : low) = t;
+    (a.middle(error) > 0 ? high : low) = t;
     const double slope = CGAL::to_double(first_derivative(v, t));
-    const int bits = a.accuracy() + 8;
-    // rounded, so that the numbers stay short
-    const Rational step = Rational(a.exact_middle(e) / Rational(std::sqrt(1 + slope * slope))),
-                   next = Fixed_ball(Rational(t - step), bits).middle();
+    const Rational step = Rational(a.exact_middle(error) / Rational(std::sqrt(1 + slope * slope))),
+                   next = Fixed_ball(Rational(t - step), a.accuracy() + 8).middle(); // few digits
     t = low < next && next < high ? next : Rational((low + high) / 2);
   }
-  return a(best) + a.symmetric(0) * a.absolute_value(error);
+  return best;
+}
+
+// The parameter at which a graph has an arc length: the speed is at least 1, so that the parameter
+// is not farther away than the length.
+template <class Arithmetic>
+typename Arithmetic::Number parameter_of_length(const Arithmetic& a, const Cubic& v, const Rational& length) {
+  Rational start;
+  {
+    const Protect_FPU_rounding<true> upwards;
+    start = near_parameter(Interval_arithmetic(), v, length, length).first;
+  }
+  const auto near = near_parameter(a, v, length, start);
+  return a(near.first) + a.symmetric(0) * a.absolute_value(near.second);
 }
 
 } // namespace internal
