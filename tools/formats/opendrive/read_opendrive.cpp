@@ -68,7 +68,7 @@ class Opendrive_reader : public Xml_reader {
   std::size_t skipped_ = 0; // the depth in an element that is left out
   std::size_t shapes_ = 0;  // of the geometry that is open
   bool is_in_shape_ = false;
-  std::string element_;     // that is read, for messages
+  std::string element_; // that is read, for messages
   const Exact_number zero_ = 0;
 
   GC::Road& road() { return result_.network.roads.back(); }

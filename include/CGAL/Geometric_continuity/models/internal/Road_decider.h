@@ -6,7 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_ROAD_DECIDER_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/curves/Clothoid_segment.h>
 #include <CGAL/Geometric_continuity/joins/alignment_join.h>
 #include <CGAL/Geometric_continuity/models/Road_network.h>
 #include <CGAL/Geometric_continuity/models/internal/Road_lanes.h>
@@ -32,35 +31,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
-
-inline Clothoid_segment clothoid_of(const Road_geometry& g, const Road_number& length) {
-  const bool bent = g.shape != Road_shape::line;
-  const Road_number start = bent ? g.parameters.front() : Road_number(0);
-  Road_number end = bent ? g.parameters.back() : Road_number(0);
-  if (start != end && length != g.length) end = Road_number(start + (end - start) * length / g.length);
-  return Clothoid_segment(g.x, g.y, Heading(g.heading), start, end, length);
-}
-
-inline Parametric_cubic cubic_of(const Road_geometry& g, bool by_length) {
-  const std::vector<Road_number>& p = g.parameters;
-  if (g.shape == Road_shape::poly3)
-    return Parametric_cubic::graph(g.x, g.y, Heading(g.heading), {p[0], p[1], p[2], p[3]}, g.length);
-  return Parametric_cubic(g.x, g.y, Heading(g.heading), {p[0], p[1], p[2], p[3]}, {p[4], p[5], p[6], p[7]},
-                          by_length ? g.length : Road_number(1));
-}
-
-inline bool is_polynomial(const Road_geometry& g) {
-  return g.shape == Road_shape::poly3 || g.shape == Road_shape::param_poly3;
-}
-
-inline Alignment_end end_of(const Road_geometry& g, Road_end end) {
-  if (is_polynomial(g)) {
-    const Parametric_cubic cubic = cubic_of(g, g.range == Road_parameter_range::arc_length);
-    return end == Road_end::start ? cubic.start() : cubic.end();
-  }
-  const Clothoid_segment segment = clothoid_of(g, g.length);
-  return end == Road_end::start ? segment.start() : segment.end();
-}
 
 template <class Visitor> class Road_decider {
   typedef Road_remark::Kind Kind;
@@ -118,12 +88,12 @@ template <class Visitor> class Road_decider {
   void check_length(const Road& road, const Road_geometry& g) {
     decide(road, g.line, "length", "s = " + place_text(g.s), [&] {
       const bool by_length = g.range == Road_parameter_range::arc_length;
-      const Parametric_cubic cubic = cubic_of(g, by_length);
+      const Parametric_cubic cubic = parametric_cubic(g, by_length);
       const auto [error, within] = cubic.length_error(g.length, tolerance_.gap);
       const bool has_stop = !cubic.start().curvature || !cubic.end().curvature;
       Road_length_check check{road, g, error, within, {}, !has_stop && cubic.is_near_stop(g.length)};
       if (g.range == Road_parameter_range::missing) {
-        const auto other = cubic_of(g, true).length_error(g.length, tolerance_.gap);
+        const auto other = parametric_cubic(g, true).length_error(g.length, tolerance_.gap);
         if (other.second != within) check.other_reading = other;
       }
       visitor_(check);
@@ -148,15 +118,15 @@ template <class Visitor> class Road_decider {
       if (i == 0) continue;
       const Road_geometry& before = road.plan[i - 1];
       decide(road, g.line, "plan", "s = " + place_text(g.s), [&] {
-        const Alignment_end start = end_of(g, Road_end::start);
+        const Alignment_end start = alignment_end(g, Road_end::start);
         Road_plan_join join{road,
                             before,
                             g,
                             CGAL::abs(Road_number(before.s + before.length - g.s)),
-                            alignment_join(end_of(before, Road_end::end), start, tolerance_),
+                            alignment_join(alignment_end(before, Road_end::end), start, tolerance_),
                             std::nullopt};
         if (before.range == Road_parameter_range::missing) {
-          const Alignment_join other = alignment_join(cubic_of(before, true).end(), start, tolerance_);
+          const Alignment_join other = alignment_join(parametric_cubic(before, true).end(), start, tolerance_);
           if (other.order() != join.join.order()) join.other_reading = other;
         }
         visitor_(join);
@@ -361,10 +331,11 @@ template <class Visitor> class Road_decider {
     return *lanes;
   }
 
-  Alignment_end alignment_end(const Contact_data& c) const {
+  Alignment_end contact_end(const Contact_data& c) const {
     const std::vector<const Road_geometry*>& plan = sorted_[c.road].plan;
     if (plan.empty()) throw Error(Error_code::parameter_outside_domain, "a road without geometry");
-    if (!c.contact.at) return end_of(c.contact.end == Road_end::start ? *plan.front() : *plan.back(), c.contact.end);
+    if (!c.contact.at)
+      return alignment_end(c.contact.end == Road_end::start ? *plan.front() : *plan.back(), c.contact.end);
     std::size_t i = plan.size() - 1;
     while (i > 0 && (c.side == Road_side::before ? !(plan[i]->s < c.s) : c.s < plan[i]->s)) --i;
     const Road_number length = Road_number(c.s - plan[i]->s);
@@ -373,7 +344,8 @@ template <class Visitor> class Road_decider {
     if (is_polynomial(*plan[i]) && !CGAL::is_zero(length))
       throw Error(Error_code::parameter_outside_domain,
                   "s lies inside of a polynomial, of which only the ends are decided");
-    return is_polynomial(*plan[i]) ? end_of(*plan[i], Road_end::start) : clothoid_of(*plan[i], length).end();
+    return is_polynomial(*plan[i]) ? alignment_end(*plan[i], Road_end::start)
+                                   : clothoid_segment(*plan[i], length).end();
   }
 
   // The other place of a link; nothing, with a remark, where it names none.
@@ -422,7 +394,7 @@ template <class Visitor> class Road_decider {
              place + ", road " + link.id);
     const bool is_flipped = end == other->contact.end;
     decide(road, link.line, "link", place, [&] {
-      const Alignment_end mine = alignment_end(from), theirs = alignment_end(*other);
+      const Alignment_end mine = contact_end(from), theirs = contact_end(*other);
       const Road_number step = CGAL::abs(Road_number(from.z.value - other->z.value)),
                         grade = is_flipped ? Road_number(from.z.slope + other->z.slope)
                                            : Road_number(from.z.slope - other->z.slope);
@@ -497,7 +469,7 @@ template <class Visitor> class Road_decider {
                  place + ", lane " + std::to_string(lane) + " to " + std::to_string(name));
       }
       if (pairs.pairs().empty()) return;
-      const Alignment_end mine = alignment_end(*from), theirs = alignment_end(to);
+      const Alignment_end mine = contact_end(*from), theirs = contact_end(to);
       for (const std::pair<int, int>& pair : pairs.pairs())
         decide_lanes({*from, to, lanes, their_lanes, mine, theirs, pairs, connection.line}, pair, true, false,
                      connection.has_overlap);
