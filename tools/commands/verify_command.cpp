@@ -244,7 +244,7 @@ void describe_verify(po::options_description_easy_init add) {
       "the largest angle that is a kink, in degrees, instead of 5; what is larger is a corner, which in drawings, "
       "fonts and CAD models is meant and need not meet a requirement of G orders");
   describe_curvature_bound(add);
-  describe_road_demand(add);
+  describe_road_tolerances(add);
   add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
   add("time-limit", po::value<std::string>(),
       "for CAD models: the seconds of processor time that reading one file may take, 60 if not given; with --jsonl, "

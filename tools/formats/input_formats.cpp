@@ -52,7 +52,7 @@ struct Reader {
 constexpr unsigned everything = curves | drawings | fonts | models | toolpaths;
 constexpr Reader readers[] = {{"verify", everything | sources | roads | rails},
                               {"report", everything},
-                              {"repair", curves | drawings | fonts | sources},
+                              {"repair", curves | drawings | fonts | sources | roads},
                               {"blend", curves | drawings},
                               {"connect", curves},
                               {"match", curves},

@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/models/Road_network.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -57,6 +58,7 @@ inline std::string json(const GC::Enclosure& x) { return json_text(std::optional
 // An upper bound, for words: short, with its unit.
 inline std::string size(const GC::Enclosure& x, const char* unit) {
   if (x.upper == 0) return std::string("0") + unit;
+  if (std::isinf(x.upper)) return "more than " + rounded(x.lower, 4) + unit;
   return rounded(x.lower > 0 ? x.lower / 2 + x.upper / 2 : x.upper, 4) + unit;
 }
 
@@ -137,6 +139,12 @@ public:
     claim.json += ",\"s_error\":" + road_words::decimal(x.s_error);
     claim.line = x.after.line;
     add_join(claim, x.join);
+    if (x.other_reading) {
+      Road_claim other;
+      add_join(other, *x.other_reading);
+      claim.json += ",\"other_reading\":{" + other.json.substr(1) + '}';
+      claim.verdict += "; if pRange were arcLength: " + other.verdict;
+    }
     const GC::Verdict orders[] = {x.join.g0, x.join.g0 && x.join.g1, x.join.g0 && x.join.g1 && x.join.g2};
     claim.given = given(orders[demand_.order],
                         x.join.jump ? "the tolerance lies inside of the bounds" : "a curvature is not defined");
@@ -247,11 +255,14 @@ public:
     place(claim, x.from, x.to);
     claim.line = x.line;
     add_join(claim, x.join);
-    claim.json += ",\"step\":" + decimal(x.step) + ",\"grade_jump\":" + decimal(x.grade_jump) +
-                  ",\"returned\":" + flag(x.is_returned);
+    if (!x.has_lanes && x.join.g0 == GC::Verdict::refuted)
+      claim.given = {Claim::not_covered, "link", "no lanes are linked, and the reference lines do not meet"};
+    claim.json += ",\"lanes\":" + flag(x.has_lanes) + ",\"step\":" + decimal(x.step) +
+                  ",\"grade_jump\":" + decimal(x.grade_jump) + ",\"returned\":" + flag(x.is_returned);
     claim.verdict = "reference lines " + claim.verdict;
-    if (!is_zero(x.step)) claim.verdict += ", step " + size(absolute(x.step), " m");
+    if (!CGAL::is_zero(x.step)) claim.verdict += ", step " + size(absolute(x.step), " m");
     if (!x.is_returned) claim.verdict += ", not returned";
+    if (claim.given.claim == Claim::not_covered) claim.verdict += ", no lanes are linked";
     return claim;
   }
 

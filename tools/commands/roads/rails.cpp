@@ -71,7 +71,7 @@ class Rail_report {
   std::size_t files_ = 0, curves_ = 0;
   std::map<std::string, std::size_t> kinds_;
   std::map<std::string, std::array<Claimed, 3>> claims_; // of the kinds
-  std::set<std::string> nouns_;                          // to which claims refer
+  std::set<std::string> values_;                         // the kinds that are numbers, and no joins
   std::array<Worst, 3> worst_;
 
   static Report_subject subject(const Rail_demand& demand) {
@@ -119,12 +119,14 @@ class Rail_report {
       const GC::Alignment_tolerance tolerance{gap, demand_.kink.value_or(precision), demand_.curvature};
       d.join = GC::alignment_join(check.ends->left, check.ends->right, tolerance);
       if (check.rounded) {
-        for (GC::Enclosure* x : {&d.join->gap, &d.join->kink}) {
-          *x = widened(*x);
-          x->lower = (std::max)(x->lower, 0.);
-        }
-        d.join->g0 = GC::at_most(d.join->gap, GC::Bound(GC::enclosure(tolerance.gap)));
-        d.join->g1 = GC::at_most(d.join->kink, GC::Bound(GC::enclosure(tolerance.kink)));
+        const auto widen = [](GC::Enclosure& x, GC::Verdict& verdict, const Q& bound) {
+          x = widened(x);
+          x.lower = (std::max)(x.lower, 0.);
+          verdict = GC::at_most(x, GC::Bound(GC::enclosure(bound)));
+        };
+        const bool exact_points = check.ends->left.point.rational() && check.ends->right.point.rational();
+        if (!exact_points) widen(d.join->gap, d.join->g0, tolerance.gap);
+        if (!d.join->same_heading) widen(d.join->kink, d.join->g1, tolerance.kink); // whatever the unit is
       }
       if (!demand_.kink && check.length) d.join->g1 = within_precision(*d.join, precision, *check.length);
       d.verdicts = {d.join->g0, d.join->g1, d.join->g2};
@@ -168,6 +170,7 @@ class Rail_report {
 
   void add(const Rail_check& check, const Q& precision) {
     ++kinds_[check.kind];
+    if (check.difference) values_.insert(check.kind);
     Decided d = decide(check, precision);
     const std::string reason = !check.not_covered.empty() ? check.not_covered : d.failure;
     Given given{Claim::met, "join"};
@@ -278,6 +281,10 @@ class Rail_report {
     }
   }
 
+  const char* word_of_claim(const std::string& kind, std::size_t i) const {
+    return values_.count(kind) != 0 ? "value" : words_of_claims[i];
+  }
+
   std::string text_summary() const {
     std::ostringstream os;
     if (several_) os << counted(files_, "file") << ", ";
@@ -293,7 +300,7 @@ class Rail_report {
       for (std::size_t i = 0; i < 3; ++i) {
         if (of[i].claims == 0) continue;
         if (*separator == '\0') os << kind << " claims: ";
-        os << separator << of[i].claims << " of one " << words_of_claims[i] << ", " << of[i].refuted << " false";
+        os << separator << of[i].claims << " of one " << word_of_claim(kind, i) << ", " << of[i].refuted << " false";
         if (of[i].undecided > 0) os << ", " << of[i].undecided << " undecided";
         separator = "; ";
       }
@@ -319,8 +326,8 @@ class Rail_report {
     separator = "";
     for (const auto& [kind, of] : claims_) {
       os << separator << json_text(kind) << ":{";
-      for (std::size_t i = 0; i < 3; ++i)
-        os << (i == 0 ? "" : ",") << '"' << words_of_claims[i] << "\":{\"claims\":" << of[i].claims
+      for (std::size_t i = 0; i < (values_.count(kind) != 0 ? 1u : 3u); ++i)
+        os << (i == 0 ? "" : ",") << '"' << word_of_claim(kind, i) << "\":{\"claims\":" << of[i].claims
            << ",\"false\":" << of[i].refuted << ",\"undecided\":" << of[i].undecided << '}';
       os << '}';
       separator = ",";

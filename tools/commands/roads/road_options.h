@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-inline void describe_road_demand(po::options_description_easy_init add) {
+inline void describe_road_tolerances(po::options_description_easy_init add) {
   add("gap", po::value<std::string>(),
       "for road networks: the largest gap, step and error of a length, in metres; 0.001 if not given");
   add("kink", po::value<std::string>(),

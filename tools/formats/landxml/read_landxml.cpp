@@ -341,7 +341,8 @@ public:
     read(stream);
     result_.precision = Q(Q(1) / 1000);
     if (profiles_ > 0)
-      result_.notes.push_back(std::to_string(profiles_) + " profiles say nothing twice, and are not compared");
+      result_.notes.push_back("profiles, of which there are " + std::to_string(profiles_) +
+                              ", say nothing twice: they are not compared");
     for (const std::string& type : skipped_) result_.notes.push_back("elements " + type + " are not decided");
     return std::move(result_);
   }

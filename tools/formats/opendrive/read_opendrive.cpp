@@ -67,13 +67,15 @@ class Opendrive_reader : public Xml_reader {
   std::vector<Place> open_;
   std::size_t skipped_ = 0; // the depth in an element that is left out
   std::size_t shapes_ = 0;  // of the geometry that is open
-  std::string element_;     // that is read, for messages
+  bool is_in_shape_ = false;
+  std::string element_; // that is read, for messages
   const Exact_number zero_ = 0;
 
   GC::Road& road() { return result_.network.roads.back(); }
   GC::Road_section& section() { return road().sections.back(); }
   GC::Road_lane& lane() { return section().lanes.back(); }
   GC::Road_geometry& geometry() { return road().plan.back(); }
+  Opendrive_file::Geometry_text& text() { return result_.texts.back().back(); }
   GC::Road_connection& connection() { return result_.network.junctions.back().connections.back(); }
 
   [[noreturn]] void refuse_value(std::string_view name, std::string_view value, const std::string& reason) const {
@@ -98,7 +100,7 @@ class Opendrive_reader : public Xml_reader {
   Exact_number number(const Attributes& attributes, std::string_view name) const {
     return number(name, required(attributes, name));
   }
-  Exact_number length(const Attributes& attributes, std::string_view name) const {
+  Exact_number length_of(const Attributes& attributes, std::string_view name) const {
     const Exact_number x = number(attributes, name);
     if (is_negative(x)) refuse_value(name, required(attributes, name), "a length is negative");
     return x;
@@ -157,10 +159,10 @@ class Opendrive_reader : public Xml_reader {
     GC::Road road;
     road.id = required(attributes, "id");
     road.junction = attributes.text("junction");
-    road.length = length(attributes, "length");
+    road.length = length_of(attributes, "length");
     road.line = line();
     result_.network.roads.push_back(std::move(road));
-    result_.geometry_tags.emplace_back();
+    result_.texts.emplace_back();
   }
 
   void start_geometry(const Attributes& attributes) {
@@ -169,10 +171,10 @@ class Opendrive_reader : public Xml_reader {
     g.x = number(attributes, "x");
     g.y = number(attributes, "y");
     g.heading = number(attributes, "hdg");
-    g.length = length(attributes, "length");
+    g.length = length_of(attributes, "length");
     g.line = line();
     road().plan.push_back(std::move(g));
-    result_.geometry_tags.back().push_back(byte());
+    result_.texts.back().push_back({byte(), byte() + length(), 0, 0, 0});
     shapes_ = 0;
   }
 
@@ -201,6 +203,9 @@ class Opendrive_reader : public Xml_reader {
     } else
       return;
     ++shapes_;
+    text().shape_begin = byte();
+    text().shape_end = byte() + length();
+    is_in_shape_ = true;
   }
 
   void start_section(const Attributes& attributes) {
@@ -318,8 +323,11 @@ class Opendrive_reader : public Xml_reader {
   void end() override {
     if (skipped_ > 0) {
       --skipped_;
+      if (skipped_ == 0 && std::exchange(is_in_shape_, false))
+        text().shape_end = (std::max)(text().shape_end, byte() + length()); // it may have an end tag
       return;
     }
+    if (open_.back() == Place::geometry) text().end = byte() + length();
     if (open_.back() == Place::geometry && shapes_ != 1)
       refuse("a geometry has " + std::to_string(shapes_) +
              " shapes; it needs exactly one of line, arc, spiral, poly3 and paramPoly3");

@@ -19,8 +19,11 @@ namespace GC = CGAL::Geometric_continuity;
 struct Opendrive_file {
   GC::Road_network network;
   std::string root; // the name of the root element
-  // where the tag of each geometry begins in the file, in the order of the roads and of the file
-  std::vector<std::vector<std::size_t>> geometry_tags;
+  // The places of a geometry in the text, in bytes: of its first tag, of its shape, and its end.
+  struct Geometry_text {
+    std::size_t begin, tag_end, shape_begin, shape_end, end;
+  };
+  std::vector<std::vector<Geometry_text>> texts; // in the order of the roads and of the file
 };
 
 // Reads a road network, of the versions 1.4 to 1.8; the text may be packed by gzip. Each number is

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_ROAD_NETWORK_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_ROAD_NETWORK_H
 
+#include <CGAL/Geometric_continuity/curves/Clothoid_segment.h>
 #include <CGAL/Geometric_continuity/joins/alignment_join.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
@@ -157,12 +158,52 @@ struct Road_network {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// Returns whether a piece of a reference line is a polynomial, and no line, arc or spiral.
+inline bool is_polynomial(const Road_geometry& g) {
+  return g.shape == Road_shape::poly3 || g.shape == Road_shape::param_poly3;
+}
+
+/// \ingroup PkgGeometricContinuityAlignments
+/// Returns the part of a piece from its start on that has a length. \pre `!is_polynomial(g)`
+inline Clothoid_segment clothoid_segment(const Road_geometry& g, const Road_number& length) {
+  const bool is_bent = g.shape != Road_shape::line;
+  const Road_number start = is_bent ? g.parameters.front() : Road_number(0);
+  Road_number end = is_bent ? g.parameters.back() : Road_number(0);
+  if (start != end && length != g.length) end = Road_number(start + (end - start) * length / g.length);
+  return Clothoid_segment(g.x, g.y, Heading(g.heading), start, end, length);
+}
+
+/// \ingroup PkgGeometricContinuityAlignments
+/// Returns a piece with the parameter of a `param_poly3` from 0 to 1, or to the length.
+/// \pre `is_polynomial(g)`
+inline Parametric_cubic parametric_cubic(const Road_geometry& g, bool by_length) {
+  const std::vector<Road_number>& p = g.parameters;
+  if (g.shape == Road_shape::poly3)
+    return Parametric_cubic::graph(g.x, g.y, Heading(g.heading), {p[0], p[1], p[2], p[3]}, g.length);
+  return Parametric_cubic(g.x, g.y, Heading(g.heading), {p[0], p[1], p[2], p[3]}, {p[4], p[5], p[6], p[7]},
+                          by_length ? g.length : Road_number(1));
+}
+
+/// \ingroup PkgGeometricContinuityAlignments
+/// Returns an end of a piece of a reference line, with its direction and curvature.
+inline Alignment_end alignment_end(const Road_geometry& g, Road_end end) {
+  if (is_polynomial(g)) {
+    const Parametric_cubic cubic = parametric_cubic(g, g.range == Road_parameter_range::arc_length);
+    return end == Road_end::start ? cubic.start() : cubic.end();
+  }
+  const Clothoid_segment segment = clothoid_segment(g, g.length);
+  return end == Road_end::start ? segment.start() : segment.end();
+}
+
+/// \ingroup PkgGeometricContinuityAlignments
 /// Two pieces of a reference line that follow each other.
 struct Road_plan_join {
   const Road& road;
   const Road_geometry &before, &after;
   Road_number s_error; ///< how far the second one's \f$ s \f$ is from the end of the first
   Alignment_join join; ///< what is decided
+  /// the same for the other reading of a range that is `missing`, where its order is another one
+  std::optional<Alignment_join> other_reading;
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
@@ -230,6 +271,7 @@ struct Road_link_join {
   Alignment_join join;
   Road_number step, grade_jump; ///< of the elevations
   bool is_returned;             ///< the other road names this one, or a junction
+  bool has_lanes;               ///< lanes of both are linked, by themselves or by a junction
   long long line;
 };
 

@@ -6,7 +6,6 @@
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_ROAD_DECIDER_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/curves/Clothoid_segment.h>
 #include <CGAL/Geometric_continuity/joins/alignment_join.h>
 #include <CGAL/Geometric_continuity/models/Road_network.h>
 #include <CGAL/Geometric_continuity/models/internal/Road_lanes.h>
@@ -32,35 +31,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
-
-inline Clothoid_segment clothoid_of(const Road_geometry& g, const Road_number& length) {
-  const bool bent = g.shape != Road_shape::line;
-  const Road_number start = bent ? g.parameters.front() : Road_number(0);
-  Road_number end = bent ? g.parameters.back() : Road_number(0);
-  if (start != end && length != g.length) end = Road_number(start + (end - start) * length / g.length);
-  return Clothoid_segment(g.x, g.y, Heading(g.heading), start, end, length);
-}
-
-inline Parametric_cubic cubic_of(const Road_geometry& g, bool by_length) {
-  const std::vector<Road_number>& p = g.parameters;
-  if (g.shape == Road_shape::poly3)
-    return Parametric_cubic::graph(g.x, g.y, Heading(g.heading), {p[0], p[1], p[2], p[3]}, g.length);
-  return Parametric_cubic(g.x, g.y, Heading(g.heading), {p[0], p[1], p[2], p[3]}, {p[4], p[5], p[6], p[7]},
-                          by_length ? g.length : Road_number(1));
-}
-
-inline bool is_polynomial(const Road_geometry& g) {
-  return g.shape == Road_shape::poly3 || g.shape == Road_shape::param_poly3;
-}
-
-inline Alignment_end end_of(const Road_geometry& g, Road_end end) {
-  if (is_polynomial(g)) {
-    const Parametric_cubic cubic = cubic_of(g, g.range == Road_parameter_range::arc_length);
-    return end == Road_end::start ? cubic.start() : cubic.end();
-  }
-  const Clothoid_segment segment = clothoid_of(g, g.length);
-  return end == Road_end::start ? segment.start() : segment.end();
-}
 
 template <class Visitor> class Road_decider {
   typedef Road_remark::Kind Kind;
@@ -102,9 +72,10 @@ template <class Visitor> class Road_decider {
     try {
       action();
     } catch (const Error& e) {
-      const std::string code = to_string(e.code());
-      std::string reason = e.what();
-      if (reason.compare(0, code.size() + 2, code + ": ") == 0) reason.erase(0, code.size() + 2);
+      const std::size_t code = to_string(e.code()).size() + 2; // of the text, and a colon
+      const std::string reason = e.code() == Error_code::not_finite     ? "its numbers are too large"
+                                 : e.code() == Error_code::zero_tangent ? "all its points are equal"
+                                                                        : std::string(e.what()).substr(code);
       remark(e.code() == Error_code::work_limit ? Kind::undecided : Kind::not_covered, &road, line, what, reason,
              place);
     }
@@ -117,12 +88,12 @@ template <class Visitor> class Road_decider {
   void check_length(const Road& road, const Road_geometry& g) {
     decide(road, g.line, "length", "s = " + place_text(g.s), [&] {
       const bool by_length = g.range == Road_parameter_range::arc_length;
-      const Parametric_cubic cubic = cubic_of(g, by_length);
+      const Parametric_cubic cubic = parametric_cubic(g, by_length);
       const auto [error, within] = cubic.length_error(g.length, tolerance_.gap);
       const bool has_stop = !cubic.start().curvature || !cubic.end().curvature;
       Road_length_check check{road, g, error, within, {}, !has_stop && cubic.is_near_stop(g.length)};
       if (g.range == Road_parameter_range::missing) {
-        const auto other = cubic_of(g, true).length_error(g.length, tolerance_.gap);
+        const auto other = parametric_cubic(g, true).length_error(g.length, tolerance_.gap);
         if (other.second != within) check.other_reading = other;
       }
       visitor_(check);
@@ -147,14 +118,25 @@ template <class Visitor> class Road_decider {
       if (i == 0) continue;
       const Road_geometry& before = road.plan[i - 1];
       decide(road, g.line, "plan", "s = " + place_text(g.s), [&] {
-        visitor_(Road_plan_join{road, before, g, CGAL::abs(Road_number(before.s + before.length - g.s)),
-                                alignment_join(end_of(before, Road_end::end), end_of(g, Road_end::start), tolerance_)});
+        const Alignment_end start = alignment_end(g, Road_end::start);
+        Road_plan_join join{road,
+                            before,
+                            g,
+                            CGAL::abs(Road_number(before.s + before.length - g.s)),
+                            alignment_join(alignment_end(before, Road_end::end), start, tolerance_),
+                            std::nullopt};
+        if (before.range == Road_parameter_range::missing) {
+          const Alignment_join other = alignment_join(parametric_cubic(before, true).end(), start, tolerance_);
+          if (other.order() != join.join.order()) join.other_reading = other;
+        }
+        visitor_(join);
       });
     }
     const Road_number rest = Road_number(plan.back()->s + plan.back()->length - road.length);
     if (!is_within(rest, tolerance_.gap))
-      remark(Kind::note, &road, road.line, "road",
-             "its length differs from the end of its last geometry by " + place_text(CGAL::abs(rest)));
+      remark(Kind::note, &road, road.line, "road", "its length is not that of its geometries",
+             "they end at s = " + place_text(Road_number(plan.back()->s + plan.back()->length)) + ", it is " +
+                 place_text(road.length));
   }
 
   void decide_profile(const Road& road, const Road_lane* lane, Road_profile_kind kind,
@@ -178,7 +160,7 @@ template <class Visitor> class Road_decider {
               s,
               r.line,
               jump,
-              {is_zero(jump.value), is_zero(jump.slope), is_zero(jump.second)},
+              {CGAL::is_zero(jump.value), CGAL::is_zero(jump.slope), CGAL::is_zero(jump.second)},
               {is_within(jump.value, kind == Road_profile_kind::superelevation ? tolerance_.kink : tolerance_.gap),
                is_within(jump.slope, tolerance_.kink)},
               kind == Road_profile_kind::lane_offset &&
@@ -260,7 +242,7 @@ template <class Visitor> class Road_decider {
       for (const bool is_left : {true, false}) {
         if (!join.is_known || !lanes.meets(pair, is_named_back, is_left, false)) continue;
         const Road_number jump = Road_number(is_left ? to.left.t() - from.left.t() : to.right.t() - from.right.t());
-        join.equal = join.equal && is_zero(jump);
+        join.equal = join.equal && CGAL::is_zero(jump);
         join.within = join.within && is_within(jump, tolerance_.gap);
         (is_left ? join.left : join.right) = jump;
       }
@@ -325,6 +307,22 @@ template <class Visitor> class Road_decider {
     return data;
   }
 
+  // Two ends, the lesser one first, of which a junction connects lanes.
+  typedef std::pair<std::pair<std::size_t, Road_end>, std::pair<std::size_t, Road_end>> Ends;
+  std::set<Ends> connected_;
+
+  bool is_connected(const Contact_data& x, const Contact_data& y) const {
+    return connected_.count(std::minmax(std::pair(x.road, x.contact.end), std::pair(y.road, y.contact.end))) != 0;
+  }
+
+  void find_connected(const Road_junction& junction, const Road_connection& connection) {
+    const auto from = roads_.find(connection.incoming), to = roads_.find(connection.connecting);
+    if (from == roads_.end() || to == roads_.end() || !connection.contact || connection.lanes.empty()) return;
+    if (const std::optional<Contact_data> end = incoming(junction, connection, from->second, to->second))
+      connected_.insert(
+          std::minmax(std::pair(end->road, end->contact.end), std::pair(to->second, *connection.contact)));
+  }
+
   const Placed_lanes& lanes_of(const Contact_data& c, Placed_lanes& inside) {
     Sorted_road& road = sorted_[c.road];
     if (c.contact.at) return inside = road.sections.at(c.s, c.side);
@@ -333,22 +331,22 @@ template <class Visitor> class Road_decider {
     return *lanes;
   }
 
-  Alignment_end alignment_end(const Contact_data& c) const {
+  Alignment_end contact_end(const Contact_data& c) const {
     const std::vector<const Road_geometry*>& plan = sorted_[c.road].plan;
     if (plan.empty()) throw Error(Error_code::parameter_outside_domain, "a road without geometry");
-    if (!c.contact.at) return end_of(c.contact.end == Road_end::start ? *plan.front() : *plan.back(), c.contact.end);
+    if (!c.contact.at)
+      return alignment_end(c.contact.end == Road_end::start ? *plan.front() : *plan.back(), c.contact.end);
     std::size_t i = plan.size() - 1;
     while (i > 0 && (c.side == Road_side::before ? !(plan[i]->s < c.s) : c.s < plan[i]->s)) --i;
     const Road_number length = Road_number(c.s - plan[i]->s);
-    if (is_negative(length) || plan[i]->length < length)
+    if (CGAL::is_negative(length) || plan[i]->length < length)
       throw Error(Error_code::parameter_outside_domain, "s lies outside of the road");
-    if (is_polynomial(*plan[i]) && !is_zero(length))
+    if (is_polynomial(*plan[i]) && !CGAL::is_zero(length))
       throw Error(Error_code::parameter_outside_domain,
                   "s lies inside of a polynomial, of which only the ends are decided");
-    return is_polynomial(*plan[i]) ? end_of(*plan[i], Road_end::start) : clothoid_of(*plan[i], length).end();
+    return is_polynomial(*plan[i]) ? alignment_end(*plan[i], Road_end::start)
+                                   : clothoid_segment(*plan[i], length).end();
   }
-
-  static std::string end_name(Road_end end) { return end == Road_end::start ? "start" : "end"; }
 
   // The other place of a link; nothing, with a remark, where it names none.
   std::optional<Contact_data> target(const Road& road, Road_end end, const Road_link& link) {
@@ -396,17 +394,17 @@ template <class Visitor> class Road_decider {
              place + ", road " + link.id);
     const bool is_flipped = end == other->contact.end;
     decide(road, link.line, "link", place, [&] {
-      const Alignment_end mine = alignment_end(from), theirs = alignment_end(*other);
+      const Alignment_end mine = contact_end(from), theirs = contact_end(*other);
       const Road_number step = CGAL::abs(Road_number(from.z.value - other->z.value)),
                         grade = is_flipped ? Road_number(from.z.slope + other->z.slope)
                                            : Road_number(from.z.slope - other->z.slope);
-      visitor_(Road_link_join{from.contact, other->contact,
-                              alignment_join(mine, is_flipped ? theirs.reversed() : theirs, tolerance_), step,
-                              CGAL::abs(grade), is_returned, link.line});
       Placed_lanes inside;
       const Placed_lanes &lanes = lanes_of(from, inside), &their_lanes = lanes_of(*other, inside);
       const Linked_lanes linked(lanes, their_lanes, end, other->contact.end,
                                 !other->contact.at && names_back(from, *other, false));
+      visitor_(Road_link_join{
+          from.contact, other->contact, alignment_join(mine, is_flipped ? theirs.reversed() : theirs, tolerance_), step,
+          CGAL::abs(grade), is_returned, !linked.pairs.empty() || is_connected(from, *other), link.line});
       for (const auto& [lane, name] : linked.without_partner)
         remark(Kind::fault, &road, lane->line, "lane link", no_lane,
                place + ", lane " + std::to_string(lane->id) + " to " + std::to_string(name));
@@ -471,7 +469,7 @@ template <class Visitor> class Road_decider {
                  place + ", lane " + std::to_string(lane) + " to " + std::to_string(name));
       }
       if (pairs.pairs().empty()) return;
-      const Alignment_end mine = alignment_end(*from), theirs = alignment_end(to);
+      const Alignment_end mine = contact_end(*from), theirs = contact_end(to);
       for (const std::pair<int, int>& pair : pairs.pairs())
         decide_lanes({*from, to, lanes, their_lanes, mine, theirs, pairs, connection.line}, pair, true, false,
                      connection.has_overlap);
@@ -554,6 +552,8 @@ public:
       if (!road.other_heights.empty())
         remark(Kind::not_covered, &road, road.line, "height of lanes", "it depends on " + road.other_heights);
     }
+    for (const Road_junction& junction : network_.junctions)
+      for (const Road_connection& connection : junction.connections) find_connected(junction, connection);
     for (std::size_t i = 0; i < sorted_.size(); ++i)
       for (const Road_end end : {Road_end::start, Road_end::end}) decide_link(i, end);
     for (const Road_junction& junction : network_.junctions)

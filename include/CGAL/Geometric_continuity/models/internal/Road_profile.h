@@ -38,9 +38,9 @@ inline void add(Road_jet& x, const Road_jet& y) {
 }
 
 inline Road_jet jet_of(const Road_cubic& r, const Road_number& u) {
-  if (is_zero(u)) return {r.a, r.b, Road_number(r.c + r.c)};
-  if (is_zero(r.d) && is_zero(r.c)) {
-    if (is_zero(r.b)) return {r.a, r.b, r.c};
+  if (CGAL::is_zero(u)) return {r.a, r.b, Road_number(r.c + r.c)};
+  if (CGAL::is_zero(r.d) && CGAL::is_zero(r.c)) {
+    if (CGAL::is_zero(r.b)) return {r.a, r.b, r.c};
     return {Road_number(r.a + r.b * u), r.b, r.c};
   }
   const Road_number du = Road_number(r.d * u), c3 = Road_number(r.c + du); // c + d u
@@ -66,8 +66,8 @@ inline bool becomes_negative(const Road_cubic& r, const Road_number& length) {
     const Piece piece = pieces.back();
     const Coefficients& b = piece.b;
     pieces.pop_back();
-    if (is_negative(b[0]) || is_negative(b[3])) return true;
-    if ((!is_negative(b[1]) && !is_negative(b[2])) || piece.halvings == most_halvings) continue;
+    if (CGAL::is_negative(b[0]) || CGAL::is_negative(b[3])) return true;
+    if ((!CGAL::is_negative(b[1]) && !CGAL::is_negative(b[2])) || piece.halvings == most_halvings) continue;
     const auto mean = [](const Road_number& x, const Road_number& y) { return Road_number((x + y) / 2); };
     const Road_number b01 = mean(b[0], b[1]), b12 = mean(b[1], b[2]), b23 = mean(b[2], b[3]), b012 = mean(b01, b12),
                       b123 = mean(b12, b23), middle = mean(b012, b123);
@@ -122,8 +122,8 @@ public:
         note(r, "starts where the next one starts, which holds from there on");
         continue;
       }
-      if (i == 0 && is_positive(r.s)) note(r, "is the first one: before it the value is 0");
-      if (!is_positive(r.s)) continue;
+      if (i == 0 && CGAL::is_positive(r.s)) note(r, "is the first one: before it the value is 0");
+      if (!CGAL::is_positive(r.s)) continue;
       std::size_t before = i;
       while (before > 0 && records_[before - 1]->s == r.s) --before;
       join(r, Road_jet(jet_of(r, Road_number(0)) - limit(before, r.s)));
