@@ -37,7 +37,7 @@ namespace {
 
 const char* const verify_usage =
     R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT...
-       | SOURCE... | MODEL.step... | TOOLPATH.ngc... [OPTIONS]
+       | SOURCE... | MODEL.step... | TOOLPATH.ngc... | RAIL.ifc... [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -56,6 +56,11 @@ like: a corner, a kink, which is an angle of at most --kink-angle degrees, G1
 or G2. Corners are meant, and need not meet --require G1, G2, ... Segments of no
 length are left out. Of programs in G-code (.ngc, .nc, .gcode, ...) the joins of
 feed moves in a plane are decided in the same way, and named by their lines.
+
+Of alignments in IFC 4.3 (.ifc) it proves or refutes what the segments of curves
+claim: one position, direction, curvature, within the precision of the file, or
+--gap, --kink and --curvature; --require G1 decides claims up to the direction.
+Of LandXML (.xml) it compares the numbers that follow from others, within 0.001.
 
 Of fonts (TrueType, OpenType, Type 1, WOFF; folders with all that is in them) it
 grades the joins of each glyph, on the integers of the font:
