@@ -51,7 +51,7 @@ struct Reader {
 };
 constexpr unsigned everything = curves | drawings | fonts | models | toolpaths;
 constexpr Reader readers[] = {{"verify", everything | sources | roads | rails},
-                              {"report", everything},
+                              {"report", everything | roads},
                               {"repair", curves | drawings | fonts | sources | roads},
                               {"blend", curves | drawings},
                               {"connect", curves},

@@ -132,6 +132,8 @@ class Road_claims {
 public:
   explicit Road_claims(const Road_demand& demand) : demand_(demand) {}
 
+  const GC::Alignment_tolerance& tolerance() const { return demand_.tolerance; }
+
   Road_claim operator()(const GC::Road_plan_join& x) const {
     Road_claim claim;
     claim.kind = "plan";

@@ -9,6 +9,7 @@
 #include "reports/Conclusion.h"
 #include "reports/words.h"
 
+#include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/IO/text.h>
 #include <CGAL/Geometric_continuity/blends/clothoid_blend.h>
 #include <CGAL/Geometric_continuity/models/Road_network.h>
@@ -32,6 +33,8 @@ namespace {
 
 typedef GC::Road_number Number;
 
+constexpr double full_turn = 2 * 3.14159265358979324;
+
 // A number as it is written into the file: the shortest decimal of the closest floating-point
 // number.
 std::string decimal_of(double x) {
@@ -54,7 +57,7 @@ class Road_repairer {
   std::set<std::pair<std::string, GC::Road_end>> named_; // ends to which something leads
 
 public:
-  // What was done and what was left, as lines and as JSON objects.
+  // Repairs that were made and joins that were left, as lines and as JSON objects.
   struct Line {
     std::string text, json;
   };
@@ -123,7 +126,7 @@ private:
     const bool is_rational = from.is_exact() && to.is_exact() && from.vector() == std::pair<Number, Number>(1, 0) &&
                              to.vector() == std::pair<Number, Number>(1, 0);
     const double x = is_rational ? CGAL::to_double(difference) : (b.lower + b.upper) / 2 - (a.lower + a.upper) / 2;
-    return std::remainder(x, 2 * 3.14159265358979324);
+    return std::remainder(x, full_turn);
   }
 
   // Moves a piece so that its start lies at an end.
@@ -184,7 +187,8 @@ private:
     for (const GC::Road_geometry& g : road.plan) pieces.push_back({g, false, false, {}});
     const auto is_before = [](const Piece& x, const Piece& y) { return x.geometry.s < y.geometry.s; };
     if (!std::is_sorted(pieces.begin(), pieces.end(), is_before)) return;
-    for (std::size_t i = 1; i < pieces.size(); ++i) repair(road, pieces, i);
+    const bool backwards = !is_free(road, GC::Road_end::end) && is_free(road, GC::Road_end::start);
+    for (std::size_t k = 1; k < pieces.size(); ++k) repair(road, pieces, backwards ? pieces.size() - k : k);
     for (std::size_t i = 0; i < pieces.size(); ++i)
       if (pieces[i].is_blended)
         replace(number, i, pieces[i]);
@@ -244,6 +248,11 @@ private:
       const GC::Alignment_end last = end(pieces[i - 1].geometry, true);
       from.point = last.point;
       from.heading = last.heading;
+      if (i + 1 < pieces.size() && is_near(join(piece, pieces[i + 1]))) { // which closes that gap, too
+        const GC::Alignment_end next = end(pieces[i + 1].geometry, false);
+        to.point = next.point;
+        to.heading = next.heading;
+      }
     }
     const GC::Clothoid_blend blend = GC::clothoid_blend(from, to);
     Number length(0);
@@ -251,7 +260,7 @@ private:
     const double longer = CGAL::to_double(Number(length - piece.geometry.length));
     if (std::fabs(longer) > 2 * found.gap.upper + found.kink.upper * CGAL::to_double(piece.geometry.length) + 1e-6)
       return tell(left, road, pieces[i].geometry, found,
-                  "left, a blend would be longer by " + rounded(longer, 4) + " m");
+                  "left, a blend would change the length by " + rounded(longer, 4) + " m");
     for (const GC::Alignment_join& j : blend.joins)
       if (!(j.gap.upper <= 1e-9 && j.kink.upper <= 1e-9))
         return tell(left, road, pieces[i].geometry, found, "left, a blend does not meet the ends");
@@ -260,7 +269,7 @@ private:
     ++blended;
     tell(done, road, pieces[i].geometry, found,
          std::string(takes_before ? "the piece before" : "the piece behind") +
-             " becomes three clothoids, G2 proved; longer by " + rounded(longer, 3) + " m");
+             " becomes three clothoids, G2 proved; its length changes by " + rounded(longer, 3) + " m");
   }
 
   // The numbers of a blend, as they are written.
@@ -270,8 +279,10 @@ private:
     for (std::size_t i = 0; i < 3; ++i) {
       const GC::Clothoid_segment& c = blend.segments[i];
       const std::array<GC::Enclosure, 2> p = c.start_point().enclosure();
+      const GC::Enclosure h = c.start_heading().enclosure();
+      const double turns = std::nearbyint((CGAL::to_double(g.heading) - h.lower) / full_turn); // as the file counts
       text += "s=\"" + road_words::decimal(s) + "\" x=\"" + decimal_of(p[0]) + "\" y=\"" + decimal_of(p[1]) +
-              "\" hdg=\"" + decimal_of(c.start_heading().enclosure()) + "\" length=\"" +
+              "\" hdg=\"" + decimal_of({h.lower + turns * full_turn, h.upper + turns * full_turn}) + "\" length=\"" +
               road_words::decimal(c.length()) + "\"|<spiral curvStart=\"" + road_words::decimal(c.start_curvature()) +
               "\" curvEnd=\"" + road_words::decimal(c.end_curvature()) + "\"/>|";
       s = Number(s + c.length());
@@ -297,16 +308,19 @@ private:
 
   void set(const Opendrive_file::Geometry_text& place, const std::string& name, const std::string& number) {
     const auto [begin, end] = value(place, name);
-    changes_.push_back({begin, end, number});
+    const auto parsed = [](const std::string& digits) {
+      const std::size_t first = digits.find_first_not_of(" \t\r\n"), last = digits.find_last_not_of(" \t\r\n");
+      return GC::parse_number<Number>(digits.substr(first, last + 1 - first));
+    };
+    if (parsed(text_.substr(begin, end - begin)) != parsed(number)) changes_.push_back({begin, end, number});
   }
 
   // Writes where a piece has moved to.
   void rewrite(std::size_t road, std::size_t i, const GC::Road_geometry& g) {
     const Opendrive_file::Geometry_text& place = file_.texts[road][i];
-    const GC::Road_geometry& before = file_.network.roads[road].plan[i];
-    if (g.x != before.x) set(place, "x", road_words::decimal(g.x));
-    if (g.y != before.y) set(place, "y", road_words::decimal(g.y));
-    if (g.heading != before.heading) set(place, "hdg", road_words::decimal(g.heading));
+    set(place, "x", road_words::decimal(g.x));
+    set(place, "y", road_words::decimal(g.y));
+    set(place, "hdg", road_words::decimal(g.heading));
   }
 
   // Writes three clothoids in place of a piece: the first one into its element, the others behind
