@@ -131,8 +131,12 @@ class Rail_report {
       if (!demand_.kink && check.length) d.join->g1 = within_precision(*d.join, precision, *check.length);
       d.verdicts = {d.join->g0, d.join->g1, d.join->g2};
     } catch (const GC::Error& e) {
-      if (e.code() != GC::Error_code::parameter_outside_domain && e.code() != GC::Error_code::work_limit) throw;
-      d.failure = e.what();
+      if (e.code() == GC::Error_code::not_finite)
+        d.failure = "a number beyond those of floating-point numbers";
+      else if (e.code() == GC::Error_code::parameter_outside_domain || e.code() == GC::Error_code::work_limit)
+        d.failure = e.what();
+      else
+        throw;
     }
     return d;
   }

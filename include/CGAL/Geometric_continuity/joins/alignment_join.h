@@ -81,7 +81,7 @@ Decided_distance decided_distance(const char* place, const Rational& tolerance, 
     result.within = a.at_most(x, tolerance);
     result.distance = a.enclosure(x);
     result.distance.lower = (std::max)(result.distance.lower, 0.);
-    return result.within != Verdict::undecided && is_narrow(result.distance);
+    return result.within != Verdict::undecided && (is_narrow(result.distance) || a.accuracy() > 300);
   });
   return result;
 }
