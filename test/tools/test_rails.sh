@@ -133,3 +133,10 @@ sed 's/rot="cw"/rot="ccw"/' track.xml >turned.xml && run 1 verify turned.xml && 
 sed 's/clothoid/radioid/' track.xml >radioid.xml && run 1 verify radioid.xml && says out "not covered: a spiral of the type 'radioid'"
 sed 's/>143.879/>x143.879/' track.xml >bad.xml && refused "bad.xml:5: no number: 'x143.87912809452'" verify bad.xml
 sed 's/radians/gon/g' track.xml >unit.xml && refused "the unit of angles 'gon'" verify unit.xml
+
+# numbers beyond those of floating-point numbers
+sed 's/constant="[0-9.]*"/constant="1e400"/' track.xml >huge.xml
+run 1 verify huge.xml && says out "not covered: a number beyond those of floating-point numbers"
+sed 's/100.,0./1.E400,0./' plan.ifc >huge.ifc && run 1 verify huge.ifc && says out "not covered: a number beyond"
+sed 's/0.,0.,0.001/0.,1.E300,0.001/; s/IFCPARAMETERVALUE(100.)/IFCLENGTHMEASURE(100.)/' profile.ifc >steep.ifc
+run 1 verify --max-work 1000000 steep.ifc && says out "more than 1000000 steps of work"

@@ -126,6 +126,7 @@ class Landxml_reader : Xml_reader {
     rounded = true;
     if (unit == Angle_unit::grads) return Q(x * long_pi() / 200);
     if (unit == Angle_unit::degrees_minutes) {
+      if (!(std::fabs(CGAL::to_double(x)) < 1e9)) refuse("an angle beyond 10^9 degrees");
       const bool negative = x < 0;
       if (negative) x = Q(-x);
       const auto whole = [](const Q& y) {
@@ -299,8 +300,13 @@ class Landxml_reader : Xml_reader {
       c.difference->value = Q(a - *root);
     else {
       const GC::Enclosure root_of = GC::sqrt_enclosure(square);
-      const GC::Enclosure low = GC::enclosure(Q(a - Q(root_of.upper))), high = GC::enclosure(Q(a - Q(root_of.lower)));
-      c.difference->enclosed = GC::Enclosure{low.lower, high.upper};
+      if (std::isfinite(root_of.upper) && std::isfinite(CGAL::to_double(a)))
+        c.difference->enclosed =
+            GC::Enclosure{GC::enclosure(Q(a - Q(root_of.upper))).lower, GC::enclosure(Q(a - Q(root_of.lower))).upper};
+      else {
+        c.difference = std::nullopt;
+        c.not_covered = "a number beyond those of floating-point numbers";
+      }
     }
     result_.checks.push_back(std::move(c));
   }
