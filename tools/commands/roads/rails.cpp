@@ -52,6 +52,7 @@ std::string flag(bool x) { return x ? "true" : "false"; }
 // An upper bound, for words.
 std::string size(const GC::Enclosure& x, const char* unit) {
   if (x.upper == 0) return std::string("0") + unit;
+  if (!std::isfinite(x.upper)) return "above " + rounded(x.lower, 4) + unit;
   return rounded(x.lower > 0 ? x.lower / 2 + x.upper / 2 : x.upper, 4) + unit;
 }
 
