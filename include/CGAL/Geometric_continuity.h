@@ -32,6 +32,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_polygon.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Clothoid_segment.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
@@ -49,6 +50,7 @@
 #include <CGAL/Geometric_continuity/joins/Join_deviation.h>
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/Visual_join.h>
+#include <CGAL/Geometric_continuity/joins/alignment_join.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
@@ -69,6 +71,7 @@
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
+#include <CGAL/Geometric_continuity/blends/clothoid_blend.h>
 #include <CGAL/Geometric_continuity/blends/interpolate_fair.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 
@@ -90,6 +93,7 @@
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
+#include <CGAL/Geometric_continuity/models/Road_network.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/round_edges.h>

@@ -14,12 +14,16 @@
 #include "commands/fonts/verify_instances.h"
 #include "commands/kink_options.h"
 #include "commands/lists/verify_list.h"
+#include "commands/roads/rails.h"
+#include "commands/roads/road_options.h"
+#include "commands/roads/verify_roads.h"
 #include "commands/surfaces_hint.h"
 #include "commands/tolerances.h"
 #include "files/output.h"
 #include "formats/cad/read_cad.h"
 #include "formats/font/font_files.h"
 #include "formats/input_formats.h"
+#include "formats/opendrive/read_opendrive.h"
 #include "reports/Baseline.h"
 
 #include <algorithm>
@@ -33,7 +37,7 @@ namespace {
 
 const char* const verify_usage =
     R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT...
-       | SOURCE... | MODEL.step... | TOOLPATH.ngc... [OPTIONS]
+       | SOURCE... | MODEL.step... | TOOLPATH.ngc... | RAIL.ifc... [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -52,6 +56,11 @@ like: a corner, a kink, which is an angle of at most --kink-angle degrees, G1
 or G2. Corners are meant, and need not meet --require G1, G2, ... Segments of no
 length are left out. Of programs in G-code (.ngc, .nc, .gcode, ...) the joins of
 feed moves in a plane are decided in the same way, and named by their lines.
+
+Of alignments in IFC 4.3 (.ifc) it proves or refutes what the segments of curves
+claim: one position, direction, curvature, within the precision of the file, or
+--gap, --kink and --curvature; --require G1 decides claims up to the direction.
+Of LandXML (.xml) it compares the numbers that follow from others, within 0.001.
 
 Of fonts (TrueType, OpenType, Type 1, WOFF; folders with all that is in them) it
 grades the joins of each glyph, on the integers of the font:
@@ -244,6 +253,7 @@ void describe_verify(po::options_description_easy_init add) {
       "the largest angle that is a kink, in degrees, instead of 5; what is larger is a corner, which in drawings, "
       "fonts and CAD models is meant and need not meet a requirement of G orders");
   describe_curvature_bound(add);
+  describe_road_tolerances(add);
   add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
   add("time-limit", po::value<std::string>(),
       "for CAD models: the seconds of processor time that reading one file may take, 60 if not given; with --jsonl, "
@@ -346,6 +356,21 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
     return verify_cad(files, mode, cad_demand(line, required),
                       {Cad_drawing::none, line.length("sew"), line.seconds("time-limit", 60)});
   line.refuse({"sew", "time-limit"}, "only for CAD models");
+  const auto roads = std::count_if(files.begin(), files.end(), is_road_file);
+  if (roads != 0) {
+    if (roads != static_cast<std::ptrdiff_t>(files.size()))
+      throw std::invalid_argument("road networks (.xodr) and other files cannot be verified together");
+    refuse_bound("not for road networks");
+    return verify_roads(files, mode, road_demand(line, required));
+  }
+  const auto rails = std::count_if(files.begin(), files.end(), is_rail_file);
+  if (rails != 0) {
+    if (rails != static_cast<std::ptrdiff_t>(files.size()))
+      throw std::invalid_argument("alignments (.ifc, LandXML) and other files cannot be verified together");
+    refuse_bound("not for alignments");
+    return verify_rails(files, mode, rail_demand(line, required));
+  }
+  line.refuse({"gap", "kink", "curvature"}, "only for road networks and alignments");
   const auto drawings = std::count_if(files.begin(), files.end(), is_drawing_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))

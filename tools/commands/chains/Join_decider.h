@@ -222,7 +222,8 @@ private:
     case Finding_rule::bend:
     case Finding_rule::undecided:
     case Finding_rule::not_verified:
-    case Finding_rule::rounding: break;
+    case Finding_rule::rounding:
+    case Finding_rule::length: break;
     }
     return std::nullopt;
   }

@@ -12,13 +12,16 @@
 #include "commands/repair/repair_font.h"
 #include "commands/repair/repair_report.h"
 #include "commands/repair/write_font.h"
+#include "commands/roads/repair_roads.h"
+#include "commands/roads/road_options.h"
+#include "files/Unpacked_bytes.h"
 #include "files/output.h"
 #include "formats/font/Font_face.h"
 #include "formats/font/Font_tables.h"
 #include "formats/font/font_files.h"
 #include "formats/g2_text/g2_curves_text.h"
 #include "formats/input_formats.h"
-#include "formats/svg/Unpacked_bytes.h"
+#include "formats/opendrive/read_opendrive.h"
 #include "formats/svg/svg_drawing.h"
 #include <CGAL/Cartesian_d.h>
 #include <CGAL/Exact_rational.h>
@@ -38,8 +41,8 @@
 
 namespace {
 
-const char* const repair_usage = R"(usage: geometric_continuity repair FILE.svg|FILE.g2|FONT|SOURCE -o FILE
-       [OPTIONS]
+const char* const repair_usage = R"(usage: geometric_continuity repair FILE.svg|FILE.g2|FONT|SOURCE|ROAD.xodr
+       -o FILE [OPTIONS]
 
 Makes the kinks of a drawing, or of a chain of plane curves, exactly G1 by
 moving handles, not nodes, on the grid of the file: the decimals of each path,
@@ -99,12 +102,22 @@ Handles move at all of them, and kinks must not be left. Where TrueType leaves
 out nodes between two handles, these handles do not move, and where such a node
 lies on half a unit, no handle of its contour does.
 
+Of road networks (.xodr) the joins of reference lines are repaired where the gap
+exceeds --gap, or the kink --kink, and they are no more than --max-move metres
+and --kink-angle degrees off. Where the end of a road is free, the pieces behind
+start where the one before ends, as it is enclosed; where only its start is, the
+pieces before move there. Where both ends are linked, the longer of both pieces
+becomes three clothoids, whose joins are proved to be G2; its curvatures at the
+ends stay, and its length changes by what the gap was. Other bytes of the file
+stay, and all that verify decides is counted before and after.
+
 The source of a font, a folder .ufo, .glyphs or .designspace with its UFOs, is
 repaired by the Python module, where that is installed: each master by itself.
 
 examples:
   geometric_continuity repair drawing.svg -o drawing.svg
   geometric_continuity repair font.otf -o smooth.otf
+  geometric_continuity repair town.xodr -o town2.xodr --max-move 0.1
 
 Exit code: 0 when no kink is left, 1 when one is, when curves of a chain do not
 meet (see --close and --reverse), or when not all joins are decided (an arc of a
@@ -312,11 +325,12 @@ void describe_repair(po::options_description_easy_init add) {
   add("kink-angle", po::value<std::string>()->default_value("5"), "the largest angle of a kink, in degrees, up to 45");
   add("max-move", po::value<std::string>(),
       "how far a handle may move, in units of the last decimal; twice what the kink is off and one more unless it is "
-      "given, and for --to G2 a tenth of the shorter handle, at least 1");
+      "given, and for --to G2 a tenth of the shorter handle, at least 1; of road networks in metres, 0.05 if not "
+      "given");
   add("grid", po::value<std::string>(),
       "handles move to whole multiples of this power of ten from their nodes, e.g. 0.001; of the last decimal unless "
-      "it "
-      "is given, or where that is too fine of the smallest that the size of the drawing allows, which is told");
+      "it is given, or where that is too fine of the smallest that the size of the drawing allows, which is told");
+  describe_road_tolerances(add);
   add("off-by", po::value<std::string>(),
       "for fonts: up to so many units a handle may be off because of rounding, which is counted apart from kinks; 1 if "
       "not given");
@@ -331,6 +345,22 @@ void describe_repair(po::options_description_easy_init add) {
   add("allow-undecided", "what is undecided does not count as not met");
   add("allow-uncovered", "what is not covered does not count as not met");
   add("json", "print JSON");
+}
+
+int repair_roads(const Command_line& line, const Report_mode& mode) {
+  line.refuse({"arcs", "closed", "close", "grid", "off-by", "reverse"}, "not with road networks");
+  if (line.text("to") != "G1") throw std::invalid_argument("--to: road networks are repaired to G1 only");
+  check_output_name(line, "output", {".xodr", ".xml"});
+  Road_repair repair;
+  read_road_tolerances(line, repair.demand);
+  repair.max_move = line.number("max-move", repair.max_move);
+  if (!(repair.max_move > 0)) throw std::invalid_argument("--max-move: not a positive length");
+  repair.max_kink = GC::in_radians(line.number("kink-angle", CGAL::Exact_rational(5))).lower;
+  int code = requirement_not_met;
+  const std::string file = line.files()[0],
+                    result = repaired_roads(read_text(file), input_name(file), repair, mode, report_stream(line), code);
+  write_output(line.text("output"), [&](std::ostream& os) { os << result; });
+  return code;
 }
 
 int run_repair(const Command_line& line) {
@@ -357,6 +387,8 @@ int run_repair(const Command_line& line) {
                          line.has("allow-uncovered"), true, false};
   const std::string file = line.files()[0], name = input_name(file), output = line.text("output");
   if (output.empty()) throw std::invalid_argument("--output: the name is empty");
+  if (is_road_file(file)) return repair_roads(line, mode);
+  line.refuse({"gap", "kink", "curvature"}, "only for road networks");
   if (is_font_source(file)) return repair_font_source(line);
   if (is_font_file(file)) return repair_font(line, options, mode);
   const bool drawing = is_svg_file(file);
