@@ -37,7 +37,8 @@ namespace {
 
 const char* const verify_usage =
     R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT...
-       | SOURCE... | MODEL.step... | TOOLPATH.ngc... | RAIL.ifc... [OPTIONS]
+       | SOURCE... | MODEL.step... | TOOLPATH.ngc... | ROAD.xodr... | RAIL.ifc...
+       [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -105,6 +106,16 @@ projection does not count.
 Curves without faces, such as those of wires, are decided where their ends meet:
 gap, angle and jump of the curvature, for --require G0, G1, G2, C0, C1 or C2.
 
+Of road networks (ASAM OpenDRIVE 1.4 to 1.8, .xodr) it decides the joins of
+reference lines (gap, kink, jump of the curvature), the lengths of paramPoly3,
+elevation, superelevation, lane offsets and widths where one record passes into
+the next, and the borders of lanes across sections, links and junctions: left
+with left, right with right. Numbers are the decimals of the file; distances in
+the plane are enclosed as narrowly as the verdict needs. Within --gap (metres),
+--kink (radians) and --curvature (1/metre) every reference line must be G1, or
+what --require says: G0, G1 or G2. Reference lines of linked roads need not
+meet, their lanes must. What a file names and does not have is not covered.
+
 --within 0.001,0.01deg,2% also tells how far each join is from continuous, in
 guaranteed bounds, and which orders it has when the ends may be apart by this
 gap (in the units of the coordinates), the tangents by this angle (deg or rad)
@@ -129,6 +140,7 @@ the bound, the report names the place where it is bent most.
 examples:
   geometric_continuity verify outline.g2 --closed --require G2
   geometric_continuity verify drawing.svg --require G1 --kink-angle 3
+  geometric_continuity verify town.xodr --gap 0.01 --require G1
 
 With --format sarif and junit, what does not meet the requirement is an error;
 without one, gaps and kinks are notes.

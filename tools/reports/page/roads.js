@@ -32,8 +32,8 @@ class Roads {
   }
 }
 
-// Options: centre and scale (pixels per metre), or neither for the whole network; zoom, shift, item,
-// items (whose places are marked), fill, profiles (their height).
+// Options: centre and reach (metres), or neither for the whole network; zoom, shift, item, items
+// (whose places are marked), fill, profiles (their height).
 function drawRoads(canvas, roads, options) {
   const { context, width, height } = prepared(canvas);
   if (width === 0 || roads.box[0] > roads.box[2]) return;
