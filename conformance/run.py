@@ -70,13 +70,13 @@ def orders_within(record, claimed):
         if key == "angle_radians":
             value = [x * d for x, d in zip(value, DEGREES)]
         tolerance = claimed.get(given[0] if given else key, 0)
-        exact = record.get("exact_level", level(record["order"]) if "within" not in record else None)
+        exact = level(record["order"])
         if value is None:
-            # A quantity that the record does not have: the exact order tells.
-            holds = (exact is not None and exact >= i, exact is not None and exact >= i)
+            # Infinite where a derivative vanishes; else not defined, since a lower order does not hold.
+            holds = (exact >= i, exact >= i or not record.get("stops"))
         else:
             holds = (value[1] <= tolerance, value[0] <= tolerance)
-            if exact is not None and exact >= i:
+            if exact >= i:
                 holds = (True, True)
         if holds[0] and low == i - 1:
             low = i

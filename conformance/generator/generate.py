@@ -19,19 +19,11 @@ import fonts  # noqa: E402
 import roads  # noqa: E402
 import step  # noqa: E402
 import surfaces  # noqa: E402
-from truth import Join, exact, is_decimal, ladder, name, text  # noqa: E402
+from chains import chain_joins  # noqa: E402
+from truth import exact, is_decimal, ladder, name, text  # noqa: E402
 
 VERSION = 1
 QUANTITIES = ("gap", "angle_degrees", "curvature_percent", "torsion_jump")
-
-
-def chain_joins(chain, closed):
-    ends = [(c, k) for c in chain for k in c.spans()]
-    result = []
-    for i in range(len(ends) if closed else len(ends) - 1):
-        (a, k), (b, m) = ends[i], ends[(i + 1) % len(ends)]
-        result.append(Join(a.jet(k, True), b.jet(m, False), (a.is_straight(k), b.is_straight(m))))
-    return result
 
 
 def worst(joins, letter):

@@ -1,1 +1,1 @@
-def cases(add): pass
+def cases(suite): pass

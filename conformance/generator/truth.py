@@ -185,6 +185,15 @@ class Curve:
         self.is_bezier = len(self.points) == n and not knots
         self.cache = {}
 
+    def keys(self):
+        """What tells it from other curves, and what tells its reverse."""
+        key = tuple(map(tuple, self.points))
+        return key, key[::-1]
+
+    def reversed(self):
+        knots = [self.knots[0] + self.knots[-1] - t for t in self.knots[::-1]]
+        return Curve(self.points[::-1], knots, self.weights and self.weights[::-1], self.degree)
+
     def spans(self):
         p = self.degree
         return [k for k in range(p, len(self.knots) - p - 1) if self.knots[k] < self.knots[k + 1]]

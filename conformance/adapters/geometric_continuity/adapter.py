@@ -13,7 +13,7 @@ from answers import Unsupported, serve  # noqa: E402
 
 PROGRAM = os.environ.get("GEOMETRIC_CONTINUITY", "geometric_continuity")
 # CAD models are decided within tolerances only: asked for an exact order, these are named.
-SMALL = {"gap": "0.0000001", "angle_degrees": "0.000001", "curvature_percent": "0.0001"}
+SMALL = {"gap": "0.0000001", "angle_degrees": "0.00001", "curvature_percent": "0.02"}
 
 
 def call(arguments):
@@ -27,10 +27,10 @@ def option(within):
     return ["--within", f"{within.get('gap', '0')},{within.get('angle_degrees', '0')}deg,{within.get('curvature_percent', '0')}%"]
 
 
-def verdict(within):
-    """The order that the verdicts on the orders 0, 1 and 2 prove."""
+def verdict(within, most):
+    """The order that the verdicts on the orders 0, 1 and 2 prove, as far as it was asked for."""
     order = -1
-    for v in within[:3]:
+    for v in within[: int(most[1]) + 1]:
         if v == "undecided":
             return "undecided"
         if v == "refuted":
@@ -63,7 +63,7 @@ def chain(file, order, within):
     closed = ["--closed"] if closed_of(file) else []
     found = call([file] + closed + (option(within) if within else []))
     if within:
-        return least([verdict(j["within"]) for j in found["joins"]])
+        return least([verdict(drawn(j, within), order) for j in found["joins"]])
     return least([of_chain(j, order[0]) for j in found["joins"]])
 
 
@@ -95,32 +95,44 @@ def font(file, order, within):
     return reached + "+" if reached == "G2" else reached
 
 
+def drawn(join, within):
+    """Where a first derivative is 0, the unit tangents have an angle, and the curvature is infinite."""
+    if join["regular"] or join["within"][0] != "proved":
+        return join["within"]
+    angle, tolerance = join["drawn_angle_degrees"], float(within.get("angle_degrees", "0"))
+    return ["proved", "proved" if angle[1] <= tolerance else "refuted" if angle[0] > tolerance else "undecided", "refuted"]
+
+
+def patches(file, order, within):
+    found = call(["--surfaces", "--allow-empty", file] + (["--within", f"{within.get('gap', '0')},{within.get('angle_degrees', '0')}deg"] if within else []))
+    if within:
+        return least([verdict(e["within"], order) for e in found["edges"]])
+    lines = found["edges"] + found["knot_lines"]
+    if not lines:
+        # Patches without a common edge are apart; one without a knot line of low order is smooth.
+        return "gap" if any(e["patch"] for e in found["boundary_edges"]) else "G2+"
+    return least([e["order"] for e in lines])
+
+
 def model(file, order, within):
-    if Path(file).suffix == ".g2":
-        found = call(["--surfaces", file] + (["--within", f"{within.get('gap', '0')},{within.get('angle_degrees', '0')}deg"] if within else []))
-        if within:
-            raise Unsupported("tolerances of curvature along edges")
-        return least([e["order"] if e["order"].startswith("G") else "gap" for e in found["edges"]])
-    claimed = within or SMALL
-    found = call([file] + option(claimed))
-    order = least([verdict(e["within"]) for e in found["edges"] if e["order"]])
-    return order if within else order + " within " + ",".join(f"{k}={v}" for k, v in SMALL.items())
-
-
-def wire(file, order, within):
-    return chain(file, order, within)
+    found = call(["--allow-empty", file] + option(within or SMALL))
+    if not found["summary"]["faces"]:
+        raise Unsupported("curves in STEP")
+    decided = [verdict(e["within"], order) for e in found["edges"] if e["order"]]
+    reached = least(decided) if decided else "G2+" if found["summary"]["faces"] == 1 else "gap"
+    return reached if within or not decided else reached + " within " + ",".join(f"{k}={v}" for k, v in SMALL.items())
 
 
 def decide(file, order, within):
-    subject = Path(file).parent.name
     if file.endswith(".svg"):
         return drawing(file, order, within)
     if file.endswith((".ttf", ".otf")):
         return font(file, order, within)
-    if file.endswith(".step") or (file.endswith(".g2") and subject in ("surface", "model")):
+    if file.endswith(".step"):
         return model(file, order, within)
     if file.endswith(".g2"):
-        return chain(file, order, within)
+        is_model = Path(file).read_text(encoding="utf-8").startswith("200")
+        return patches(file, order, within) if is_model else chain(file, order, within)
     raise Unsupported("this format")
 
 
