@@ -72,7 +72,7 @@ def orders_within(record, claimed):
         tolerance = claimed.get(given[0] if given else key, 0)
         exact = level(record["order"])
         if value is None:
-            # Infinite where a derivative vanishes; else not defined, since a lower order does not hold.
+            # Infinite where a derivative vanishes; else not defined, as a lower order does not hold.
             holds = (exact >= i, exact >= i or not record.get("stops"))
         else:
             holds = (value[1] <= tolerance, value[0] <= tolerance)
