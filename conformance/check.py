@@ -40,8 +40,8 @@ def check(record):
             else:
                 chains = fonts.read(data) if record["subject"] == "font" else read_chains(extension, data)
                 joins.check(record, extension, chains)
-        except joins.Wrong as error:
-            problems.append(f"{path}: {error}")
+        except (joins.Wrong, ArithmeticError, LookupError, TypeError, ValueError) as error:
+            problems.append(f"{path}: {error or type(error).__name__}")
     return problems
 
 

@@ -72,7 +72,7 @@ def orders_within(record, claimed):
         tolerance = claimed.get(given[0] if given else key, 0)
         exact = level(record["order"])
         if value is None:
-            # Infinite where a derivative vanishes; else not defined, as a lower order does not hold.
+            # Infinite where a derivative vanishes; else a lower order fails.
             holds = (exact >= i, exact >= i or not record.get("stops"))
         else:
             holds = (value[1] <= tolerance, value[0] <= tolerance)
@@ -106,6 +106,13 @@ def judge(record, answer):
         return "right"
     if at_least and said < most and true >= said:
         return "unsupported"  # as far as it goes it is right, and the question goes further
+    if claimed and "derivative_jumps" in record:
+        bounds = [claimed.get("gap", 0)] + [claimed.get("derivative_jump", 0)] * most
+        for k in (0, 1):  # the lowest order that is right within the tolerance, and the highest
+            holds = [number(pair[1 - k]) <= b for pair, b in zip(record["derivative_jumps"], bounds)]
+            reached = next((i - 1 for i, h in enumerate(holds) if not h), most)
+            if said == reached:
+                return "within its tolerance"
     if claimed and "within" not in record and record["up_to"][0] != "C":
         low, high = orders_within(record, claimed)
         if min(low, most) <= said <= min(high, most):

@@ -112,6 +112,7 @@ def check(record, extension, data):
     if record["section"] == "cone":
         cylinder, cone = (model.get(f.surface) for f in faces)
         need(cone[2] == cylinder[2] and faces[1].placement(cone[1])[0][2] == p[1], "the cone does not meet the cylinder there")
+        need(record["gap"] == ["0", "0"] and record["curvature_percent"] is None, "a size that is not asked for")
         low, high = (number(x) * PI / SCALE for x in record["angle_degrees"])
         need(low <= cone[3] * 180 <= high and (high - low) * 10**20 < high and record["order"] == "G0", "the angle is another one")
         return verify_flip(record)

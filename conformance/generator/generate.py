@@ -106,6 +106,8 @@ class Suite:
         if join.stops:
             record["stops"] = True
         record.update(measures)
+        if up_to[0] == "C":
+            record["derivative_jumps"] = join.derivative_jumps()
         self.finish(record, why, within, measures if not within else {k: self.largest(joins, k) for k in measures}, closed)
         decimals = all(map(is_decimal, numbers_of(chain)))
         formats = (only,) if isinstance(only, str) else only or ("json", "g2", "svg", "step")

@@ -319,6 +319,10 @@ class Join:
             self.traced, self.f = -1, -1
         self.betas = betas if self.c >= 0 and not self.stops else []
 
+    def derivative_jumps(self):
+        """The lengths by which the derivatives differ, from that of order 0 on."""
+        return [root(dot(d, d)) for d in (plus(b, a, -1) for a, b in zip(self.x, self.y))]
+
     # Squares of sizes.
     def jump_squared(self):
         if self.curvatures is None:
