@@ -100,7 +100,8 @@ out nodes between two handles, these handles do not move, and where such a node
 lies on half a unit, no handle of its contour does.
 
 The source of a font, a folder .ufo, .glyphs or .designspace with its UFOs, is
-repaired by the Python module, where that is installed: each master by itself.
+repaired by the Python module, where that is installed: masters with compatible
+contours together, other outlines each by itself.
 
 examples:
   geometric_continuity repair drawing.svg -o drawing.svg
