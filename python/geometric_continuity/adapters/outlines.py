@@ -157,9 +157,10 @@ def mend(points: List[Point], kink_angle=5, max_move: Optional[float] = None, gl
     return moves
 
 
-# Masters: the handles of a mixture of masters are the same mixtures of theirs, a = sum c_i a_i and b = sum c_i b_i. Their cross product vanishes
-# for all c exactly if a_i x b_j + a_j x b_i = 0 for all i, j. So it does where b_i = k a_i for all i (one ratio), and where all handles are
-# multiples of one vector (one direction).
+# Masters: the handles of a mixture of masters are the same mixtures of theirs, a = sum c_i a_i and
+# b = sum c_i b_i. Their cross product vanishes for all c exactly if a_i x b_j + a_j x b_i = 0 for
+# all i, j. So it does where b_i = k a_i for all i (one ratio), and where all handles are multiples
+# of one vector (one direction).
 
 _Vector = Tuple[int, int]
 _Pair = Tuple[List[_Vector], List[_Vector]]
