@@ -29,6 +29,9 @@ for figure in surface_blend_energy3 surface_blend_fairest; do
 done
 "$program" round-edges "$data/box.g2" --set-back 2 --plot rounded_box.svg >/dev/null
 "$program" plot --surfaces "$data/fillet.g2" --title "Cylinder, fillet, plane" -o fillet.svg
+# fair_curves.svg is drawn by the benchmark of this name, where it is built
+compare_fair_curves=$(dirname "$program")/../benchmark/Geometric_continuity/compare_fair_curves
+if [ -x "$compare_fair_curves" ]; then "$compare_fair_curves" fair_curves.svg >/dev/null; fi
 # from_python.svg is drawn by the page "From Python", where the module is built; PYTHON is an
 # interpreter with matplotlib
 module=$(dirname "$program")/../python

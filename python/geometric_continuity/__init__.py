@@ -29,14 +29,16 @@ from .hints import missing_in_module, missing_member, no_truth
 from .joins import (align_handle, align_handles, chain_joins, continuity, deviation, edge_continuity, failing_joins, kink_size,
                     order_within, visual_class)
 from .program import file_record, program, verify
+from .surfaces import Matched_surface, match
 
 __all__ = [
     "Bezier_curve", "Blend", "Curvature_excess", "Edge_continuity", "Enclosure", "Error", "Fair_spline", "Fitted_curve", "Join_continuity",
     "Join_deviation",
-    "Kink_size", "Order_up_to_rounding", "Order_within", "Representable_blend", "Rounded_corner", "STRATEGIES", "Segmented_curve", "Spline",
+    "Kink_size", "Matched_surface", "Order_up_to_rounding", "Order_within", "Representable_blend", "Rounded_corner", "STRATEGIES",
+    "Segmented_curve", "Spline",
     "Visual_class", "align_handle", "align_handles", "blend", "chain_joins", "continuity", "curvature", "curvature_excess", "curvature_vector",
     "deviation", "edge_continuity", "evaluate", "failing_joins", "fair", "fairness", "file_record", "fit", "interpolate", "interpolate_fair",
-    "kink_size", "order_within", "pieces", "program", "representable_blend", "round_corner", "torsion", "uses_gmp", "verify",
+    "kink_size", "match", "order_within", "pieces", "program", "representable_blend", "round_corner", "torsion", "uses_gmp", "verify",
     "visual_class",
 ]
 

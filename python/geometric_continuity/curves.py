@@ -131,12 +131,13 @@ def representable_blend(left, right, strategy: str = "fair") -> Representable_bl
     return Representable_blend(**_native.representable_blend(left, right, strategy))
 
 
-def round_corner(left, right, distance, strategy: str = "fair", *, exact: Optional[bool] = None) -> Rounded_corner:
+def round_corner(left, right, distance=None, strategy: str = "fair", *, radius=None, exact: Optional[bool] = None) -> Rounded_corner:
     """Rounds the corner in which `left` ends and `right` starts: cuts off what is nearer to it than `distance` along the curves, and puts
     a blend there.
 
     left, right: arrays of shape (degree + 1, dimension).
     distance: positive, in units of the coordinates, less than the length of each curve.
+    radius: in place of the distance: that at which a circle of this radius touches both tangents.
     strategy: "fair", "energy3" (G2), "fair_g3" (G3), or cubics with G2 joins: "cubic", one with both handles in the corner between lines
         and two, in the plane, elsewhere; "two_cubics" always takes two, which are fuller.
 
@@ -145,7 +146,9 @@ def round_corner(left, right, distance, strategy: str = "fair", *, exact: Option
     """
     check_name("round_corner", "strategy", strategy, ("fair", "energy3", "fair_g3", "cubic", "two_cubics"))
     left, right = (bezier_points(curve, "round_corner") for curve in (left, right))
-    record = _native.round_corner(left, right, distance, strategy, exact)
+    if (distance is None) == (radius is None):
+        raise Error("parameter_outside_domain", "round_corner", "a distance is needed, or a radius, and not both")
+    record = _native.round_corner(left, right, distance if radius is None else radius, radius is not None, strategy, exact)
     knots = record.pop("knots")
     if knots is not None:
         record["blend"] = Segmented_curve(3, record["blend"], knots)

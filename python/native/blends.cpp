@@ -72,9 +72,11 @@ template <class Traits> Numbers knots_of(const GC::Composite_bezier_curve<Traits
 template <class Blend> Numbers knots_of(const Blend&) { return {}; }
 
 template <class FT>
-Corner_numbers round_in(const Numbers& left, const Numbers& right, double distance, const std::string& strategy) {
+Corner_numbers round_in(const Numbers& left, const Numbers& right, double size, bool is_radius,
+                        const std::string& strategy) {
   typedef Array_traits<FT> Traits;
   const GC::Bezier_curve<Traits> phi = curve<Traits>(left, "round_corner"), psi = curve<Traits>(right, "round_corner");
+  const FT distance = is_radius ? GC::corner_distance(phi, psi, size) : FT(size);
   const auto round = [&](const auto& chosen) {
     const auto corner = GC::round_corner(phi, psi, distance, chosen);
     return Corner_numbers{array_of<Traits>(corner.left),  array_of<Traits>(corner.blend), knots_of(corner.blend),
@@ -120,8 +122,8 @@ Representable_numbers representable_blend(const Numbers& left, const Numbers& ri
                   "representable_blend: the strategy '" + strategy + "' is none of fair, energy3");
 }
 
-Corner_numbers round_corner(const Numbers& left, const Numbers& right, double distance, const std::string& strategy,
-                            Field_of_results field) {
-  return field == Field_of_results::exact ? round_in<Exact>(left, right, distance, strategy)
-                                          : round_in<double>(left, right, distance, strategy);
+Corner_numbers round_corner(const Numbers& left, const Numbers& right, double size, bool is_radius,
+                            const std::string& strategy, Field_of_results field) {
+  return field == Field_of_results::exact ? round_in<Exact>(left, right, size, is_radius, strategy)
+                                          : round_in<double>(left, right, size, is_radius, strategy);
 }

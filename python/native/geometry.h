@@ -105,8 +105,9 @@ struct Corner_numbers {
   Numbers left, blend, knots, right; // knots of cubics
   Exact left_cut, right_cut;
 };
-Corner_numbers round_corner(const Numbers& left, const Numbers& right, double distance, const std::string& strategy,
-                            Field_of_results field);
+// By a distance, or by that of a circle with a radius.
+Corner_numbers round_corner(const Numbers& left, const Numbers& right, double size, bool is_radius,
+                            const std::string& strategy, Field_of_results field);
 
 double fairness(const Numbers& curve);
 
@@ -144,5 +145,17 @@ struct Edge_record {
 Edge_record edge_continuity(const Numbers& a, const std::string& edge_a, const Numbers& b, const std::string& edge_b);
 // Along the edge that they have in common; where both are one object, along two of its edges.
 Edge_record edge_continuity(const Numbers& a, const Numbers& b);
+
+// The second surface, matched to the first one along edges, exactly.
+struct Matched_numbers {
+  Numbers points;
+  std::pair<std::string, std::string> edges;
+  std::vector<std::pair<std::string, Exact>> shape; // names and numbers, those up to the order
+  Edge_record before;
+  bool has_order; // along the whole edge, which is proved
+};
+// `shape` has the names of what is given; all else is the nearest, also the edges without names.
+Matched_numbers match(const Numbers& a, const std::string& edge_a, const Numbers& b, const std::string& edge_b,
+                      int order, const std::vector<std::pair<std::string, Exact>>& shape);
 
 #endif // GEOMETRIC_CONTINUITY_PYTHON_GEOMETRY_H

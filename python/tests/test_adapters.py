@@ -7,6 +7,7 @@ import contextlib
 import importlib.util
 import io
 import json
+import math
 import os
 import subprocess
 import sys
@@ -478,9 +479,14 @@ class Free_cad(unittest.TestCase):
         part = self.part
         line = self.check(part.makeLine(Vector(0, 0.1, 0), Vector(1, 2, 3)), 1, 1, False)
         self.assertEqual(line[0].points[0].tolist(), [0, Fraction(0.1), 0])
-        self.check(part.Arc(Vector(1, 0, 0), Vector(0, 1, 0), Vector(-1, 0, 0)).toShape(), 3, 1, True)
-        circle = self.check(part.makeCircle(2), 3, 2, True)
-        self.assertEqual([gc.continuity(p, q).g_order for p, q in zip(circle, circle[::-1])], [3, 3])
+        half = self.check(part.Arc(Vector(1, 0, 0), Vector(0, 1, 0), Vector(-1, 0, 0)).toShape(), 2, 2, True)
+        self.assertGreaterEqual(gc.order_within(*half, 1e-13).proved_order, 2)
+        for curve in (part.Circle(Vector(1, 2, 3), Vector(3, 1, -1), 4), part.Ellipse(Vector(5, 0, 1), Vector(0, 2, 2), Vector(0, 0, 1)),
+                      part.Hyperbola(Vector(5, 0, 1), Vector(0, 2, 2), Vector(0, 0, 1))):
+            self.check(curve.toShape(0.7, 1.6), 2, 1, True)
+        self.check(part.Parabola(Vector(1, 0, 0), Vector(2, 1, 0), Vector(0, 0, 1)).toShape(0.7, 1.6), 2, 1, False)
+        circle = self.check(part.makeCircle(2), 2, 3, True)
+        self.assertTrue(all(gc.order_within(p, q, 1e-13).proved_order >= 2 for p, q in zip(circle, circle[1:] + circle[:1])))
         bezier = part.BezierCurve()
         bezier.setPoles([Vector(0, 0, 0), Vector(1, 1, 0), Vector(2, 0, 0)])
         self.check(bezier.toShape(), 2, 1, False)
@@ -520,6 +526,46 @@ class Free_cad(unittest.TestCase):
         self.assertEqual([join.g_order for _, join in joins], [1, 1, 0])
         square = part.makePolygon([Vector(0, 0, 0), Vector(1, 0, 0), Vector(2, 0, 0), Vector(2, 1, 0), Vector(0, 0, 0)])
         self.assertEqual([join.g_order for _, join in self.adapter.wire_joins(square)], [3, 0, 0, 0])
+
+    def test_tangent_wires(self):
+        """Arcs, ellipses and splines that start where a line ends, in general directions: what FreeCAD rounds is within its tolerance."""
+        import random
+
+        from FreeCAD import Rotation, Vector
+
+        part = self.part
+        seed = 187
+        random.seed(seed)
+        exact = proved = 0
+        for i in range(40):
+            turned = Rotation(Vector(*(random.uniform(-1, 1) for _ in range(3))), random.uniform(0, 360))
+            p, t, n = (turned.multVec(Vector(*v)) for v in ((50, 20, 9), (1, 0, 0), (0, 1, 0)))
+            kink = 0.001 if i % 4 == 3 else 0  # degrees
+            line = part.LineSegment(p - t * random.uniform(1, 50), p).toShape()
+            bent, up = Rotation(t.cross(n), kink).multVec(t), n
+            r = random.uniform(5, 50)
+            curve = part.Circle(p + up * r, t.cross(n), r) if i % 2 else part.Ellipse(p, p + up * (r + 5) + t * r, p + up * (r + 5))
+            if kink:
+                curve = part.Circle(p + Rotation(t.cross(n), kink).multVec(up) * r, t.cross(n), r)
+            u = curve.parameter(p)
+            wire = part.Wire([line, part.Arc(curve, u, u + 1).toShape()])
+            (_, join), = self.adapter.wire_joins(wire)
+            exact += join.g_order >= 1
+            (number, within), = self.adapter.wire_joins_within(wire)
+            angle = within.deviation.tangent_angle
+            with self.subTest(seed=seed, i=i, bent=tuple(bent)):
+                self.assertEqual(number, 0)
+                self.assertEqual(within.verdicts[:2], ("proved", "refuted" if kink else "proved"))
+                self.assertTrue(angle.lower - 1e-12 <= math.radians(kink) <= angle.upper + 1e-12)
+                self.assertEqual(within.verdicts[2], "refuted")  # from a line
+            (_, wide), = self.adapter.wire_joins_within(wire, gap=1e-6, tangent_angle=1e-3)
+            self.assertEqual(wide.proved_order, 1)
+            self.assertEqual(next(self.adapter.wire_joins_within(wire, 0, gap=0))[1].verdicts[0], "proved" if join.c_order >= 0 else "refuted")
+            chain = self.adapter.wire_pieces(wire)
+            self.assertEqual(list(gc.failing_joins(chain, "G1", tolerance=1e-7)), [0] if kink else [])
+            proved += within.verdicts[1] == "proved"
+        self.assertEqual(proved, 30)
+        self.assertLess(exact, 10)  # most have a gap of the size of rounding
 
 
 class Drawings(unittest.TestCase):

@@ -93,6 +93,8 @@ comes back below the other is a fold, one whose outside is inside fails as well.
 Curves in parameter planes that the file does not have are projections of those
 in space: how far they are from these is said, and what is only wrong with the
 projection does not count.
+Curves without faces, such as those of wires, are decided where their ends meet:
+gap, angle and jump of the curvature, for --require G0, G1, G2, C0, C1 or C2.
 
 --within 0.001,0.01deg,2% also tells how far each join is from continuous, in
 guaranteed bounds, and which orders it has when the ends may be apart by this
@@ -220,12 +222,14 @@ Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>
   Cad_demand demand =
       demand_within(line.has("within") ? line.text("within") : default_cad_tolerance, kink_rule(line).bound);
   if (!required) return demand;
-  if (required->kind() != GC::Continuity_kind::G || required->order() > 2)
-    throw std::invalid_argument("--require " + required->text() + ": of CAD models G0, G1 and G2 are decided");
+  if (required->kind() == GC::Continuity_kind::F || required->order() > 2)
+    throw std::invalid_argument("--require " + required->text() +
+                                ": of CAD models G0, G1 and G2 are decided, of curves without faces C0 to C2, too");
   if (required->order() > demand.most)
     throw std::invalid_argument("--require " + required->text() + ": needs more bounds than --within " +
-                                demand.tolerance + " has; for G2 e.g. 0.02,0.1deg,5%");
+                                demand.tolerance + " has; for " + required->text() + " e.g. 0.02,0.1deg,5%");
   demand.order = required->order();
+  demand.kind = required->kind();
   return demand;
 }
 

@@ -43,10 +43,14 @@ template <> inline constexpr int number_of_members<GC::Cad_revolution> = 3;
 template <> inline constexpr int number_of_members<GC::Cad_offset_surface> = 2;
 template <> inline constexpr int number_of_members<GC::Edge_side> = 5;
 template <> inline constexpr int number_of_members<GC::Edge_curve> = 2;
+template <> inline constexpr int number_of_members<GC::Edge_end> = 3;
 template <> inline constexpr int number_of_members<Cad_edge> = 14;
 template <> inline constexpr int number_of_members<Cad_label> = 4;
 template <> inline constexpr int number_of_members<Cad_reading> = 5;
 template <> inline constexpr int number_of_members<Cad_mesh> = 4;
+template <> inline constexpr int number_of_members<Cad_curve_edge> = 4;
+template <> inline constexpr int number_of_members<Cad_join> = 3;
+template <> inline constexpr int number_of_members<Cad_wires> = 4;
 template <> inline constexpr int number_of_members<Cad_model> = 11;
 
 // References to all members of an object.
