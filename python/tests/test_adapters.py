@@ -63,6 +63,49 @@ class Outlines(unittest.TestCase):
         halves = [Point(p.x + 0.5, p.y, p.type) for p in contour()]
         self.assertEqual(outlines.mend(halves), [])
 
+    def test_masters(self):
+        """Smooth masters between which there is a kink, and random ones: mended, no mixture has one, and nodes and far points stay."""
+
+        def master(a, b, node=(0, 0)):
+            x, y = node
+            return [Point(*p) for p in ((-300, -200, "move"), (-200, -150, None), (x - a[0], y - a[1], None), (x, y, "curve"),
+                                        (x + b[0], y + b[1], None), (200, 300, None), (300, 250, "curve"))]
+
+        def mixtures(masters, weights):
+            return [sum(w * getattr(m[q], c) - w * getattr(m[p], c) for w, m in zip(weights, masters)) for p, q in ((2, 3), (3, 4)) for c in "xy"]
+
+        masters = [master((40, 30), (80, 60)), master((30, 40), (30, 40), (17, 5))]
+        self.assertEqual([outlines.kinks(m) for m in masters], [[], []])
+        self.assertEqual(outlines.kinks_between(masters), [3])
+        moves = outlines.mend_masters(masters, glyph="a")
+        self.assertEqual([[(m.index, m.after) for m in moved] for moved in moves], [[(2, (-36, -30)), (4, (78, 65))], [(2, (-19, -25)), (4, (53, 35))]])
+        self.assertEqual(outlines.kinks_between(masters), [])
+        self.assertEqual(outlines.mend_masters(masters), [[], []])
+        self.assertEqual(outlines.mend_masters([master((40, 30), (80, 60)), master((30, 40), (30, 40))], max_move=5), [[], []])
+        random_numbers = numpy.random.default_rng(17)
+        print("seed 17")
+        mended = 0
+        for _ in range(80):
+            angle, ratio, masters = random_numbers.uniform(0, 6), random_numbers.uniform(0.3, 3), []
+            for _ in range(random_numbers.integers(2, 5)):
+                t, length, noise = angle + random_numbers.uniform(-0.4, 0.4), random_numbers.uniform(30, 150), random_numbers.uniform(-0.02, 0.02)
+                a, b = ([round(float(size * f(u))) for f in (numpy.cos, numpy.sin)] for size, u in ((length, t), (ratio * length, t + noise)))
+                masters.append(master(a, b, random_numbers.integers(-50, 50, 2).tolist()))
+            before = [[(p.x, p.y) for p in m] for m in masters]
+            between = len(outlines.kinks_between(masters))
+            moves = outlines.mend_masters(masters)
+            for old, m, moved in zip(before, masters, moves):
+                self.assertEqual({i for i, p in enumerate(m) if (p.x, p.y) != old[i]}, {move.index for move in moved})
+                self.assertLessEqual({move.index for move in moved}, {2, 4})
+            if outlines.kinks_between(masters):
+                continue
+            mended += between
+            for _ in range(4):
+                ax, ay, bx, by = mixtures(masters, random_numbers.integers(1, 10, len(masters)).tolist())
+                self.assertEqual(ax * by, ay * bx)
+                self.assertGreater(ax * bx + ay * by, 0)
+        self.assertGreater(mended, 60)
+
     def test_which_handles_move(self):
         def moved(*points, **options):
             return [(m.index, m.after) for m in outlines.mend([Point(*p) for p in points], **options)]
@@ -281,6 +324,25 @@ class Sources(unittest.TestCase):
         self.assertTrue(all(moves.values()))
         for font in fonts:
             self.assertEqual(sources.ufo_kinks(font), [])
+        self.assertEqual(sources.between_masters(self.path("test.designspace")), 0)
+        # two smooth masters with one ratio of the handles, and with two
+
+        def set_handles(font, left, right):
+            p, q, r = font["o"].contours[0].points[5:8]
+            p.x, p.y, r.x, r.y = q.x - left[0], q.y - left[1], q.x + right[0], q.y + right[1]
+            font.save()
+
+        set_handles(fonts[0], (60, 20), (60, 20))
+        set_handles(fonts[1], (120, 80), (120, 80))
+        self.assertEqual([sources.ufo_kinks(font) for font in fonts], [[], []])
+        self.assertEqual(sources.between_masters(self.path("test.designspace")), 0)
+        set_handles(fonts[0], (60, 20), (30, 10))
+        self.assertEqual(sources.ufo_kinks(fonts[0]), [])
+        self.assertEqual(sources.between_masters(self.path("test.designspace")), 1)
+        with contextlib.redirect_stdout(io.StringIO()) as output:
+            self.assertEqual(sources.main(["repair", self.path("test.designspace"), self.path("test.designspace")]), 0)
+        self.assertIn("nodes with a kink between masters: 1 before, 0 after", output.getvalue())
+        fonts = [ufoLib2.Font.open(self.path(n)) for n in ("light.ufo", "bold.ufo")]
         del fonts[0]["o"].contours[0].points[-1]
         self.assertEqual(sources.incompatible(fonts), ["o"])
 

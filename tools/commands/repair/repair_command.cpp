@@ -112,7 +112,8 @@ ends stay, and its length changes by what the gap was. Other bytes of the file
 stay, and all that verify decides is counted before and after.
 
 The source of a font, a folder .ufo, .glyphs or .designspace with its UFOs, is
-repaired by the Python module, where that is installed: each master by itself.
+repaired by the Python module, where that is installed: masters with compatible
+contours together, other outlines each by itself.
 
 examples:
   geometric_continuity repair drawing.svg -o drawing.svg
