@@ -54,6 +54,7 @@ enum class Field_of_results { doubles, exact };
 GC::Join_continuity<Exact> continuity(const Numbers& left, const Numbers& right, std::optional<int> max_order);
 GC::Join_deviation deviation(const Numbers& left, const Numbers& right);
 GC::Order_within order_within(const Numbers& left, const Numbers& right, const GC::Join_tolerance& tolerance);
+GC::Verdict is_c_within(const Numbers& left, const Numbers& right, int order, const GC::Join_tolerance& tolerance);
 std::optional<GC::Visual_class> visual_class(const Numbers& left, const Numbers& right, const Exact& kink_angle);
 std::optional<GC::Kink_size> kink_size(const Numbers& left, const Numbers& right);
 

@@ -428,6 +428,13 @@ PYBIND11_MODULE(_native, m) {
                                        bound(curvature_derivative)};
     return released([&] { return order_within(a, b, tolerance); });
   });
+  m.def("is_c_within", [](const py::object& left, const py::object& right, int order, const py::object& tangent_angle,
+                          const py::object& curvature_jump, const py::object& gap) {
+    const Numbers a = numbers_of(left), b = numbers_of(right);
+    const auto bound = [](const py::object& x) { return GC::Bound(GC::enclosure(exact_number(x))); };
+    const GC::Join_tolerance tolerance{bound(tangent_angle), bound(curvature_jump), 0, bound(gap)};
+    return to_string(released([&] { return is_c_within(a, b, order, tolerance); }));
+  });
   m.def("visual_class", [](const py::object& left, const py::object& right, const py::object& kink_angle) {
     const Numbers a = numbers_of(left), b = numbers_of(right);
     const Exact angle = exact_number(kink_angle);

@@ -405,8 +405,9 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
   Join_demand demand{line.integer("max-order", 0, 32), required, {}, kink_rule(line).bound, bound};
   if (required) demand.max_order = (std::max)(demand.max_order, required->order());
   if (line.has("within")) demand.tolerance = parse_tolerances(line.text("within"), false);
-  if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
-    throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
+  if (required && demand.tolerance && required->order() > (required->kind() == GC::Continuity_kind::C ? 2 : 3))
+    throw std::invalid_argument("--require " + required->text() +
+                                ": within a tolerance, G or F up to 3 and C up to 2 are decided");
   if (drawings != 0) return verify_drawings(files, demand.max_order, mode, required, kink_rule(line), bound);
   const bool rounded = line.choice("kernel", {"exact", "double"}) == "double";
   if (bound && std::any_of(files.begin(), files.end(), is_standard_input))

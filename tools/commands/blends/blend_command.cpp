@@ -33,9 +33,9 @@ namespace {
 
 const char* const blend_usage = R"(usage: geometric_continuity blend A.g2 B.g2 [OPTIONS]
        geometric_continuity blend CHAIN.g2 --replace I [OPTIONS]
-       geometric_continuity blend CHAIN.g2 --corner I --distance|--radius R
-       geometric_continuity blend CHAIN.g2 --corners all|not-g1 --distance|--radius R
-       geometric_continuity blend A.svg --corners all --distance|--radius R -o O.svg
+       geometric_continuity blend CHAIN.g2 --corner I --distance R
+       geometric_continuity blend CHAIN.g2 --corners all|not-g1 --distance R
+       geometric_continuity blend A.svg --corners all --distance R -o OUT.svg
        geometric_continuity blend --surfaces A.g2 B.g2 [--edges v1,v0]
 
 Blends the end of the last curve of A into the start of the first curve of B,
