@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_ROADS_ROAD_CLAIMS_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_ROADS_ROAD_CLAIMS_H
 
+#include "commands/roads/alignment_words.h"
 #include "commands/roads/verify_roads.h"
 #include "reports/finding.h"
 #include "reports/words.h"
@@ -47,20 +48,6 @@ inline std::string decimal(const GC::Road_number& x) {
   std::ostringstream os;
   GC::write_number(os, is_lower ? e.lower : e.upper);
   return os.str();
-}
-
-inline std::string flag(bool x) { return x ? "true" : "false"; }
-inline std::string flag(GC::Verdict v) {
-  return v == GC::Verdict::proved ? "true" : v == GC::Verdict::refuted ? "false" : "null";
-}
-inline std::string json(const GC::Enclosure& x) { return json_text(std::optional<GC::Enclosure>(x)); }
-
-// A size in words, short, with its unit; an upper bound where the bounds differ by much.
-inline std::string size(const GC::Enclosure& x, const char* unit) {
-  if (x.upper == 0) return std::string("0") + unit;
-  if (std::isinf(x.upper)) return "more than " + rounded(x.lower, 4) + unit;
-  if (x.upper <= 1.0001 * x.lower) return rounded(x.lower / 2 + x.upper / 2, 4) + unit;
-  return "at most " + rounded(x.upper * 1.001, 4) + unit; // also when it is rounded
 }
 
 inline GC::Enclosure absolute(const GC::Road_number& x) { return GC::enclosure(GC::Road_number(CGAL::abs(x))); }
@@ -114,12 +101,7 @@ class Road_claims {
 
   static void add_join(Road_claim& claim, const GC::Alignment_join& join) {
     using namespace road_words;
-    claim.json += ",\"gap\":" + road_words::json(join.gap) + ",\"kink\":" + road_words::json(join.kink) +
-                  ",\"jump\":" + json_text(join.jump) + ",\"g0\":" + flag(join.g0) + ",\"g1\":" + flag(join.g1) +
-                  ",\"g2\":" + flag(join.g2) + ",\"same_point\":" + flag(join.same_point) +
-                  ",\"same_heading\":" + flag(join.same_heading) +
-                  ",\"same_curvature\":" + (join.jump ? flag(join.same_curvature) : "null") + ",\"order\":\"" +
-                  order_name(join) + '"';
+    claim.json += members(join) + ",\"order\":\"" + order_name(join) + '"';
     claim.verdict = std::string(order_name(join)) + ", gap " + size(join.gap, " m") + ", kink " +
                     (join.same_heading ? "none" : size(join.kink, " rad")) + ", curvature " +
                     (!join.jump            ? "not defined"

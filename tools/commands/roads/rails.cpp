@@ -4,6 +4,7 @@
 
 #include "commands/roads/rails.h"
 
+#include "commands/roads/alignment_words.h"
 #include "files/input.h"
 #include "formats/ifc/read_ifc.h"
 #include "formats/landxml/read_landxml.h"
@@ -37,24 +38,12 @@ struct Claimed {
   std::size_t claims = 0, refuted = 0, undecided = 0;
 };
 
-struct Worst {
+struct Worst_claim {
   GC::Enclosure size{0, 0};
   std::string place;
 };
 
 const char* const words_of_claims[] = {"position", "direction", "curvature"};
-
-std::string flag(GC::Verdict v) {
-  return v == GC::Verdict::proved ? "true" : v == GC::Verdict::refuted ? "false" : "null";
-}
-std::string flag(bool x) { return x ? "true" : "false"; }
-
-// An upper bound, for words.
-std::string size(const GC::Enclosure& x, const char* unit) {
-  if (x.upper == 0) return std::string("0") + unit;
-  if (!std::isfinite(x.upper)) return "above " + rounded(x.lower, 4) + unit;
-  return rounded(x.lower > 0 ? x.lower / 2 + x.upper / 2 : x.upper, 4) + unit;
-}
 
 // The decision about one check.
 struct Decided {
@@ -73,7 +62,7 @@ class Rail_report {
   std::map<std::string, std::size_t> kinds_;
   std::map<std::string, std::array<Claimed, 3>> claims_; // of the kinds
   std::set<std::string> values_;                         // the kinds that are numbers, and no joins
-  std::array<Worst, 3> worst_;
+  std::array<Worst_claim, 3> worst_;
 
   static Report_subject subject(const Rail_demand& demand) {
     Report_subject s{"join", "every join"};
@@ -150,9 +139,9 @@ class Rail_report {
   }
 
   std::string words(const Rail_check& check, const Decided& d) const {
-    if (check.difference) return check.difference->quantity + " off by " + size(d.difference->distance, "");
-    std::string text = "gap " + size(d.join->gap, "") + ", kink " + size(d.join->kink, " rad");
-    text += d.join->jump ? ", curvature jump " + size(*d.join->jump, "") : ", no curvature";
+    if (check.difference) return check.difference->quantity + " off by " + road_words::size(d.difference->distance, "");
+    std::string text = "gap " + road_words::size(d.join->gap, "") + ", kink " + road_words::size(d.join->kink, " rad");
+    text += d.join->jump ? ", curvature jump " + road_words::size(*d.join->jump, "") : ", no curvature";
     return text;
   }
 
@@ -160,16 +149,12 @@ class Rail_report {
     std::string text = "\"kind\":\"" + check.kind + "\",\"curve\":" + json_text(check.curve) +
                        ",\"place\":" + json_text(check.place) +
                        ",\"claim\":" + (check.claim.empty() ? "null" : json_text(check.claim));
-    if (d.join)
-      text += ",\"gap\":" + json_text(std::optional<GC::Enclosure>(d.join->gap)) +
-              ",\"kink\":" + json_text(std::optional<GC::Enclosure>(d.join->kink)) +
-              ",\"jump\":" + json_text(d.join->jump) + ",\"g0\":" + flag(d.join->g0) + ",\"g1\":" + flag(d.join->g1) +
-              ",\"g2\":" + flag(d.join->g2) + ",\"same_point\":" + flag(d.join->same_point) +
-              ",\"same_heading\":" + flag(d.join->same_heading) + ",\"same_curvature\":" + flag(d.join->same_curvature);
+    if (d.join) text += road_words::members(*d.join);
     if (d.difference)
       text += ",\"quantity\":" + json_text(check.difference->quantity) +
-              ",\"difference\":" + json_text(std::optional<GC::Enclosure>(d.difference->distance)) +
-              ",\"equal\":" + flag(d.difference->is_zero) + ",\"within\":" + flag(d.difference->within);
+              ",\"difference\":" + road_words::json(d.difference->distance) +
+              ",\"equal\":" + road_words::flag(d.difference->is_zero) +
+              ",\"within\":" + road_words::flag(d.difference->within);
     return text;
   }
 
@@ -315,7 +300,8 @@ class Rail_report {
     const char* const units[] = {"", " rad", ""};
     for (std::size_t i = 0; i < 3; ++i)
       if (!worst_[i].place.empty())
-        os << "largest " << names[i] << ": " << size(worst_[i].size, units[i]) << ", " << worst_[i].place << '\n';
+        os << "largest " << names[i] << ": " << road_words::size(worst_[i].size, units[i]) << ", " << worst_[i].place
+           << '\n';
     return os.str();
   }
 
@@ -342,7 +328,7 @@ class Rail_report {
     separator = "";
     for (std::size_t i = 0; i < 3; ++i)
       if (!worst_[i].place.empty()) {
-        os << separator << '"' << names[i] << "\":{\"size\":" << json_text(std::optional<GC::Enclosure>(worst_[i].size))
+        os << separator << '"' << names[i] << "\":{\"size\":" << road_words::json(worst_[i].size)
            << ",\"place\":" << json_text(worst_[i].place) << '}';
         separator = ",";
       }
