@@ -16,7 +16,7 @@
 
 namespace GC = CGAL::Geometric_continuity;
 
-// What is decided of the joins of roads and rails, in words and in JSON.
+// Words and JSON for what is decided of the joins of roads and rails.
 namespace road_words {
 
 inline std::string flag(bool x) { return x ? "true" : "false"; }
