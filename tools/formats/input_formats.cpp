@@ -10,6 +10,7 @@
 #include "formats/font/font_files.h"
 #include "formats/foreign_formats.h"
 #include "formats/gcode/toolpath.h"
+#include "formats/solids/read_solid.h"
 #include "formats/svg/Unpacked_bytes.h"
 #include "formats/svg/svg_drawing.h"
 
@@ -30,7 +31,16 @@ namespace {
 namespace fs = std::filesystem;
 
 // The kinds of files that commands read.
-enum Kind : unsigned { curves = 1, drawings = 2, fonts = 4, models = 8, points = 16, toolpaths = 32, sources = 64 };
+enum Kind : unsigned {
+  curves = 1,
+  drawings = 2,
+  fonts = 4,
+  models = 8,
+  points = 16,
+  toolpaths = 32,
+  sources = 64,
+  solids = 128
+};
 
 struct Reader {
   std::string_view command;
@@ -46,7 +56,7 @@ constexpr Reader readers[] = {{"verify", everything | sources},
                               {"extend", curves},
                               {"plot", curves},
                               {"tessellate", curves},
-                              {"round-edges", curves},
+                              {"round-edges", curves | solids},
                               {"fit", points},
                               {"interpolate", points}};
 
@@ -58,6 +68,7 @@ constexpr struct {
                   {fonts, "a font", "fonts (.ttf, .otf, .ttc, .woff, .woff2, .pfb and others, and folders with fonts)"},
                   {sources, "the source of a font", "sources of fonts (.ufo, .glyphs, .designspace)"},
                   {models, "a CAD model", "CAD models (.step, .stp, .iges, .igs, .brep, .brp)"},
+                  {solids, "a solid", "solids (.step, .stp, .iges, .igs, .brep, .brp, .off)"},
                   {toolpaths, "a toolpath", "toolpaths (.ngc, .nc, .gcode, .gco, .cnc, .tap)"},
                   {points, "points", "points (a text, a line for each)"}};
 
@@ -266,6 +277,7 @@ public:
       return check(fonts);
     }
     if (!is_standard_input(file_) && !fs::exists(file_, error)) return;
+    if ((reader_.kinds & solids) != 0 && is_solid_file(file_)) return;
     if (const Foreign_format* const format = foreign_by_name(file_);
         format != nullptr && !(reader_.kinds == points && format == &foreign::table))
       refuse(*format);

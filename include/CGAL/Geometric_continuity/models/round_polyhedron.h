@@ -305,10 +305,8 @@ public:
   int order(std::size_t edge) const {
     const std::vector<Side>& sides = blends_[edge];
     if (sides.size() == 2) {
-      const auto verdict =
-          edge_continuity(sides[0].blend->surface, sides[0].use->side, sides[1].blend->surface, sides[1].use->side);
-      // one of them has the whole edge as a side
-      return verdict.whole_a || verdict.whole_b ? verdict.g_order : -1;
+      const auto verdict = edge_continuity(part(sides[0]), sides[0].use->side, part(sides[1]), sides[1].use->side);
+      return verdict.whole_a && verdict.whole_b ? verdict.g_order : -1;
     }
     if (sides.size() == 1 && faces_[edge].size() == 1)
       return polyhedron_.edges[edge].kind == Polyhedron::Edge_kind::rail ? order(sides[0], *faces_[edge][0]) : 0;
@@ -316,6 +314,28 @@ public:
   }
 
 private:
+  // The spans of a surface that have an edge, with the knots and control points as they are.
+  static typename Polyhedron::Surface part(const Side& side) {
+    const auto& s = side.blend->surface;
+    const Knot_vector<typename Traits::FT>& knots = s.knots_u();
+    const int p = knots.degree();
+    const bool along = side.use->side == Patch_edge::v0 || side.use->side == Patch_edge::v1,
+               at_start = side.use->side == Patch_edge::u0;
+    const int first = along      ? knots.span(side.use->begin)
+                      : at_start ? knots.spans().front()
+                                 : knots.spans().back(),
+              last = along ? knots.left_span(side.use->end) : first;
+    std::vector<std::vector<typename Traits::Point>> net;
+    for (int i = first - p; i <= last; ++i) {
+      net.emplace_back();
+      for (int j = 0; j < s.number_of_points_v(); ++j) net.back().push_back(s.control_point(i, j));
+    }
+    return {net,
+            Knot_vector<typename Traits::FT>(
+                p, std::vector<typename Traits::FT>(knots.begin() + first - p, knots.begin() + last + p + 2)),
+            s.knots_v()};
+  }
+
   static Vector vector(const typename Traits::Point& p) { return coordinates<Traits, Field>(p); }
 
   // Where all control points of three rows are in the plane, so are S, S_v and S_vv: the curvatures
