@@ -27,7 +27,21 @@ for figure in surface_blend_energy3 surface_blend_fairest; do
   "$program" blend --surfaces "$data/bent_near.g2" "$data/bent_far.g2" --strategy "$strategy" -o blend.g2 >/dev/null
   "$program" plot --surfaces "$data/bent_near.g2" blend.g2 "$data/bent_far.g2" --title "The blend by $strategy" -o $figure.svg
 done
-"$program" round-edges "$data/box.g2" --set-back 2 --plot rounded_box.svg >/dev/null
+"$program" round-edges "$data/box.g2" --set-back 2 --open --plot rounded_box.svg >/dev/null
+cat >bracket.off <<'END'
+OFF
+12 8 18
+0 0 0  40 0 0  40 10 0  10 10 0  10 40 0  0 40 0  0 0 20  40 0 20  40 10 20  10 10 20  10 40 20  0 40 20
+6 5 4 3 2 1 0
+6 6 7 8 9 10 11
+4 0 1 7 6
+4 1 2 8 7
+4 2 3 9 8
+4 3 4 10 9
+4 4 5 11 10
+4 5 0 6 11
+END
+"$program" round-edges bracket.off --set-back 3 --plot rounded_solid.svg >/dev/null
 "$program" plot --surfaces "$data/fillet.g2" --title "Cylinder, fillet, plane" -o fillet.svg
 # fair_curves.svg is drawn by the benchmark of this name, where it is built
 compare_fair_curves=$(dirname "$program")/../benchmark/Geometric_continuity/compare_fair_curves

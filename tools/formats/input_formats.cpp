@@ -14,6 +14,7 @@
 #include "formats/ifc/read_ifc.h"
 #include "formats/landxml/read_landxml.h"
 #include "formats/opendrive/read_opendrive.h"
+#include "formats/solids/read_solid.h"
 #include "formats/svg/svg_drawing.h"
 
 #include <CGAL/Geometric_continuity/Error.h>
@@ -42,7 +43,8 @@ enum Kind : unsigned {
   toolpaths = 32,
   sources = 64,
   roads = 128,
-  rails = 256
+  rails = 256,
+  solids = 512
 };
 
 struct Reader {
@@ -59,7 +61,7 @@ constexpr Reader readers[] = {{"verify", everything | sources | roads | rails},
                               {"extend", curves},
                               {"plot", curves},
                               {"tessellate", curves},
-                              {"round-edges", curves},
+                              {"round-edges", curves | solids},
                               {"fit", points},
                               {"interpolate", points}};
 
@@ -71,6 +73,7 @@ constexpr struct {
                   {fonts, "a font", "fonts (.ttf, .otf, .ttc, .woff, .woff2, .pfb and others, and folders with fonts)"},
                   {sources, "the source of a font", "sources of fonts (.ufo, .glyphs, .designspace)"},
                   {models, "a CAD model", "CAD models (.step, .stp, .iges, .igs, .brep, .brp)"},
+                  {solids, "a solid", "solids (.step, .stp, .iges, .igs, .brep, .brp, .off)"},
                   {toolpaths, "a toolpath", "toolpaths (.ngc, .nc, .gcode, .gco, .cnc, .tap)"},
                   {roads, "a road network", "road networks (.xodr)"},
                   {rails, "an alignment", "alignments (.ifc, LandXML in .xml)"},
@@ -283,6 +286,7 @@ public:
       return check(fonts);
     }
     if (!is_standard_input(file_) && !fs::exists(file_, error)) return;
+    if ((reader_.kinds & solids) != 0 && is_solid_file(file_)) return;
     if (const Foreign_format* const format = foreign_by_name(file_);
         format != nullptr && !(reader_.kinds == points && format == &foreign::table))
       refuse(*format);

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/round_polyhedron.h>
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
+#include <CGAL/Surface_mesh.h>
 
 BOOST_AUTO_TEST_SUITE(rounded_polyhedra)
 
@@ -175,6 +176,193 @@ TEST_FOR_EACH(solids, K, Kernels) {
                         c.closed);
       BOOST_CHECK_EQUAL(static_cast<int>(r.blends.size()), c.blends);
     }
+}
+
+// Planes that touch a sphere: three meet at each vertex. Cuts are halved until there is room.
+TEST_FOR_EACH(random_solids, K, Kernels) {
+  struct Random : Random_integers<> {
+    using Random_integers<>::Random_integers;
+  } random;
+  for (int run = 0; run < 6; ++run) BOOST_TEST_CONTEXT("seed " << random.seed << ", run " << run) {
+      std::vector<std::array<Q, 4>> planes;
+      for (int i = 0; i < 6; ++i) // those of a box, so that it is bounded
+        planes.push_back({Q(i / 2 == 0 ? 1 - 2 * (i % 2) : 0), Q(i / 2 == 1 ? 1 - 2 * (i % 2) : 0),
+                          Q(i / 2 == 2 ? 1 - 2 * (i % 2) : 0), Q(10)});
+      for (int i = random.integer(0, 8); i > 0; --i) { // rational points of the unit sphere
+        const Q s = fraction_in<Q>(2 * random.integer(-30, 30) + 1, 20),
+                t = fraction_in<Q>(2 * random.integer(-21, 20) + 1, 14), n = Q(s * s + t * t + 1);
+        planes.push_back({Q(2 * s / n), Q(2 * t / n), Q((s * s + t * t - 1) / n), Q(10)});
+      }
+      const Solid solid = intersection_of(planes);
+      FT cut(2);
+      bool done = false;
+      for (int i = 0; i < 20 && !done; ++i, cut = FT(cut / FT(2))) try {
+          check(rounded<K>(solid, cut));
+          done = true;
+        } catch (const GC::Error& e) {
+          BOOST_CHECK_MESSAGE(
+              e.code() == GC::Error_code::parameter_outside_domain &&
+                  (contains(e.what(), "must be less than") || contains(e.what(), "take smaller set-backs")),
+              e.what());
+        }
+      BOOST_CHECK(done);
+    }
+}
+
+// Turned, tiny, huge and far away.
+BOOST_AUTO_TEST_CASE(positions_in_floating_point) {
+  typedef Double_kernel::Point_3 Point;
+  for (const double unit : {1e-30, 1e-3, 1., 1e6, 1e30})
+    for (const bool turned : {false, true}) BOOST_TEST_CONTEXT("unit " << unit) {
+        const Solid solid = prism({{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, 2);
+        std::vector<Point> points;
+        for (const Point& p : points_of<Double_kernel>(solid)) {
+          const double c = std::cos(0.3), s = std::sin(0.3), x = c * p.x() - s * p.y(), y = s * p.x() + c * p.y();
+          const Point q = turned ? Point(x, c * y - s * p.z(), s * y + c * p.z()) : p;
+          points.emplace_back(unit * q.x(), unit * (q.y() + 10), unit * q.z());
+        }
+        const auto r = GC::round_polyhedron(points, solid.faces, 0.25 * unit);
+        const std::vector<int> orders = GC::edge_orders(r);
+        BOOST_CHECK_EQUAL(std::count(orders.begin(), orders.end(), 2), static_cast<int>(orders.size()));
+        for (const auto& b : r.blends) BOOST_CHECK(!GC::possible_fold(b.surface));
+        BOOST_CHECK_EQUAL(r.blends.size(), 8u);
+      }
+}
+
+// Rails are at the distance of the cut, and control points of a convex solid inside of it.
+BOOST_AUTO_TEST_CASE(distances) {
+  const Solid solid = box(6, 4, 3);
+  const auto r = rounded<Exact_kernel>(solid, fraction(1, 2));
+  for (const auto& b : r.blends)
+    for (const auto& p : b.surface)
+      BOOST_CHECK(0 <= p.x() && p.x() <= 6 && 0 <= p.y() && p.y() <= 4 && 0 <= p.z() && p.z() <= 3);
+  for (const auto& e : r.edges) {
+    if (e.kind != GC::Rounded_polyhedron<GC::Traits_3<Exact_kernel>>::Edge_kind::rail) continue;
+    const auto p = e.curve(e.curve.domain().first);
+    int on = 0, near = 0; // faces, and those at the distance of the cut
+    const std::array<Q, 3> c{p.x(), p.y(), p.z()}, size{Q(6), Q(4), Q(3)};
+    for (int k = 0; k < 3; ++k) {
+      const Q d = (std::min)(c[k], Q(size[k] - c[k]));
+      on += d == 0;
+      near += d == fraction(1, 2);
+    }
+    BOOST_CHECK(on == 1 && near >= 1);
+  }
+}
+
+// Only some edges: what breaks, what runs out, and what would be half done.
+TEST_FOR_EACH(some_edges, K, Kernels) {
+  typedef GC::Rounded_polyhedron<GC::Traits_3<K>> Polyhedron;
+  const auto kinds = [](const Polyhedron& r) {
+    return std::array<int, 5>{count(r, Polyhedron::Edge_kind::rail), count(r, Polyhedron::Edge_kind::seam),
+                              count(r, Polyhedron::Edge_kind::mitre), count(r, Polyhedron::Edge_kind::end),
+                              count(r, Polyhedron::Edge_kind::sharp)};
+  };
+  const Solid solid = box(6, 4, 3);
+  const auto points = points_of<K>(solid);
+  // an edge is known by its ends; those of the prism over four points come in the order of the
+  // faces beside it
+  std::vector<std::pair<int, int>> edges;
+  for (const auto& face : solid.faces)
+    for (std::size_t i = 0; i < face[0].size(); ++i) {
+      const auto ends = std::minmax({face[0][i], face[0][(i + 1) % face[0].size()]});
+      if (std::count(edges.begin(), edges.end(), std::pair<int, int>(ends)) == 0) edges.push_back(ends);
+    }
+  const auto round = [&](const auto& is_rounded) {
+    const auto r = GC::round_polyhedron(points, solid.faces, [&](std::size_t e) {
+      return is_rounded(edges[e].first, edges[e].second) ? fraction_in<FT>(1, 2) : FT(0);
+    });
+    check(r);
+    return kinds(r);
+  };
+  // one edge runs out on both sides
+  BOOST_CHECK((round([](int a, int b) { return a == 0 && b == 1; }) == std::array<int, 5>{2, 0, 0, 2, 11}));
+  // those of the top break at the upright ones
+  BOOST_CHECK((round([](int a, int) { return a >= 4; }) == std::array<int, 5>{8, 0, 4, 0, 8}));
+  // the upright ones are rounded, too: one closed chain
+  BOOST_CHECK((round([](int a, int b) { return a >= 4 || b == a + 4; }) == std::array<int, 5>{17, 1, 0, 4, 4}));
+  // three edges of one vertex
+  BOOST_CHECK((round([](int a, int) { return a == 0; })[3] == 3));
+  BOOST_CHECK((round([](int, int) { return false; }) == std::array<int, 5>{0, 0, 0, 0, 12}));
+}
+
+BOOST_AUTO_TEST_CASE(own_cuts) {
+  const Solid solid = box(6, 4, 3);
+  const auto r = GC::round_polyhedron(points_of<Exact_kernel>(solid), solid.faces,
+                                      [](std::size_t e) { return fraction(1, static_cast<int>(e % 3) + 2); });
+  check(r);
+  GC::Polyhedron_rounding_options tight;
+  tight.fullness = 0.9;
+  check(GC::round_polyhedron(points_of<Exact_kernel>(solid), solid.faces, fraction(1, 2), tight));
+}
+
+BOOST_AUTO_TEST_CASE(refused_polyhedra) {
+  const Solid solid = box(6, 4, 3);
+  const auto text_of = [](const Solid& s, const Q& cut) { return error_of([&] { rounded<Exact_kernel>(s, cut); }); };
+  BOOST_CHECK(contains(text_of(solid, Q(2)), "parameter_outside_domain") &&
+              contains(text_of(solid, Q(2)), "the set-back 2 must be less than 1.5 (exactly 3/2)"));
+  BOOST_CHECK(contains(text_of(solid, fraction(3, 2)), "must be less than 1.5"));
+  rounded<Exact_kernel>(solid, fraction(149, 100));
+  // two cuts that meet on a face between edges that are no neighbours
+  const Solid slot = prism({{0, 0}, {20, 0}, {20, 10}, {11, 10}, {11, 4}, {9, 4}, {9, 10}, {0, 10}}, 20);
+  BOOST_CHECK(contains(text_of(slot, Q(2)), "must be less than"));
+  Solid open = solid;
+  open.faces.pop_back();
+  BOOST_CHECK(contains(text_of(open, Q(1)), "has a face on one side only"));
+  Solid bent = solid;
+  bent.points[0][2] = fraction(-1, 1000);
+  BOOST_CHECK(contains(text_of(bent, Q(1)), "is not plane: the point "));
+  Solid turned = solid;
+  std::reverse(turned.faces[0][0].begin(), turned.faces[0][0].end());
+  BOOST_CHECK(contains(text_of(turned, Q(1)), "is passed twice in the same direction"));
+  Solid twice = solid;
+  twice.points[1] = twice.points[0];
+  BOOST_CHECK(contains(text_of(twice, Q(1)), "zero_tangent"));
+  Solid pyramid{{{Q(0), Q(0), Q(0)}, {Q(4), Q(0), Q(0)}, {Q(4), Q(4), Q(0)}, {Q(0), Q(4), Q(0)}, {Q(2), Q(2), Q(3)}},
+                {{{3, 2, 1, 0}}, {{0, 1, 4}}, {{1, 2, 4}}, {{2, 3, 4}}, {{3, 0, 4}}}};
+  BOOST_CHECK(contains(text_of(pyramid, fraction(1, 4)), "the vertex (2, 2, 3): 4 edges meet there"));
+  CHECK_ERROR(rounded<Exact_kernel>(solid, Q(-1)), parameter_outside_domain);
+  GC::Polyhedron_rounding_options options;
+  options.fullness = 1;
+  CHECK_ERROR(GC::round_polyhedron(points_of<Exact_kernel>(solid), solid.faces, Q(1), options),
+              parameter_outside_domain);
+  CHECK_ERROR(GC::round_polyhedron(points_of<Exact_kernel>(solid), {{{0, 1, 99}}}, Q(1)), parameter_outside_domain);
+  // at a vertex with a face of more than 180 degrees, an edge cannot end alone
+  const Solid bracket = prism({{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, 2);
+  bool refused = false;
+  for (std::size_t only = 0; only < 18; ++only) try {
+      GC::round_polyhedron(points_of<Exact_kernel>(bracket), bracket.faces,
+                           [&](std::size_t e) { return e == only ? fraction(1, 4) : Q(0); });
+    } catch (const GC::Error& e) {
+      refused = true;
+      BOOST_CHECK(e.code() == GC::Error_code::incompatible_corner);
+      BOOST_CHECK(contains(e.what(), "as well"));
+    }
+  BOOST_CHECK(refused);
+}
+
+// Faces of triangles are united, and edges of them that continue each other.
+BOOST_AUTO_TEST_CASE(face_graph) {
+  typedef CGAL::Surface_mesh<Exact_kernel::Point_3> Mesh;
+  Mesh mesh;
+  const Solid solid = box(6, 4, 3);
+  std::vector<Mesh::Vertex_index> v;
+  for (const auto& p : points_of<Exact_kernel>(solid)) v.push_back(mesh.add_vertex(p));
+  for (const auto& face : solid.faces) {
+    const std::vector<int>& f = face[0];
+    mesh.add_face(v[f[0]], v[f[1]], v[f[2]]);
+    mesh.add_face(v[f[0]], v[f[2]], v[f[3]]);
+  }
+  const auto r = GC::round_polyhedron(mesh, fraction(1, 2));
+  check(r);
+  BOOST_CHECK(r.faces.size() == 6 && r.blends.size() == 6);
+  const auto some = GC::round_polyhedron(mesh, [&](Mesh::Edge_index e) {
+    return mesh.point(mesh.source(mesh.halfedge(e))).z() == 3 && mesh.point(mesh.target(mesh.halfedge(e))).z() == 3
+               ? fraction(1, 4)
+               : Q(0);
+  });
+  check(some);
+  BOOST_CHECK_EQUAL(some.blends.size(), 4u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -12,6 +12,7 @@
 #include <CGAL/Geometric_continuity/cad/internal/Foot_finder.h>
 #include <CGAL/Geometric_continuity/cad/internal/Surface_pole.h>
 #include <CGAL/Geometric_continuity/cad/internal/exact_analytic_edge.h>
+#include <CGAL/Geometric_continuity/cad/internal/exact_plane_edge.h>
 #include <CGAL/Geometric_continuity/cad/internal/exact_spline_edge.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/joins/Join_deviation.h>
@@ -55,6 +56,8 @@ namespace Geometric_continuity {
 /// Decided are
 /// - two spline surfaces, rational or not, on each of which the edge is a parameter line, boundary
 ///   or not, or a part of it, run through linearly: as for whole edges;
+/// - a plane, or a spline surface that is a parallelogram, in which the edge is a spline, and a
+///   polynomial spline surface on which it is a parameter line, where they are \f$ G^2 \f$;
 /// - two elementary surfaces, extrusions or surfaces of revolution with lines or ellipses as
 ///   profiles, where the curves in the parameter planes are lines, or splines that are, on planes
 ///   also ellipses. Then points and derivatives are sums of terms \f$ c\,t^n e^{i (w + f t)} \f$
@@ -84,6 +87,8 @@ inline std::optional<Edge_continuity<Exact_field<double>::type>> edge_continuity
   }
   try {
     if (const auto verdict = internal::exact_spline_edge(a, b, first, last)) return verdict;
+    if (const auto verdict = internal::exact_plane_edge(a, b, first, last)) return verdict;
+    if (const auto verdict = internal::exact_plane_edge(b, a, first, last)) return verdict;
     return internal::exact_analytic_edge(a, b, first, last);
   } catch (const Error& e) {
     if (e.code() != Error_code::work_limit) throw;

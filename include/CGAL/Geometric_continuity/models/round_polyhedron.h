@@ -306,8 +306,7 @@ public:
     const std::vector<Side>& sides = blends_[edge];
     if (sides.size() == 2) {
       const auto verdict = edge_continuity(part(sides[0]), sides[0].use->side, part(sides[1]), sides[1].use->side);
-      // one of them has the whole edge as a side
-      return verdict.whole_a || verdict.whole_b ? verdict.g_order : -1;
+      return verdict.whole_a && verdict.whole_b ? verdict.g_order : -1;
     }
     if (sides.size() == 1 && faces_[edge].size() == 1)
       return polyhedron_.edges[edge].kind == Polyhedron::Edge_kind::rail ? order(sides[0], *faces_[edge][0]) : 0;
@@ -315,24 +314,29 @@ public:
   }
 
 private:
-  static Vector vector(const typename Traits::Point& p) { return coordinates<Traits, Field>(p); }
-
-  // The part of a blend beside an edge, by its knots and control points as they are: otherwise each
-  // edge would cost as much as its chain.
+  // The spans of a surface that have an edge, with the knots and control points as they are.
   static typename Polyhedron::Surface part(const Side& side) {
     const auto& s = side.blend->surface;
-    if (side.use->side == Patch_edge::u0 || side.use->side == Patch_edge::u1) return s;
-    const auto& knots = s.knots_u();
-    const auto [lower, upper] = std::minmax(side.use->begin, side.use->end);
-    const int p = s.degree_u(), first = knots.span(lower) - p, last = knots.left_span(upper);
+    const Knot_vector<typename Traits::FT>& knots = s.knots_u();
+    const int p = knots.degree();
+    const bool along = side.use->side == Patch_edge::v0 || side.use->side == Patch_edge::v1,
+               at_start = side.use->side == Patch_edge::u0;
+    const int first = along      ? knots.span(side.use->begin)
+                      : at_start ? knots.spans().front()
+                                 : knots.spans().back(),
+              last = along ? knots.left_span(side.use->end) : first;
     std::vector<std::vector<typename Traits::Point>> net;
-    for (int i = first; i <= last; ++i) {
+    for (int i = first - p; i <= last; ++i) {
       net.emplace_back();
       for (int j = 0; j < s.number_of_points_v(); ++j) net.back().push_back(s.control_point(i, j));
     }
-    return {net, Knot_vector<typename Traits::FT>(p, {knots.begin() + first, knots.begin() + last + p + 2}),
+    return {net,
+            Knot_vector<typename Traits::FT>(
+                p, std::vector<typename Traits::FT>(knots.begin() + first - p, knots.begin() + last + p + 2)),
             s.knots_v()};
   }
+
+  static Vector vector(const typename Traits::Point& p) { return coordinates<Traits, Field>(p); }
 
   // Where all control points of three rows are in the plane, so are S, S_v and S_vv: the curvatures
   // along the edge are 0. The normals have one direction if they have it at one point.

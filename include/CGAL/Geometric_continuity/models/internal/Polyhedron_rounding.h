@@ -254,34 +254,47 @@ private:
     stems_.assign(solid.points.size(), -1);
     std::vector<int> corners, number_of(solid.points.size(), -1);
     for (std::size_t v = 0; v < kinds_.size(); ++v)
-      if (kinds_[v] == Vertex_kind::corner) {
-        number_of[v] = static_cast<int>(corners.size());
-        corners.push_back(static_cast<int>(v));
-      }
+      if (kinds_[v] == Vertex_kind::corner) corners.push_back(static_cast<int>(v));
     const auto may_end = [&](int h) { // at its source
       int x = solid.leaving[source(h)];
       for (int i = 0; i < 3; ++i, x = turned(x))
         if (corners_[x].is_reflex()) return turned(turned(x)) == h;
       return true;
     };
-    const auto joins_corners = [&](int h) {
-      return is_rounded(h) && kinds_[source(h)] == Vertex_kind::corner &&
-             kinds_[source(opposite(h))] == Vertex_kind::corner;
+    const auto joins_corners = [&](int h) { // that have no such edge yet
+      return is_rounded(h) && number_of[source(h)] >= 0 && number_of[source(opposite(h))] >= 0;
     };
     const auto match = [&](int h) {
       stems_[source(h)] = h;
       stems_[source(opposite(h))] = opposite(h);
     };
+    // edges that do not lead to another corner
+    for (int v : corners) {
+      int h = solid.leaving[v];
+      for (int k = 0; k < 3; ++k, h = turned(h))
+        if (stems_[v] < 0 && may_end(h) && kinds_[source(opposite(h))] != Vertex_kind::corner) stems_[v] = h;
+    }
+    corners.erase(std::remove_if(corners.begin(), corners.end(), [&](int v) { return stems_[v] >= 0; }), corners.end());
     if (corners.empty()) return;
+    for (std::size_t i = 0; i < corners.size(); ++i) number_of[corners[i]] = static_cast<int>(i);
     if (!match_one_direction(corners, joins_corners, may_end, match)) {
       typedef boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> Graph;
       Graph graph(corners.size());
+      std::vector<std::pair<double, int>> candidates;
       for (std::size_t i = 0; i < solid.halfedges.size(); i += 2) {
         const int h = static_cast<int>(i), o = opposite(h);
-        if (joins_corners(h) && may_end(h) && may_end(o)) add_edge(number_of[source(h)], number_of[source(o)], graph);
+        if (joins_corners(h) && may_end(h) && may_end(o))
+          candidates.emplace_back(-(std::min)(least_sine(h), least_sine(o)), h);
       }
+      std::sort(candidates.begin(), candidates.end());
+      for (const auto& candidate : candidates)
+        add_edge(number_of[source(candidate.second)], number_of[source(opposite(candidate.second))], graph);
       std::vector<boost::graph_traits<Graph>::vertex_descriptor> mates(corners.size());
-      boost::edmonds_maximum_cardinality_matching(graph, &mates[0]);
+      // from the matching that takes the best edges first
+      boost::matching<Graph, boost::graph_traits<Graph>::vertex_descriptor*,
+                      boost::property_map<Graph, boost::vertex_index_t>::const_type,
+                      boost::edmonds_augmenting_path_finder, boost::greedy_matching, boost::no_matching_verifier>(
+          graph, mates.data(), get(boost::vertex_index, graph));
       for (std::size_t i = 0; i < corners.size(); ++i) {
         if (mates[i] == boost::graph_traits<Graph>::null_vertex()) continue;
         int h = solid.leaving[corners[i]]; // of two edges with the same ends, one that may
@@ -292,10 +305,21 @@ private:
       }
     }
     for (int v : corners) {
+      if (stems_[v] >= 0) continue;
       int h = solid.leaving[v];
       for (int k = 0; k < 3; ++k, h = turned(h))
-        if (stems_[v] < 0 && may_end(h)) stems_[v] = h;
+        if (may_end(h) && (stems_[v] < 0 || least_sine(stems_[v]) < least_sine(h))) stems_[v] = h;
     }
+  }
+
+  // The smaller sine of the angles between an edge that leaves a vertex and the two others: where
+  // it is small, an edge that ends there at the chain of these takes much room.
+  double least_sine(int h) const {
+    const auto sine = [&](int x) {
+      const FT n = dot(normal(x), normal(x));
+      return std::abs(number(corners_[x].size)) / std::sqrt(number(n) * number(square(x)) * number(square(turned(x))));
+    };
+    return (std::min)(sine(h), sine(turned(turned(h))));
   }
 
   template <class Joins, class May_end, class Match>
@@ -303,12 +327,12 @@ private:
                            const Match& match) const {
     int first = solid.leaving[corners[0]];
     for (int k = 0; k < 3; ++k, first = turned(first)) {
-      const Vector d = direction(first);
+      const Vector d = solid.direction(first);
       const auto chosen = [&](int h) {
         if (!joins(h) || !may_end(h) || !may_end(opposite(h))) return false;
-        const Vector x = cross_product(d, direction(h));
+        const Vector e = solid.direction(h), x = cross_product(d, e);
         if constexpr (in_floating_point)
-          return dot(x, x) <= 1e-20 * dot(d, d) * square(h);
+          return dot(x, x) <= 1e-16 * dot(d, d) * dot(e, e);
         else
           return is_zero(x);
       };
