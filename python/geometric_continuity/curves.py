@@ -54,6 +54,19 @@ class Representable_blend(Curve):
 
 
 @dataclass(frozen=True)
+class Clothoid_blend:
+    """Three clothoids with continuous curvature between two ends."""
+
+    segments: numpy.ndarray  #: shape (3, 6): x, y and heading at the start, curvature at the start and at the end, length
+    gaps: tuple  #: of the four joins: with the start, with each other, with the end; an `Enclosure` for each
+    kinks: tuple  #: the angles between the directions there, in radians
+    jumps: tuple  #: the differences of the curvatures there, all exactly 0
+
+    def __getattr__(self, name):
+        missing_member(self, name)
+
+
+@dataclass(frozen=True)
 class Rounded_corner:
     """Two curves without what is near their corner, and the blend between them."""
 
@@ -82,6 +95,22 @@ class Fitted_curve(Segmented_curve):
     vertices: List[int]  #: the numbers of the vertices at which segments meet
     corners: List[int]  #: the numbers of the vertices that are corners
     distance: float  #: a proved bound of the distance of curve and polyline, both ways
+
+
+def clothoid_blend(start, end, *, exact: bool = False) -> Clothoid_blend:
+    """Returns three clothoids from `start` to `end` with continuous curvature, also at both ends. Each starts where the one before ends,
+    rounded to a decimal of 17 digits; what that leaves is enclosed.
+
+    start, end: (x, y, heading, curvature), the heading in radians from the x-axis, counter-clockwise; the curvature is positive to
+        the left. Numbers are read exactly, as by `continuity`.
+    exact: whether the numbers of the segments are fractions, the very decimals for which gaps and kinks are enclosed; float64 are
+        the nearest to them, and read back as the same decimals.
+
+    Raises Error: `zero_direction` when both points are equal, `not_representable` when no such clothoids are found,
+    `wrong_number_of_points` for other shapes, `not_finite`, `work_limit`.
+    """
+    check_flag("clothoid_blend", "exact", exact, "the joins are enclosed either way")
+    return Clothoid_blend(**_native.clothoid_blend(start, end, exact))
 
 
 @keywords(order=_BLEND_ORDERS)

@@ -6,6 +6,7 @@
 #include "commands/blends/named_strategies.h"
 
 #include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/blends/clothoid_blend.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
@@ -118,6 +119,31 @@ Representable_numbers representable_blend(const Numbers& left, const Numbers& ri
   if (strategy == "energy3") return blend(GC::Minimal_energy<3>());
   throw GC::Error(GC::Error_code::parameter_outside_domain,
                   "representable_blend: the strategy '" + strategy + "' is none of fair, energy3");
+}
+
+Clothoid_numbers clothoid_blend(const Numbers& start, const Numbers& end) {
+  const auto end_of = [](const Numbers& x) {
+    if (x.shape.size() != 1 || x.size() != 4)
+      throw GC::Error(GC::Error_code::wrong_number_of_points,
+                      "clothoid_blend: an end has four numbers, x, y, heading and curvature");
+    const auto at = [&](std::size_t i) { return number<Exact>(x, i); };
+    return GC::Alignment_end{GC::Enclosed_point(at(0), at(1)), GC::Heading(at(2)), GC::End_curvature(at(3))};
+  };
+  const GC::Clothoid_blend blend = GC::clothoid_blend(end_of(start), end_of(end));
+  Clothoid_numbers r;
+  r.segments.shape = {3, 6};
+  for (const GC::Clothoid_segment& s : blend.segments) {
+    const auto place = s.start_point().rational();
+    for (const Exact& x :
+         {place->first, place->second, s.start_heading().angle(), s.start_curvature(), s.end_curvature(), s.length()})
+      r.segments.exact.push_back(x);
+  }
+  for (const GC::Alignment_join& join : blend.joins) {
+    r.gaps.push_back(join.gap);
+    r.kinks.push_back(join.kink);
+    r.jumps.push_back(*join.jump);
+  }
+  return r;
 }
 
 Corner_numbers round_corner(const Numbers& left, const Numbers& right, double distance, const std::string& strategy,

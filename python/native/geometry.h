@@ -101,6 +101,14 @@ struct Representable_numbers {
 };
 Representable_numbers representable_blend(const Numbers& left, const Numbers& right, const std::string& strategy);
 
+// Three clothoids, a row x, y, heading, curvatures, length for each; and the gaps, kinks and jumps
+// of the four joins.
+struct Clothoid_numbers {
+  Numbers segments;
+  std::vector<GC::Enclosure> gaps, kinks, jumps;
+};
+Clothoid_numbers clothoid_blend(const Numbers& start, const Numbers& end);
+
 struct Corner_numbers {
   Numbers left, blend, knots, right; // knots of cubics
   Exact left_cut, right_cut;

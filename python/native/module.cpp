@@ -458,6 +458,16 @@ PYBIND11_MODULE(_native, m) {
           const Wish wish(exact, {&a, &b, &p});
           return record_of(released([&] { return blend(a, b, strategy, x, y, p, wish.field); }), wish.exact);
         });
+  m.def("clothoid_blend", [](const py::object& start, const py::object& end, bool exact) {
+    const Numbers a = numbers_of(start), b = numbers_of(end);
+    Clothoid_numbers r = released([&] { return clothoid_blend(a, b); });
+    py::dict record;
+    record["segments"] = array_of(std::move(r.segments), exact);
+    record["gaps"] = py::tuple(py::cast(r.gaps));
+    record["kinks"] = py::tuple(py::cast(r.kinks));
+    record["jumps"] = py::tuple(py::cast(r.jumps));
+    return record;
+  });
   m.def("representable_blend", [](const py::object& left, const py::object& right, const std::string& strategy) {
     const Numbers a = numbers_of(left), b = numbers_of(right);
     if (!a.are_doubles() || !b.are_doubles())

@@ -243,5 +243,25 @@ class Documentation(unittest.TestCase):
             self.assertEqual(doctest.testmod(module).failed, 0)
 
 
+class Clothoids(unittest.TestCase):
+    def test_three_clothoids(self):
+        blend = gc.clothoid_blend((0, 0, Decimal("0.3"), 0), (100, 20, Decimal("-0.2"), Fraction(1, 80)))
+        self.assertEqual(blend.segments.shape, (3, 6))
+        self.assertTrue((blend.segments[:2, 4] == blend.segments[1:, 3]).all())
+        self.assertEqual([tuple(jump) for jump in blend.jumps], [(0, 0)] * 4)
+        for gap, kink in zip(blend.gaps, blend.kinks):
+            self.assertLess(gap.upper, 5e-14)
+            self.assertLess(kink.upper, 5.2e-16)
+        exact = gc.clothoid_blend((0, 0, Decimal("0.3"), 0), (100, 20, Decimal("-0.2"), Fraction(1, 80)), exact=True)
+        self.assertEqual(exact.segments.astype(float).tolist(), blend.segments.tolist())
+        self.assertEqual(exact.segments[0, 2], Fraction(3, 10))
+
+    def test_refused(self):
+        for end, code in (((0, 0, 1, 0), "zero_direction"), ((1, 0, 1), "wrong_number_of_points"), ((1, 0, math.nan, 0), "not_finite")):
+            with self.assertRaises(gc.Error) as caught:
+                gc.clothoid_blend((0, 0, 0, 0), end)
+            self.assertEqual(caught.exception.code, code)
+
+
 if __name__ == "__main__":
     unittest.main()

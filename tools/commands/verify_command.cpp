@@ -14,6 +14,7 @@
 #include "commands/fonts/verify_instances.h"
 #include "commands/kink_options.h"
 #include "commands/lists/verify_list.h"
+#include "commands/roads/rails.h"
 #include "commands/roads/road_options.h"
 #include "commands/roads/verify_roads.h"
 #include "commands/surfaces_hint.h"
@@ -36,7 +37,8 @@ namespace {
 
 const char* const verify_usage =
     R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT...
-       | SOURCE... | MODEL.step... | TOOLPATH.ngc... | ROAD.xodr... [OPTIONS]
+       | SOURCE... | MODEL.step... | TOOLPATH.ngc... | ROAD.xodr... | RAIL.ifc...
+       [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -55,6 +57,11 @@ like: a corner, a kink, which is an angle of at most --kink-angle degrees, G1
 or G2. Corners are meant, and need not meet --require G1, G2, ... Segments of no
 length are left out. Of programs in G-code (.ngc, .nc, .gcode, ...) the joins of
 feed moves in a plane are decided in the same way, and named by their lines.
+
+Of alignments in IFC 4.3 (.ifc) it proves or refutes what the segments of curves
+claim: one position, direction, curvature, within the precision of the file, or
+--gap, --kink and --curvature; --require G1 decides claims up to the direction.
+Of LandXML (.xml) it compares the numbers that follow from others, within 0.001.
 
 Of fonts (TrueType, OpenType, Type 1, WOFF; folders with all that is in them) it
 grades the joins of each glyph, on the integers of the font:
@@ -363,7 +370,14 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
     refuse_bound("not for road networks");
     return verify_roads(files, mode, road_demand(line, required));
   }
-  line.refuse({"gap", "kink", "curvature"}, "only for road networks");
+  const auto rails = std::count_if(files.begin(), files.end(), is_rail_file);
+  if (rails != 0) {
+    if (rails != static_cast<std::ptrdiff_t>(files.size()))
+      throw std::invalid_argument("alignments (.ifc, LandXML) and other files cannot be verified together");
+    refuse_bound("not for alignments");
+    return verify_rails(files, mode, rail_demand(line, required));
+  }
+  line.refuse({"gap", "kink", "curvature"}, "only for road networks and alignments");
   const auto drawings = std::count_if(files.begin(), files.end(), is_drawing_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))

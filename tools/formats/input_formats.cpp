@@ -11,6 +11,8 @@
 #include "formats/font/font_files.h"
 #include "formats/foreign_formats.h"
 #include "formats/gcode/toolpath.h"
+#include "formats/ifc/read_ifc.h"
+#include "formats/landxml/read_landxml.h"
 #include "formats/opendrive/read_opendrive.h"
 #include "formats/svg/svg_drawing.h"
 
@@ -39,7 +41,8 @@ enum Kind : unsigned {
   points = 16,
   toolpaths = 32,
   sources = 64,
-  roads = 128
+  roads = 128,
+  rails = 256
 };
 
 struct Reader {
@@ -47,7 +50,7 @@ struct Reader {
   unsigned kinds;
 };
 constexpr unsigned everything = curves | drawings | fonts | models | toolpaths;
-constexpr Reader readers[] = {{"verify", everything | sources | roads},
+constexpr Reader readers[] = {{"verify", everything | sources | roads | rails},
                               {"report", everything | roads},
                               {"repair", curves | drawings | fonts | sources | roads},
                               {"blend", curves | drawings},
@@ -70,6 +73,7 @@ constexpr struct {
                   {models, "a CAD model", "CAD models (.step, .stp, .iges, .igs, .brep, .brp)"},
                   {toolpaths, "a toolpath", "toolpaths (.ngc, .nc, .gcode, .gco, .cnc, .tap)"},
                   {roads, "a road network", "road networks (.xodr)"},
+                  {rails, "an alignment", "alignments (.ifc, LandXML in .xml)"},
                   {points, "points", "points (a text, a line for each)"}};
 
 // E.g. "drawings (.svg, .svgz) and fonts".
@@ -136,7 +140,7 @@ bool may_be_numbers(std::string_view text) {
 
 const Foreign_format* foreign_by_xml(std::string_view text) {
   using namespace foreign;
-  if (has(text, "<svg") || has(text, ":svg") || begins_as_opendrive(text)) return nullptr;
+  if (has(text, "<svg") || has(text, ":svg") || begins_as_opendrive(text) || begins_as_landxml(text)) return nullptr;
   if (has(text, "<designspace")) return &designspace;
   if (has(text, "<glyph ")) return &ufo;
   if (has(text, "<ttFont")) return &font_source;
@@ -254,6 +258,7 @@ class Input_check {
   void check_content() const {
     const std::string bytes(Input(file_).beginning(4096));
     if (const Foreign_format* const format = foreign_by_content(bytes)) refuse(*format);
+    if (is_ifc_file(file_) || is_landxml_file(file_)) return check(rails);
     if (const std::string ending = ending_of_model(bytes); !ending.empty()) {
       check(models);
       refuse("a CAD model, which is told by the end of its name: call it *" + ending);
@@ -287,6 +292,7 @@ public:
     if (ending == ".svg" || ending == ".svgz") return check(drawings);
     if (!ending.empty() && is_toolpath_file(file_)) return check(toolpaths);
     if (!ending.empty() && is_road_file(file_)) return check(roads);
+    if (ending == ".ifc") return check(rails);
     if (reader_.kinds == points && ending == ".g2") return check(curves);
     if (is_standard_input(file_) || fs::is_regular_file(file_, error)) check_content();
   }

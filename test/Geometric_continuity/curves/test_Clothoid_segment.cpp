@@ -79,7 +79,7 @@ BOOST_AUTO_TEST_CASE(parametric_cubics) {
   BOOST_CHECK(c.length_error(Q(102606) / 10000, Q(1) / 1000).second == GC::Verdict::proved);
   BOOST_CHECK(c.length_error(Q(105) / 10, Q(1) / 1000).second == GC::Verdict::refuted);
 
-  // a stop at the start: the tangent is that of the second derivative; at the end it leads backwards
+  // at a stop the second derivative gives the tangent, backwards at the end
   const GC::Parametric_cubic stop(Q(0), Q(0), Q(0), {Q(0), Q(0), Q(3), Q(0)}, {Q(0), Q(0), Q(4), Q(0)}, Q(1)),
       late(Q(0), Q(0), Q(0), {Q(0), Q(2), Q(-1), Q(0)}, {Q(0), Q(0), Q(0), Q(0)}, Q(1));
   BOOST_CHECK((stop.start().heading.vector() == std::pair<Q, Q>(6, 8)) && !stop.start().curvature);

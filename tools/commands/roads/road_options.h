@@ -13,12 +13,13 @@
 
 inline void describe_road_tolerances(po::options_description_easy_init add) {
   add("gap", po::value<std::string>(),
-      "for road networks: the largest gap, step and error of a length, in metres; 0.001 if not given");
+      "for road networks and alignments: the largest gap, step and error of a length, in the unit of the file; 0.001 "
+      "if not given, in IFC the precision of the file");
   add("kink", po::value<std::string>(),
-      "for road networks: the largest angle of two headings, in radians, and the largest jump of a slope; 0.001 if not "
-      "given");
+      "for road networks and alignments: the largest angle of two headings, in radians, and the largest jump of a "
+      "slope; 0.001 if not given, in IFC atan2(precision, length)");
   add("curvature", po::value<std::string>(),
-      "for road networks: the largest jump of the curvature that is G2, in 1/metre; 0.000001 if not given");
+      "for road networks and alignments: the largest jump of the curvature that is G2; 0.000001 if not given");
 }
 
 // The tolerances that are given.

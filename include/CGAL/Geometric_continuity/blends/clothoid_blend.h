@@ -26,8 +26,8 @@
 
 /// \file clothoid_blend.h
 /// Three clothoids that lead from one end to another with continuous curvature, after Bertolazzi
-/// and Frego. Their lengths and curvatures are found in floating-point arithmetic; then each of them
-/// starts where the one before ends, rounded from an enclosure, and the joins are enclosed.
+/// and Frego. Their lengths and curvatures are found in floating-point arithmetic; then each of
+/// them starts where the one before ends, rounded from an enclosure, and the joins are enclosed.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -263,7 +263,7 @@ inline std::array<double, 3> difference(const Alignment_end& x, const Alignment_
 /// Returns three clothoids from `start` to `end`, whose curvature is continuous, also at both ends.
 /// Where the curvatures at the ends are rational, all four joins have equal curvatures exactly;
 /// gaps and kinks are those of rounding, and are enclosed. The verdicts of the joins allow
-/// \f$ 2^{-50} \f$ times the distance of both ends as a gap, and \f$ 2^{-50} \f$ as a kink.
+/// \f$ 2^{-51} \f$ times the distance of both ends as a gap, and \f$ 2^{-51} \f$ as a kink.
 /// \throws Error `zero_direction` when the points are equal or too near to each other,
 ///   `not_representable` when no such clothoids are found, `jet_order_too_low` when a curvature is
 ///   not defined, `work_limit`
@@ -289,7 +289,7 @@ inline Clothoid_blend clothoid_blend(const Alignment_end& start, const Alignment
       internal::three_clothoids(goal, CGAL::to_double(k0) * chord, CGAL::to_double(k1) * chord);
   if (!found) throw Error(Error_code::not_representable, "clothoid_blend: no three clothoids lead there");
 
-  const Rational unit(std::ldexp(1., -50));
+  const Rational unit(std::ldexp(1., -51));
   const Alignment_tolerance tolerance{Rational(unit * Rational(chord)), unit, Rational(0)};
   std::optional<Clothoid_blend> best;
   double least = 0;

@@ -81,7 +81,7 @@ Decided_distance decided_distance(const char* place, const Rational& tolerance, 
     result.within = a.at_most(x, tolerance);
     result.distance = a.enclosure(x);
     result.distance.lower = (std::max)(result.distance.lower, 0.);
-    return result.within != Verdict::undecided && is_narrow(result.distance);
+    return result.within != Verdict::undecided && (is_narrow(result.distance) || a.accuracy() > 300);
   });
   return result;
 }
@@ -107,6 +107,7 @@ inline Decided_distance decide_kink(const Direction& x, const Direction& y, cons
       angle = angle + angle_of_vector(a, v.re, v.im);
     }
     const Number pi = a.pi();
+    if (!std::isfinite(a.middle(angle))) return a.hull(a(0), pi); // beyond floating-point numbers
     const Rational turns(std::nearbyint(a.middle(angle) / 6.283185307179586));
     const Number rest = a.absolute_value(turns == 0 ? angle : angle - a(Rational(2 * turns)) * pi);
     return a.magnitude(rest) < 3 ? rest : pi - a.absolute_value(pi - rest);

@@ -43,8 +43,8 @@ struct Complex_ball {
   arb::Ball re, im;
 };
 
-// The integral over [0, 1] of e^(i theta) with theta(w) = sum p_j w^(j+1) / (j+1) + c sin(pi w) / pi
-// + (s + r / (2 pi)) (1 - cos(2 pi w)) / (2 pi).
+// The integral over [0, 1] of e^(i theta) with theta(w) = sum p_j w^(j+1) / (j+1) + c sin(pi w) /
+// pi + (s + r / (2 pi)) (1 - cos(2 pi w)) / (2 pi).
 Complex_ball integral(const Angle_rate& rate) {
   struct Coefficients {
     std::vector<arb::Ball> polynomial;

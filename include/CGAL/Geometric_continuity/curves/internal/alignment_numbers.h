@@ -137,6 +137,14 @@ struct Point_sum {
     vectors.push_back(t);
   }
 
+  void add(const Point_sum& p) {
+    x = Rational(x + p.x);
+    y = Rational(y + p.y);
+    vectors.insert(vectors.end(), p.vectors.begin(), p.vectors.end());
+    ways.insert(ways.end(), p.ways.begin(), p.ways.end());
+    graphs.insert(graphs.end(), p.graphs.begin(), p.graphs.end());
+  }
+
   // Adds the sum of all but the origin, or subtracts it.
   template <class Arithmetic>
   void add_to(const Arithmetic& a, int sign, Complex_number<typename Arithmetic::Number>& sum) const {

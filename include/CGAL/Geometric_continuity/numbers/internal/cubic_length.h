@@ -76,6 +76,7 @@ template <class Arithmetic> class Cubic_length {
 
   Number over_piece(const Rational& from, const Rational& to) {
     ++pieces_;
+    a_.charge(20);
     const Rational middle = Rational((from + to) / 2), half = Rational((to - from) / 2);
     std::array<Rational, 5> q = square_; // at middle + half w
     for (std::size_t i = 0; i < 4; ++i)
@@ -90,7 +91,7 @@ template <class Arithmetic> class Cubic_length {
     }
     if (rest < CGAL::to_double(q[0]) * (1 - 1e-9) && !a_.contains_zero(here[0]))
       return a_(half) * integral_of_root(here);
-    if (CGAL::to_double(half) < least_piece_ || pieces_ > 20000) { // near a stop
+    if (CGAL::to_double(half) < least_piece_ || pieces_ > 2000) { // near a stop
       Number largest = a_(0);
       for (const Number& x : here) largest = largest + a_.absolute_value(x);
       return a_.hull(a_(0), a_.square_root(largest) * a_(half) * 2);
@@ -121,17 +122,20 @@ std::pair<Rational, typename Arithmetic::Number> near_parameter(const Arithmetic
   Cubic_length<Arithmetic> length_to(a, {Rational(0), Rational(1), Rational(0), Rational(0)}, v);
   std::pair<Rational, Number> best(t, a(length));
   Rational low(0), high = length;
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < 100; ++i) {
     const Number error = length_to(Rational(0), t) - a(length);
     if (i == 0 || a.magnitude(error) < a.magnitude(best.second))
       best = {t, error};
     else if (a.magnitude(best.second) < std::ldexp(CGAL::to_double(length), -40))
       break; // it does not become better
     (a.middle(error) > 0 ? high : low) = t;
-    const double slope = CGAL::to_double(first_derivative(v, t));
-    const Rational step = Rational(a.exact_middle(error) / Rational(std::sqrt(1 + slope * slope))),
-                   next = Fixed_ball(Rational(t - step), a.accuracy() + 8).middle(); // few digits
-    t = low < next && next < high ? next : Rational((low + high) / 2);
+    const Rational before = t;
+    const double speed = std::hypot(1., CGAL::to_double(first_derivative(v, t)));
+    t = Rational((low + high) / 2);
+    if (!(std::isfinite(speed) && std::isfinite(a.middle(error)))) continue;
+    const Rational step = Rational(a.exact_middle(error) / Rational(speed)),
+                   next = Fixed_ball(Rational(before - step), a.accuracy() + 8).middle(); // few digits
+    if (low < next && next < high) t = next;
   }
   return best;
 }

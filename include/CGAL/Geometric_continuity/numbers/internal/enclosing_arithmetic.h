@@ -85,9 +85,11 @@ public:
 
   // 16 bits are for the rounding errors of sums.
   int accuracy() const { return bits_ - 16; }
-  // Takes note of as many products.
+  // Takes note of as many products, each with the radius and the memory that it needs.
   void charge(double products) const {
-    work_meter().charge_products(products, static_cast<std::size_t>(bits_ / 64 + 1));
+    const std::size_t words = static_cast<std::size_t>(bits_ / 64 + 1);
+    work_meter().charge_products(5 * products, words);
+    work_meter().charge_sums(60 * products, words);
   }
 
   Number operator()(const Rational& x) const { return Fixed_ball(x, bits_); }
