@@ -131,6 +131,8 @@ sed 's/theta="0.05"/theta="0.06"/; s/constant="126/constant="127/' track.xml >wr
 run 1 verify wrong.xml && says out "theta off by 0.01 - not one theta" "constant off by 1 - not one constant"
 sed 's/rot="cw"/rot="ccw"/' track.xml >turned.xml && run 1 verify turned.xml && says out "declared end, gap 1.33"
 sed 's/clothoid/radioid/' track.xml >radioid.xml && run 1 verify radioid.xml && says out "not covered: a spiral of the type 'radioid'"
+sed 's,<Start>178.6540958044 243.7284553493</Start>,<Start pntRef="7"/>,' track.xml >elsewhere.xml
+run 1 verify elsewhere.xml && says out "not covered: an element without start or end" "points without coordinates, of which there are 1"
 sed 's/>143.879/>x143.879/' track.xml >bad.xml && refused "bad.xml:5: no number: 'x143.87912809452'" verify bad.xml
 sed 's/radians/gon/g' track.xml >unit.xml && refused "the unit of angles 'gon'" verify unit.xml
 

@@ -140,7 +140,6 @@ the bound, the report names the place where it is bent most.
 examples:
   geometric_continuity verify outline.g2 --closed --require G2
   geometric_continuity verify drawing.svg --require G1 --kink-angle 3
-  geometric_continuity verify town.xodr --gap 0.01 --require G1
 
 With --format sarif and junit, what does not meet the requirement is an error;
 without one, gaps and kinks are notes.

@@ -45,7 +45,7 @@ BOOST_AUTO_TEST_CASE(far_from_the_origin_rounding_is_coarse) {
 
 BOOST_AUTO_TEST_CASE(enclosed_ends) { // of other pieces, also with a direction that is a vector
   const GC::Clothoid_segment arc(Q(0), Q(0), Q(0), Q(1) / 10, Q(1) / 10, Q(3));
-  const GC::Parametric_cubic cubic(Q(7), Q(2), Q(1) / 4, {Q(0), Q(10), Q(0), Q(0)}, {Q(0), Q(3), Q(2), Q(0)}, Q(1));
+  const GC::Parametric_cubic cubic(Q(7), Q(2), Q(Q(1) / 4), {Q(0), Q(10), Q(0), Q(0)}, {Q(0), Q(3), Q(2), Q(0)}, Q(1));
   const GC::Clothoid_blend blend = GC::clothoid_blend(arc.end(), cubic.start());
   for (const GC::Alignment_join& join : blend.joins) {
     BOOST_CHECK_LE(join.gap.upper, 4e-15);

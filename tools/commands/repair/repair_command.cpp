@@ -118,7 +118,6 @@ contours together, other outlines each by itself.
 examples:
   geometric_continuity repair drawing.svg -o drawing.svg
   geometric_continuity repair font.otf -o smooth.otf
-  geometric_continuity repair town.xodr -o town2.xodr --max-move 0.1
 
 Exit code: 0 when no kink is left, 1 when one is, when curves of a chain do not
 meet (see --close and --reverse), or when not all joins are decided (an arc of a

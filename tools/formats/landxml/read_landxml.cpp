@@ -49,7 +49,7 @@ class Landxml_reader : Xml_reader {
   std::vector<Element> elements_;
   std::set<std::string> skipped_;
   Angle_unit directions_ = Angle_unit::radians, angles_ = Angle_unit::radians;
-  std::size_t alignments_ = 0, profiles_ = 0;
+  std::size_t alignments_ = 0, profiles_ = 0, references_ = 0;
 
   static std::string local(const std::string& name) {
     const std::size_t blank = name.rfind(' ');
@@ -96,8 +96,12 @@ class Landxml_reader : Xml_reader {
   void end() override {
     const std::string type = open_.back();
     const bool in_element = open_.size() >= 3 && open_[open_.size() - 3] == "CoordGeom";
-    if (in_element && !elements_.empty() && (type == "Start" || type == "End" || type == "Center" || type == "PI"))
-      elements_.back().points[type] = point();
+    if (in_element && !elements_.empty() && (type == "Start" || type == "End" || type == "Center" || type == "PI")) {
+      if (text_.find_first_not_of(" \t\r\n") != std::string::npos)
+        elements_.back().points[type] = point();
+      else
+        ++references_;
+    }
     open_.pop_back();
     if (type == "CoordGeom") finish();
   }
@@ -349,6 +353,9 @@ public:
     if (profiles_ > 0)
       result_.notes.push_back("profiles, of which there are " + std::to_string(profiles_) +
                               ", say nothing twice: they are not compared");
+    if (references_ > 0)
+      result_.notes.push_back("points without coordinates, of which there are " + std::to_string(references_) +
+                              ", are not looked up elsewhere");
     for (const std::string& type : skipped_) result_.notes.push_back("elements " + type + " are not decided");
     return std::move(result_);
   }

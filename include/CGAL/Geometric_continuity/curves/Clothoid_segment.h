@@ -395,7 +395,7 @@ public:
   /// \throws Error `work_limit`
   Enclosure length() const {
     Enclosure result{};
-    length_error(FT(0), [&](const Enclosure& x, const auto&, const auto&) {
+    enclose_length_error(FT(0), [&](const Enclosure& x, const auto&, const auto&) {
       result = x;
       return x.upper - x.lower <= 1e-9;
     });
@@ -405,7 +405,7 @@ public:
   /// most `tolerance`. \throws Error `work_limit`
   std::pair<Enclosure, Verdict> length_error(const FT& declared, const FT& tolerance) const {
     std::pair<Enclosure, Verdict> result{{}, Verdict::undecided};
-    length_error(declared, [&](const Enclosure& x, const auto& a, const auto& number) {
+    enclose_length_error(declared, [&](const Enclosure& x, const auto& a, const auto& number) {
       result = {x, a.at_most(number, tolerance)};
       return result.second != Verdict::undecided && x.upper - x.lower <= 1e-9;
     });
@@ -425,7 +425,7 @@ public:
   }
 
 private:
-  template <class F> void length_error(const FT& declared, F f) const {
+  template <class F> void enclose_length_error(const FT& declared, F f) const {
     internal::with_more_and_more_bits("Parametric_cubic: arc length", [&](const auto& a) {
       typedef std::decay_t<decltype(a)> Arithmetic;
       typedef typename Arithmetic::Number Number;
