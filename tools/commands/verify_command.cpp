@@ -89,9 +89,10 @@ built with OpenCASCADE) it encloses, over each whole edge that two faces share
 and each seam, the largest gap of both faces, the largest angle of their
 normals and the largest jump of the curvature across the edge, in mm, degrees
 and percent, and decides G0, G1 and G2 within --within GAP,ANGLEdeg,CURVATURE%,
-or within vda-4955 when it is not given. Geometry is taken as it is in the
-file; shapes are not healed, unless --sew DISTANCE lets OpenCASCADE join the
-boundary edges that are within this distance (in mm), as most IGES files need.
+or when it is not given within vda-4955, for --require G2 within 0.02,0.1deg,5%.
+Geometry is taken as it is in the file; shapes are not healed, unless --sew
+DISTANCE lets OpenCASCADE join the boundary edges that are within this distance
+(in mm), as most IGES files need.
 Those that lie beside each other and are not joined are not covered, nor is what
 a file names and cannot be read, or shells said to be closed that are not.
 Each file is read by a process of its own, within --time-limit seconds of
@@ -239,8 +240,11 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
 // Returns the demands on CAD models.
 Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>& required) {
   line.refuse({"surfaces", "closed", "kernel", "max-order", "certificate"}, "not for CAD models");
-  Cad_demand demand =
-      demand_within(line.has("within") ? line.text("within") : default_cad_tolerance, kink_rule(line).bound);
+  const bool asks_curvature = required && required->order() > 1;
+  Cad_demand demand = demand_within(line.has("within") ? line.text("within")
+                                    : asks_curvature   ? default_cad_tolerance_of_curvature
+                                                       : default_cad_tolerance,
+                                    kink_rule(line).bound);
   if (!required) return demand;
   if (required->kind() == GC::Continuity_kind::F || required->order() > 2)
     throw std::invalid_argument("--require " + required->text() +

@@ -22,7 +22,8 @@
 #include <vector>
 
 // The tolerance unless one is given: the edges of CAD models are computed, and never meet exactly.
-constexpr const char* default_cad_tolerance = "vda-4955";
+constexpr const char *default_cad_tolerance = "vda-4955",
+                     *default_cad_tolerance_of_curvature = "0.02,0.1deg,5%"; // where G2 or C2 is required
 
 // The demands on the edges of CAD models and on the joins of wires.
 struct Cad_demand {
