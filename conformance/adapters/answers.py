@@ -17,7 +17,7 @@ def tolerances(text):
     return dict(part.split("=") for part in text.split(",")) if text else None
 
 
-# What systems without a verdict of their own are asked with: their derivatives are compared within these.
+# What systems without a verdict of their own are asked with: derivatives are compared within these.
 CLOSE = {"gap": "1e-9", "angle_radians": "1e-9", "curvature_percent": "1e-4", "torsion_jump": "1e-6", "derivative_jump": "1e-9"}
 
 
@@ -83,7 +83,7 @@ def order_of_derivatives(left, right, order, within):
     if most == 2:
         return "G2"
     if order == "G3" or len(u) == 2:
-        # The change of curvature along the arc is not among what is compared: as far as it was asked.
+        # The change of curvature along the arc is not compared: as far as it was asked.
         return "G2+"
 
     def torsion(d):

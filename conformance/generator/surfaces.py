@@ -224,19 +224,22 @@ class Edge:
             c = dot(u, v)
             square = 1 - c * c / (dot(u, u) * dot(v, v))
             return square if c > 0 else 2 - square
-        best = max(samples, key=turned)
-        width = (best is samples[0] or best is samples[-1]) and F(0) or F(1, 24) * (self.spans[0][3] - self.spans[0][2])
-        while width and width > F(1, 2**24):
+        sizes = [turned(s) for s in samples]
+        most = max(sizes)
+        best = samples[sizes.index(most)]
+        constant = min(sizes) == most
+        width = F(0) if constant or best is samples[0] or best is samples[-1] else (self.spans[0][3] - self.spans[0][2]) / 32
+        while width > F(1, 2**22):
             a, b, t = best
             low, high = next((lo, hi) for x, _, lo, hi in self.spans if x is a)
-            near = [(a, b, min(max(t + k * width, low), high)) for k in (-1, -F(1, 2), F(1, 2), 1)]
-            better = max(near, key=turned)
-            if turned(better) > turned(best):
-                best = better
+            for s in ((a, b, max(t - width, low)), (a, b, min(t + width, high))):
+                size = turned(s)
+                if size > most:
+                    best, most = s, size
+                    break
             else:
                 width /= 2
         angle = degrees(*normals(*best))
-        constant = all(turned(s) == turned(best) for s in samples)
         self.at = best[2]
         if not constant and exact(angle[1]) and angle[0] != angle[1]:
             angle = enclosure(exact(angle[0]), exact(angle[1]) * (1 + F(1, 2 * 10**9)))

@@ -42,7 +42,7 @@ def verdict(within, most):
 def least(orders):
     if not orders:
         raise RuntimeError("no join")
-    if "undecided" in orders:
+    if any(o.startswith("undecided") for o in orders):
         return "undecided"
     return min(orders, key=lambda o: -1 if o.startswith("gap") else int(o[1]))
 
@@ -123,7 +123,26 @@ def model(file, order, within):
     return reached if within or not decided else reached + " within " + ",".join(f"{k}={v}" for k, v in SMALL.items())
 
 
+def roads(file, order, within):
+    names = {"gap": "--gap", "angle_radians": "--kink", "curvature_jump": "--curvature"}
+    try:
+        found = call(["--require", "G0", file] + [w for k, v in within.items() for w in (names[k], v)])
+    except RuntimeError as error:
+        if "unrecognised option" in str(error):
+            raise Unsupported("roads by this version") from error
+        raise
+    orders = []
+    for join in found["records"]:
+        if "order" in join and join["kind"] in ("plan", "link"):
+            orders.append(join["order"] or "undecided")
+        elif join["kind"] == "elevation":
+            orders.append("G0" if join["met"] else "gap")
+    return least(orders)
+
+
 def decide(file, order, within):
+    if file.endswith(".xodr"):
+        return roads(file, order, within)
     if file.endswith(".svg"):
         return drawing(file, order, within)
     if file.endswith((".ttf", ".otf")):
