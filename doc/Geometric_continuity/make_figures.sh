@@ -12,7 +12,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 
 "$draw_figures" .
-for example in blend_surfaces_g3 fair_blend interpolate_fair join_the_spout line_and_arc orders_of_continuity portnov_figures; do "$examples/$example" >/dev/null; done
+for example in blend_surfaces_g3 fair_blend interpolate_fair join_the_spout line_and_arc orders_of_continuity portnov_figures road_joins; do "$examples/$example" >/dev/null; done
 
 "$program" blend "$data/hill_left.g2" "$data/hill_right.g2" --strategy normal,energy3,fair --plot first_blend.svg \
   --title "Three blends, each proved G2: the lower E, the more evenly the curvature varies" >/dev/null

@@ -37,7 +37,8 @@ namespace {
 
 const char* const verify_usage =
     R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT...
-       | SOURCE... | MODEL.step... | TOOLPATH.ngc... | RAIL.ifc... [OPTIONS]
+       | SOURCE... | MODEL.step... | TOOLPATH.ngc... | ROAD.xodr... | RAIL.ifc...
+       [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -102,6 +103,16 @@ comes back below the other is a fold, one whose outside is inside fails as well.
 Curves in parameter planes that the file does not have are projections of those
 in space: how far they are from these is said, and what is only wrong with the
 projection does not count.
+
+Of road networks (ASAM OpenDRIVE 1.4 to 1.8, .xodr) it decides the joins of
+reference lines (gap, kink, jump of the curvature), the lengths of paramPoly3,
+elevation, superelevation, lane offsets and widths where one record passes into
+the next, and the borders of lanes across sections, links and junctions: left
+with left, right with right. Numbers are the decimals of the file; distances in
+the plane are enclosed as narrowly as the verdict needs. Within --gap (metres),
+--kink (radians) and --curvature (1/metre) every reference line must be G1, or
+what --require says: G0, G1 or G2. Reference lines of linked roads need not
+meet, their lanes must. What a file names and does not have is not covered.
 
 --within 0.001,0.01deg,2% also tells how far each join is from continuous, in
 guaranteed bounds, and which orders it has when the ends may be apart by this

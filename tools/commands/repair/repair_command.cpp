@@ -98,7 +98,6 @@ repaired by the Python module, where that is installed: each master by itself.
 examples:
   geometric_continuity repair drawing.svg -o drawing.svg
   geometric_continuity repair font.otf -o smooth.otf
-  geometric_continuity repair town.xodr -o town2.xodr --max-move 0.1
 
 Exit code: 0 when no kink is left, 1 when one is, when curves of a chain do not
 meet, which no handle can mend, or when not all joins are decided (an arc of a

@@ -55,11 +55,12 @@ inline std::string flag(GC::Verdict v) {
 }
 inline std::string json(const GC::Enclosure& x) { return json_text(std::optional<GC::Enclosure>(x)); }
 
-// An upper bound, for words: short, with its unit.
+// A size in words, short, with its unit; an upper bound where the bounds differ by much.
 inline std::string size(const GC::Enclosure& x, const char* unit) {
   if (x.upper == 0) return std::string("0") + unit;
   if (std::isinf(x.upper)) return "more than " + rounded(x.lower, 4) + unit;
-  return rounded(x.lower > 0 ? x.lower / 2 + x.upper / 2 : x.upper, 4) + unit;
+  if (x.upper <= 1.0001 * x.lower) return rounded(x.lower / 2 + x.upper / 2, 4) + unit;
+  return "at most " + rounded(x.upper * 1.001, 4) + unit; // also when it is rounded
 }
 
 inline GC::Enclosure absolute(const GC::Road_number& x) { return GC::enclosure(GC::Road_number(CGAL::abs(x))); }

@@ -47,7 +47,8 @@ class Road_line {
   double x_ = 0, y_ = 0, heading_ = 0;
 
   void add(double s, double curvature) {
-    road_.s.push_back(s);
+    // the s of a piece may lie before the end of the one before
+    road_.s.push_back(road_.s.empty() ? s : (std::max)(s, road_.s.back()));
     road_.x.push_back(x_);
     road_.y.push_back(y_);
     road_.heading.push_back(heading_);
@@ -196,10 +197,8 @@ class Roads_page {
       roads().roads.push_back({source.id, {}, {}, {}, {}, {}, {}, {}});
       Report_roads::Road& road = roads().roads.back();
       Road_line(road, source, spacing, roads().x, roads().y);
-      if (std::is_sorted(road.s.begin(), road.s.end())) {
-        add_places(road, source);
-        add_lanes(road, source);
-      }
+      add_places(road, source);
+      add_lanes(road, source);
       const Drawn_profile elevation(source.elevation);
       for (const double s : road.s) road.elevation.push_back(elevation(s, false));
       for (std::size_t i = 0; i < road.x.size(); ++i) page_.include({road.x[i], road.y[i]});

@@ -75,7 +75,7 @@ class Opendrive_reader : public Xml_reader {
   GC::Road_section& section() { return road().sections.back(); }
   GC::Road_lane& lane() { return section().lanes.back(); }
   GC::Road_geometry& geometry() { return road().plan.back(); }
-  Opendrive_file::Geometry_text& text() { return result_.texts.back().back(); }
+  Opendrive_file::Geometry_text& geometry_text() { return result_.texts.back().back(); }
   GC::Road_connection& connection() { return result_.network.junctions.back().connections.back(); }
 
   [[noreturn]] void refuse_value(std::string_view name, std::string_view value, const std::string& reason) const {
@@ -92,7 +92,7 @@ class Opendrive_reader : public Xml_reader {
     if (value.find('/') != std::string_view::npos) refuse_value(name, value, "not a decimal number");
     try {
       const Exact_number x = GC::parse_number<Exact_number>(value);
-      return is_zero(x) ? zero_ : x; // most coefficients are, and share it
+      return CGAL::is_zero(x) ? zero_ : x; // most coefficients are, and share it
     } catch (const GC::Error&) {
       refuse_value(name, value, "not a decimal number");
     }
@@ -102,7 +102,7 @@ class Opendrive_reader : public Xml_reader {
   }
   Exact_number length_of(const Attributes& attributes, std::string_view name) const {
     const Exact_number x = number(attributes, name);
-    if (is_negative(x)) refuse_value(name, required(attributes, name), "a length is negative");
+    if (CGAL::is_negative(x)) refuse_value(name, required(attributes, name), "a length is negative");
     return x;
   }
   std::vector<Exact_number> numbers(const Attributes& attributes, std::initializer_list<std::string_view> names) const {
@@ -203,8 +203,8 @@ class Opendrive_reader : public Xml_reader {
     } else
       return;
     ++shapes_;
-    text().shape_begin = byte();
-    text().shape_end = byte() + length();
+    geometry_text().shape_begin = byte();
+    geometry_text().shape_end = byte() + length();
     is_in_shape_ = true;
   }
 
@@ -324,10 +324,10 @@ class Opendrive_reader : public Xml_reader {
     if (skipped_ > 0) {
       --skipped_;
       if (skipped_ == 0 && std::exchange(is_in_shape_, false))
-        text().shape_end = (std::max)(text().shape_end, byte() + length()); // it may have an end tag
+        geometry_text().shape_end = (std::max)(geometry_text().shape_end, byte() + length()); // it may have an end tag
       return;
     }
-    if (open_.back() == Place::geometry) text().end = byte() + length();
+    if (open_.back() == Place::geometry) geometry_text().end = byte() + length();
     if (open_.back() == Place::geometry && shapes_ != 1)
       refuse("a geometry has " + std::to_string(shapes_) +
              " shapes; it needs exactly one of line, arc, spiral, poly3 and paramPoly3");

@@ -32,8 +32,8 @@ class Roads {
   }
 }
 
-// Options: centre and scale (pixels per metre), or neither for the whole network; zoom, shift, item,
-// items (whose places are marked), fill, profiles (their height).
+// Options: centre and reach (metres), or neither for the whole network; zoom, shift, item, items
+// (whose places are marked), fill, profiles (their height).
 function drawRoads(canvas, roads, options) {
   const { context, width, height } = prepared(canvas);
   if (width === 0 || roads.box[0] > roads.box[2]) return;
@@ -54,8 +54,12 @@ function drawRoads(canvas, roads, options) {
   });
   const chosen = options.item ? roads.roads[options.item.road] : null;
   if (options.fill !== false) {
-    for (const r of seen) { context.fillStyle = colours.shade; context.fill(r.other); }
-    for (const r of seen) { context.fillStyle = colours.context; context.globalAlpha = 0.45; context.fill(r.driving); context.globalAlpha = 1; }
+    context.fillStyle = colours.shade;
+    for (const [lanes, alpha] of [['other', 0.3], ['driving', 0.85]]) {
+      context.globalAlpha = alpha;
+      for (const r of seen) context.fill(r[lanes]);
+    }
+    context.globalAlpha = 1;
   }
   context.lineWidth = 0.75 / scale;
   context.strokeStyle = colours.handle;
