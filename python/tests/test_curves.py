@@ -271,7 +271,7 @@ class Clothoids(unittest.TestCase):
         self.assertEqual(exact.segments[0, 2], Fraction(3, 10))
 
     def test_refused(self):
-        for end, code in (((0, 0, 1, 0), "zero_direction"), ((1, 0, 1), "wrong_number_of_points"), ((1, 0, math.nan, 0), "not_finite")):
+        for end, code in (((0, 0, 1, 0), "zero_direction"), ((1, 0, 1), "wrong_number_of_points"), ((1, 0, float("nan"), 0), "not_finite")):
             with self.assertRaises(gc.Error) as caught:
                 gc.clothoid_blend((0, 0, 0, 0), end)
             self.assertEqual(caught.exception.code, code)
