@@ -71,8 +71,7 @@ def volumes(solid, distance):
         normals.append(tuple(x / math.sqrt(dot(n, n)) for x in n))
         for i in range(len(f)):
             sides.setdefault(frozenset((f[i], f[i - 1])), []).append(n)
-    # Over an edge a triangle lies with two sides of this distance, outside of it where it is
-    # concave.
+    # At an edge lies a triangle with two sides of this distance.
     cut = 0
     for (a, b), (m, n) in ((tuple(edge), pair) for edge, pair in sides.items()):
         c = cross(m, n)
