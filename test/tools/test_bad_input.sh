@@ -98,7 +98,7 @@ mkdir -p sources/Bold.ufo && refused sources verify "sources/Bold.ufo: a UFO"
 mkdir empty && refused empty verify "no name in it ends with .ttf"
 # what another command reads
 : >model.step && cp "$data/leaf_inkscape.svg" drawing && : >font.ttf
-for command in blend connect match extend plot tessellate round-edges repair fit interpolate; do
+for command in blend connect match extend plot tessellate repair fit interpolate; do
   refused model.step "$command -o no.g2" "a CAD model: verify and report read it" "$command reads "
 done
 refused model.step "plot -o no.svg" "report draws it"

@@ -37,8 +37,8 @@ namespace {
 
 const char* const verify_usage =
     R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT...
-       | SOURCE... | MODEL.step... | TOOLPATH.ngc... | ROAD.xodr... | RAIL.ifc...
-       [OPTIONS]
+       | SOURCE... | MODEL.step... | TOOLPATH.ngc... | ROAD.xodr...
+       | RAIL.ifc... [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.

@@ -34,17 +34,17 @@ const char* const round_edges_usage =
 Rounds the edges of a solid, and the result is closed: the faces are plane, have
 straight edges, and three edges meet at each vertex. A solid is a CAD model, a
 polygon mesh, or a model .g2 of plane surfaces without a boundary. Each edge is
-cut off at the distance R in both faces. Chains of edges are replaced by B-spline
-surfaces of the degrees 5 and 5: C2 along the chain, and G2 with the faces and
-each other along whole edges, which is decided exactly on the numbers that are
-written. A .g2 has them cut into patches with four edges, a CAD model has trimmed
-faces that share their edges.
+cut off at the distance R in both faces. Chains of edges are replaced by
+B-spline surfaces of the degrees 5 and 5: C2 along the chain, and G2 with the
+faces and each other along whole edges, which is decided exactly on the numbers
+that are written. A .g2 has them cut into patches with four edges, a CAD model
+has trimmed faces that share their edges.
 
 --set-back EDGE=R gives one edge its own distance, with the number by which
 `verify` names it, such as 7, or 0u0 in a .g2. --edges 0,3,5 rounds only these;
 where one other edge of a vertex stays sharp, blends meet in a mitre, and where
-two do, they run out at the face. Errors name an edge or a vertex, and where cuts
-are too long for each other, the bound.
+two do, they run out at the face. Errors name an edge or a vertex, and where
+cuts are too long for each other, the bound.
 
 The sharp edges of other models .g2 are rounded where two surfaces meet: both
 are trimmed back from the edge, so that their new edges are about R away from
@@ -65,7 +65,6 @@ examples:
       --plot rounded.svg
   geometric_continuity round-edges part.step --set-back 2 --set-back 7=1 \
       -o rounded.step
-  geometric_continuity round-edges model.g2 --set-back 2 --max-kink 60 --json
 
 Exit code: 0 when all blends are proved to be G2 along their edges and not to be
 folded, 1 when one is not (the files are written nevertheless), 2 on bad input.
