@@ -103,7 +103,7 @@ formats surfaces 1 1 0 0 2 --surfaces low.g2 near.g2 --within 0.001,0.01deg --re
 # the rules and their numbers agree
 if command -v python3 >/dev/null; then
   run 1 verify --surfaces "$teapot" --require G2 --format sarif
-  holds python3 -c "import json; r = json.load(open('out'))['runs'][0]; rules = r['tool']['driver']['rules']; assert len(rules) == 10 and \
+  holds python3 -c "import json; r = json.load(open('out'))['runs'][0]; rules = r['tool']['driver']['rules']; assert len(rules) == 11 and \
     all(rules[x['ruleIndex']]['id'] == x['ruleId'] for x in r['results']) and not r['properties']['met'] and \
     all(x['properties']['order'] in x['message']['text'] for x in r['results'] if x['ruleId'] != 'not-verified')"
 fi
