@@ -30,7 +30,7 @@ decides 1 "$(piece 0 0 0 0 10 $line)$(piece 10 10 0 -3.14159265358979 10 $line)"
 decides 0 "$(piece 0 0 0 0 10 $line)$(piece ' 10 ' +1.0e1 -0.00 0 10 '<arc curvature="1e-2"/>')" "plan G1, gap 0 m, kink none, curvature jump 0.01/m"
 run 1 verify roads.xodr --require G2 && says out "not G2" && run 0 verify roads.xodr --require G2 --curvature 0.01
 # a clothoid, which turns by 30 rad on either side; a stop; a range that is not said; a graph
-decides 0 "$(piece 0 0 0 0 120 '<spiral curvStart="-0.5" curvEnd="0.5"/>')$(piece 120 -2.25538713065 -31.3635920836 0 3 '<arc curvature="0.50"/>')" "plan G2, gap 3." "e-11 m, kink none, curvature equal"
+decides 0 "$(piece 0 0 0 0 120 '<spiral curvStart="-0.5" curvEnd="0.5"/>')$(piece 120 -2.25538713065 -31.3635920836 0 3 '<arc curvature="0.50"/>')" "plan G2, gap 3.417e-11 m, kink none, curvature equal"
 decides 0 "$(piece 0 0 0 0 10 $line)$(piece 10 10 0 0 10 '<paramPoly3 aU="0" bU="0" cU="10" dU="0" aV="0" bV="0" cV="0" dV="0" pRange="normalized"/>')" "plan undecided, gap 0 m, kink none, curvature not defined"
 run 1 verify roads.xodr --require G2 && says out "undecided: 1 join, a curvature is not defined"
 decides 1 "$(piece 0 0 0 0 10 '<paramPoly3 aU="0" bU="1" cU="0" dU="0" aV="0" bV="0" cV="0" dV="0"/>')$(piece 10 10 0 0 10 $line)" \

@@ -83,14 +83,13 @@ class Road_claims {
   }
   static void place(Road_claim& claim, const GC::Road_contact& from, const GC::Road_contact& to,
                     const std::string& lane = {}, const std::string& to_lane = {}) {
-    using namespace road_words;
     claim.road = from.road->id;
-    claim.place = contact(from) + lane + " - " + contact(to) + to_lane;
+    claim.place = road_words::contact(from) + lane + " - " + road_words::contact(to) + to_lane;
     claim.spot = claim.kind + ", " + claim.place;
     claim.json = "\"kind\":\"" + claim.kind + "\",\"road\":" + json_text(from.road->id) + ",\"end\":\"" +
-                 end(from.end) + '"' + (from.at ? ",\"at\":" + decimal(*from.at) : "") +
-                 ",\"to_road\":" + json_text(to.road->id) + ",\"to_end\":\"" + end(to.end) + '"' +
-                 (to.at ? ",\"to_at\":" + decimal(*to.at) : "");
+                 road_words::end(from.end) + '"' + (from.at ? ",\"at\":" + road_words::decimal(*from.at) : "") +
+                 ",\"to_road\":" + json_text(to.road->id) + ",\"to_end\":\"" + road_words::end(to.end) + '"' +
+                 (to.at ? ",\"to_at\":" + road_words::decimal(*to.at) : "");
   }
 
   static const char* order_name(const GC::Alignment_join& join) {
@@ -100,13 +99,12 @@ class Road_claims {
   }
 
   static void add_join(Road_claim& claim, const GC::Alignment_join& join) {
-    using namespace road_words;
-    claim.json += members(join) + ",\"order\":\"" + order_name(join) + '"';
-    claim.verdict = std::string(order_name(join)) + ", gap " + size(join.gap, " m") + ", kink " +
-                    (join.same_heading ? "none" : size(join.kink, " rad")) + ", curvature " +
+    claim.json += road_words::members(join) + ",\"order\":\"" + order_name(join) + '"';
+    claim.verdict = std::string(order_name(join)) + ", gap " + road_words::size(join.gap, " m") + ", kink " +
+                    (join.same_heading ? "none" : road_words::size(join.kink, " rad")) + ", curvature " +
                     (!join.jump            ? "not defined"
                      : join.same_curvature ? "equal"
-                                           : "jump " + size(*join.jump, "/m"));
+                                           : "jump " + road_words::size(*join.jump, "/m"));
     claim.gap = join.gap;
     claim.kink = join.kink;
     claim.jump = join.jump;
@@ -149,7 +147,6 @@ public:
   }
 
   Road_claim operator()(const GC::Road_length_check& x) const {
-    using namespace road_words;
     Road_claim claim;
     claim.kind = "length";
     place(claim, x.road, x.geometry.s);
@@ -157,13 +154,13 @@ public:
     std::vector<std::string> notes;
     if (x.geometry.range == GC::Road_parameter_range::missing) notes.push_back(json_text("pRange missing"));
     if (x.is_near_stop) notes.push_back(json_text("near stop"));
-    claim.json +=
-        ",\"error\":" + road_words::json(x.error) + ",\"within\":" + flag(x.within) + ",\"note\":" + json_array(notes);
-    claim.verdict = "arc length differs by " + size(x.error, " m") + " from the length that is declared";
+    claim.json += ",\"error\":" + road_words::json(x.error) + ",\"within\":" + road_words::flag(x.within) +
+                  ",\"note\":" + json_array(notes);
+    claim.verdict = "arc length differs by " + road_words::size(x.error, " m") + " from the length that is declared";
     if (x.other_reading) {
       claim.json += ",\"other_reading\":{\"error\":" + road_words::json(x.other_reading->first) +
-                    ",\"within\":" + flag(x.other_reading->second) + '}';
-      claim.verdict += "; by " + size(x.other_reading->first, " m") + " if pRange were arcLength";
+                    ",\"within\":" + road_words::flag(x.other_reading->second) + '}';
+      claim.verdict += "; by " + road_words::size(x.other_reading->first, " m") + " if pRange were arcLength";
     }
     if (x.is_near_stop) claim.verdict += "; the speed at an end is nearly 0, so that its direction may be noise";
     claim.given = given(x.within);
@@ -175,7 +172,6 @@ public:
   }
 
   Road_claim operator()(const GC::Road_profile_join& x) const {
-    using namespace road_words;
     static constexpr const char* names[] = {"elevation", "superelevation", "laneOffset", "width", "border"};
     Road_claim claim;
     claim.kind = names[static_cast<int>(x.kind)];
@@ -184,16 +180,17 @@ public:
     claim.line = x.line;
     const auto list = [](const auto& flags) {
       std::vector<std::string> texts;
-      for (const bool f : flags) texts.push_back(flag(f));
+      for (const bool f : flags) texts.push_back(road_words::flag(f));
       return json_array(texts);
     };
-    claim.json += ",\"jump\":" + decimal(x.jump.value) + ",\"slope_jump\":" + decimal(x.jump.slope) +
-                  ",\"second_jump\":" + decimal(x.jump.second) + ",\"equal\":" + list(x.equal) +
+    claim.json += ",\"jump\":" + road_words::decimal(x.jump.value) +
+                  ",\"slope_jump\":" + road_words::decimal(x.jump.slope) +
+                  ",\"second_jump\":" + road_words::decimal(x.jump.second) + ",\"equal\":" + list(x.equal) +
                   ",\"within\":" + list(x.within) + (x.is_compensated ? ",\"at_section\":true" : "");
     const bool is_angle = x.kind == GC::Road_profile_kind::superelevation;
-    const GC::Enclosure step = absolute(x.jump.value), slope = absolute(x.jump.slope);
-    claim.verdict = (x.equal[0] ? std::string("no step") : "step " + size(step, is_angle ? " rad" : " m")) +
-                    (x.equal[1] ? ", no kink" : ", slope jump " + size(slope, is_angle ? "/m" : "")) +
+    const GC::Enclosure step = road_words::absolute(x.jump.value), slope = road_words::absolute(x.jump.slope);
+    claim.verdict = (x.equal[0] ? std::string("no step") : "step " + road_words::size(step, is_angle ? " rad" : " m")) +
+                    (x.equal[1] ? ", no kink" : ", slope jump " + road_words::size(slope, is_angle ? "/m" : "")) +
                     (x.is_compensated ? ", where a lane section starts" : "");
     claim.gap = step;
     // linear changes of widths and of the superelevation are meant
@@ -209,7 +206,6 @@ public:
   }
 
   Road_claim operator()(const GC::Road_section_join& x) const {
-    using namespace road_words;
     Road_claim claim;
     claim.kind = x.is_named_back ? "section lane back" : "section lane";
     place(claim, x.road, x.s, ", lane " + std::to_string(x.lane.id) + " to " + std::to_string(x.to.id));
@@ -217,16 +213,16 @@ public:
     const GC::Road_number jump = x.jump();
     claim.json += ",\"lane\":" + std::to_string(x.lane.id) + ",\"to\":" + std::to_string(x.to.id) +
                   ",\"borders\":" + std::to_string((x.left ? 1 : 0) + (x.right ? 1 : 0)) +
-                  ",\"jump\":" + (x.is_known ? decimal(jump) : "null") +
-                  ",\"equal\":" + (x.is_known ? flag(x.equal) : "null") +
-                  ",\"within\":" + (x.is_known ? flag(x.within) : "null");
+                  ",\"jump\":" + (x.is_known ? road_words::decimal(jump) : "null") +
+                  ",\"equal\":" + (x.is_known ? road_words::flag(x.equal) : "null") +
+                  ",\"within\":" + (x.is_known ? road_words::flag(x.within) : "null");
     if (!x.is_known) {
       claim.verdict = "not decided, a lane inside of it is missing";
       claim.given = {Claim::not_covered, "section lane", "a lane inside of it is missing"};
       return claim;
     }
-    claim.gap = absolute(jump);
-    claim.verdict = x.equal ? "borders equal" : "borders apart by " + size(*claim.gap, " m");
+    claim.gap = road_words::absolute(jump);
+    claim.verdict = x.equal ? "borders equal" : "borders apart by " + road_words::size(*claim.gap, " m");
     claim.given = given(verdict(x.within));
     claim.measure = Measure{"gap", *claim.gap};
     if (!x.within) claim.fault = "lanes apart";
@@ -234,7 +230,6 @@ public:
   }
 
   Road_claim operator()(const GC::Road_link_join& x) const {
-    using namespace road_words;
     Road_claim claim;
     claim.kind = "link";
     place(claim, x.from, x.to);
@@ -242,17 +237,17 @@ public:
     add_join(claim, x.join);
     if (!x.has_lanes && x.join.g0 == GC::Verdict::refuted)
       claim.given = {Claim::not_covered, "link", "no lanes are linked, and the reference lines do not meet"};
-    claim.json += ",\"lanes\":" + flag(x.has_lanes) + ",\"step\":" + decimal(x.step) +
-                  ",\"grade_jump\":" + decimal(x.grade_jump) + ",\"returned\":" + flag(x.is_returned);
+    claim.json += ",\"lanes\":" + road_words::flag(x.has_lanes) + ",\"step\":" + road_words::decimal(x.step) +
+                  ",\"grade_jump\":" + road_words::decimal(x.grade_jump) +
+                  ",\"returned\":" + road_words::flag(x.is_returned);
     claim.verdict = "reference lines " + claim.verdict;
-    if (!CGAL::is_zero(x.step)) claim.verdict += ", step " + size(absolute(x.step), " m");
+    if (!CGAL::is_zero(x.step)) claim.verdict += ", step " + road_words::size(road_words::absolute(x.step), " m");
     if (!x.is_returned) claim.verdict += ", not returned";
     if (claim.given.claim == Claim::not_covered) claim.verdict += ", no lanes are linked";
     return claim;
   }
 
   Road_claim operator()(const GC::Road_lane_join& x) const {
-    using namespace road_words;
     Road_claim claim;
     claim.kind = x.is_in_junction ? "junction lane" : x.is_named_back ? "road lane back" : "road lane";
     place(claim, x.from, x.to, ", lane " + std::to_string(x.lane.id), ", lane " + std::to_string(x.to_lane.id));
@@ -263,8 +258,9 @@ public:
       return json_array(texts);
     };
     claim.json += ",\"lane\":" + std::to_string(x.lane.id) + ",\"to\":" + std::to_string(x.to_lane.id) +
-                  ",\"gaps\":" + list(x.gaps) + ",\"steps\":" + list(x.steps) + ",\"within\":" + flag(x.within) +
-                  ",\"within_z\":" + (x.within_height ? flag(*x.within_height) : "null") +
+                  ",\"gaps\":" + list(x.gaps) + ",\"steps\":" + list(x.steps) +
+                  ",\"within\":" + road_words::flag(x.within) +
+                  ",\"within_z\":" + (x.within_height ? road_words::flag(*x.within_height) : "null") +
                   (x.has_overlap ? ",\"overlap\":true" : "");
     const auto largest = [](const std::vector<GC::Enclosure>& sizes) {
       GC::Enclosure most{0, 0};
@@ -273,10 +269,10 @@ public:
     };
     const GC::Enclosure gap = largest(x.gaps), step = largest(x.steps);
     claim.gap = gap;
-    claim.verdict = "borders apart by " + size(gap, " m") +
+    claim.verdict = "borders apart by " + road_words::size(gap, " m") +
                     (!x.within_height  ? ", heights not decided"
                      : step.upper == 0 ? ""
-                                       : ", in height by " + size(step, " m"));
+                                       : ", in height by " + road_words::size(step, " m"));
     if (x.has_overlap) claim.verdict += ", lanes overlap there";
     claim.given = given(x.within_height ? x.within && *x.within_height : x.within);
     if (claim.given.claim != Claim::not_met) return claim;

@@ -29,7 +29,7 @@ struct Kind_summary {
   std::size_t joins = 0, not_met = 0, undecided = 0, equal = 0;
 };
 
-struct Worst {
+struct Largest_defect {
   GC::Enclosure size{0, 0};
   std::string place, file;
 };
@@ -45,7 +45,7 @@ class Road_report {
   std::size_t plan_[4] = {}; // gaps, G0, G1, G2
   std::size_t same_headings_ = 0, same_curvatures_ = 0, kinks_ = 0, jumps_ = 0, links_apart_ = 0;
   std::size_t notes_ = 0, faults_ = 0;
-  Worst worst_gap_, worst_kink_, worst_jump_, worst_lane_, worst_step_;
+  Largest_defect worst_gap_, worst_kink_, worst_jump_, worst_lane_, worst_step_;
 
   static Report_subject subject(const Road_demand& demand) {
     Report_subject s{"join", "every join"};
@@ -57,7 +57,7 @@ class Road_report {
 
   bool is_text() const { return report_.mode().format == Report_format::text; }
 
-  void keep_worst(Worst& worst, const std::optional<GC::Enclosure>& size, const Road_claim& claim) {
+  void keep_worst(Largest_defect& worst, const std::optional<GC::Enclosure>& size, const Road_claim& claim) {
     if (size && worst.size.upper < size->upper) worst = {*size, claim.place, file_};
   }
 
@@ -192,7 +192,7 @@ class Road_report {
 
   const Kind_summary& kind(const char* name) { return kinds_[name]; }
 
-  std::string worst_text(const char* what, const Worst& worst, const char* unit) const {
+  std::string worst_text(const char* what, const Largest_defect& worst, const char* unit) const {
     if (worst.place.empty()) return "";
     return std::string("largest ") + what + ": " + road_words::size(worst.size, unit) + ", " +
            (several_ ? worst.file + ": " : "") + worst.place + '\n';
@@ -233,7 +233,7 @@ class Road_report {
     return os.str();
   }
 
-  static std::string json_worst(const char* name, const Worst& worst) {
+  static std::string json_worst(const char* name, const Largest_defect& worst) {
     if (worst.place.empty()) return "";
     return std::string(",\"") + name + "\":{\"size\":" + road_words::json(worst.size) +
            ",\"file\":" + json_text(worst.file) + ",\"place\":" + json_text(worst.place) + '}';
