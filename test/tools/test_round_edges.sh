@@ -57,7 +57,7 @@ holds [ ! -e no.g2 ]
 # solids: all is closed
 run 0 round-edges "$box" --set-back 1 -o closed.g2 --plot closed.svg
 says out "closed: edges " "6 plane faces, 12 edges rounded by 6 blends, 0 corners left open" \
-  "closed: G2 along all 26 rails and 2 seams, proved exactly"
+  "closed: G2 along all 40 rails and 2 seams, proved exactly"
 run 0 verify --surfaces closed.g2 --require G2 && says out ", 0 G1, 0 G0, 0 boundary, 0 collapsed"
 holds grep -q '<svg' closed.svg
 # a bracket of patches, edges of which consist of two, in one plane
@@ -86,7 +86,10 @@ run 0 verify --surfaces ell.g2 --require G2 && says out ", 0 G1, 0 G0, 0 boundar
 cat >tetrahedron.off <<'END'
 OFF
 4 4 6
-0 0 0  8 0 0  0 8 0  0 0 8
+0 0 0
+8 0 0
+0 8 0
+0 0 8
 3 0 2 1
 3 0 1 3
 3 1 2 3

@@ -79,9 +79,10 @@ built with OpenCASCADE) it encloses, over each whole edge that two faces share
 and each seam, the largest gap of both faces, the largest angle of their
 normals and the largest jump of the curvature across the edge, in mm, degrees
 and percent, and decides G0, G1 and G2 within --within GAP,ANGLEdeg,CURVATURE%,
-or within vda-4955 when it is not given. Geometry is taken as it is in the
-file; shapes are not healed, unless --sew DISTANCE lets OpenCASCADE join the
-boundary edges that are within this distance (in mm), as most IGES files need.
+or within vda-4955 when it is not given, where --require G2 asks for curvatures
+that are equal. Geometry is taken as it is in the file; shapes are not healed,
+unless --sew DISTANCE lets OpenCASCADE join the boundary edges that are within
+this distance (in mm), as most IGES files need.
 Those that lie beside each other and are not joined are not covered, nor is what
 a file names and cannot be read, or shells said to be closed that are not.
 Each file is read by a process of its own, within --time-limit seconds of
@@ -217,8 +218,9 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
 // Returns the demands on CAD models.
 Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>& required) {
   line.refuse({"surfaces", "closed", "kernel", "max-order", "certificate"}, "not for CAD models");
-  Cad_demand demand =
-      demand_within(line.has("within") ? line.text("within") : default_cad_tolerance, kink_rule(line).bound);
+  // without bounds, curvatures must be equal
+  const std::string otherwise = required && required->order() == 2 ? exact_cad_curvature : default_cad_tolerance;
+  Cad_demand demand = demand_within(line.has("within") ? line.text("within") : otherwise, kink_rule(line).bound);
   if (!required) return demand;
   if (required->kind() != GC::Continuity_kind::G || required->order() > 2)
     throw std::invalid_argument("--require " + required->text() + ": of CAD models G0, G1 and G2 are decided");

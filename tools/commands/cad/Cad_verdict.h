@@ -22,6 +22,8 @@
 
 // The tolerance unless one is given: the edges of CAD models are computed, and never meet exactly.
 constexpr const char* default_cad_tolerance = "vda-4955";
+// These bounds, and no jump of the curvature, hold where G2 is asked for.
+constexpr const char* exact_cad_curvature = "0.02,0.1deg,0%";
 
 // The demands on the edges of CAD models.
 struct Cad_demand {

@@ -279,8 +279,10 @@ public:
       const auto corner = [&](std::size_t i) { return corners[t[i % 3].first][t[i % 3].second]; };
       const Space_point centre = CGAL::centroid(corner(0), corner(1), corner(2));
       for (std::size_t i = 0; i < 3; ++i)
-        surfaces.push_back(Exact_surface(
-            Space_patch({{corner(i), middle(corner(i), corner(i + 2))}, {middle(corner(i), corner(i + 1)), centre}})));
+        surfaces.push_back( // with the control points of the ring beside it, also after rounding
+            Exact_surface(
+                Space_patch({{corner(i), middle(corner(i), corner(i + 2))}, {middle(corner(i), corner(i + 1)), centre}})
+                    .elevate(4, 4)));
     }
   }
 };

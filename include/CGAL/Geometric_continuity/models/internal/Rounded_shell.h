@@ -39,10 +39,9 @@ template <class Result> class Rounded_shell {
   typedef typename Rounding::Vertex_kind Kind;
   enum Side { right = 0, left = 1 }; // of a halfedge, and the value of v
 
-  // Consecutive spans of a chain with the same face or rounded edge beside them.
+  // Consecutive spans of a chain with one edge.
   struct Run {
-    int first, last; // spans
-    int beside;      // a face, or -1 - h for the rounded edge h that ends there
+    int first, last;
     std::size_t edge;
   };
 
@@ -148,14 +147,6 @@ private:
     return result_.edges.size() - 1;
   }
 
-  int beside(const Chain& chain, int span, int side) const {
-    const int h = chain.halfedges[static_cast<std::size_t>(span / 2)];
-    if (span % 2 == 0) return face(side == left ? h : opposite(h));
-    const int o = opposite(h), m = rounding_.stem(rounding_.source(o));
-    const bool stem_is_left = rounding_.turned(m) == o;
-    return stem_is_left == (side == left) ? -1 - m : face(rounding_.turned(m));
-  }
-
   void add_rails() {
     span_.assign(rounding_.solid.halfedges.size(), {-1, -1});
     for (std::size_t c = 0; c < rounding_.chains.size(); ++c) {
@@ -166,13 +157,8 @@ private:
       runs_.emplace_back();
       for (int side : {right, left}) {
         std::vector<Run>& runs = runs_.back()[static_cast<std::size_t>(side)];
-        for (int span = 0; span < chain.number_of_spans(); ++span) {
-          const int x = beside(chain, span, side);
-          if (runs.empty() || runs.back().beside != x)
-            runs.push_back({span, span, x, 0});
-          else
-            runs.back().last = span;
-        }
+        // an edge for each span: systems that integrate along edges expect no inner knots
+        for (int span = 0; span < chain.number_of_spans(); ++span) runs.push_back({span, span, 0});
         for (Run& run : runs)
           run.edge = add_edge(row(chain, side == left ? 5 : 0, run.first, run.last + 1),
                               knots(chain, run.first, run.last + 1), vertex_at(chain, run.first, side),
