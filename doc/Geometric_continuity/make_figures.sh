@@ -52,7 +52,7 @@ OFF
 4 4 5 11 10
 4 5 0 6 11
 END
-"$program" round-edges bracket.off --set-back 3 --plot rounded_solid.svg >/dev/null
+"$program" round-edges bracket.off --set-back 2 --plot rounded_solid.svg >/dev/null
 "$program" plot --surfaces "$data/fillet.g2" --title "Cylinder, fillet, plane" -o fillet.svg
 # from_python.svg is drawn by the page "From Python", where the module is built; PYTHON is an
 # interpreter with matplotlib
