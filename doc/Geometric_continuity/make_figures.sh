@@ -52,7 +52,7 @@ OFF
 4 4 5 11 10
 4 5 0 6 11
 END
-"$program" round-edges bracket.off --set-back 3 --plot rounded_solid.svg >/dev/null
+"$program" round-edges bracket.off --set-back 2 --plot rounded_solid.svg >/dev/null
 "$program" plot --surfaces "$data/fillet.g2" --title "Cylinder, fillet, plane" -o fillet.svg
 # fair_curves.svg is drawn by the benchmark of this name, where it is built
 compare_fair_curves=$(dirname "$program")/../benchmark/Geometric_continuity/compare_fair_curves

@@ -281,7 +281,7 @@ void draw(Picture& picture, const TopoDS_Shape& shape, double left, double top, 
   gp_Trsf turn, tilt;
   turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(0, 0, 1)), -0.6);
   tilt.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(1, 0, 0)), -M_PI / 2 + 0.5);
-  const gp_Trsf view = tilt * turn; // x to the right, y upwards, z to the eye
+  const gp_Trsf view = tilt * turn;       // x to the right, y upwards, z to the eye
   BRepMesh_IncrementalMesh(shape, 0.005); // of about 30
   struct Triangle {
     std::array<gp_Pnt, 3> points;

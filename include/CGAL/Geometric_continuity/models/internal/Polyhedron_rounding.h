@@ -734,18 +734,20 @@ private:
     chain.knots.push_back(knot);
   }
 
-  // 1, or a power of two for which the control points of an edge do not pass each other.
+  // A power of two for which the control points of an edge do not pass each other; for long edges
+  // one for which the speed along them is about that of the turns.
   double length_of_span(int h) const {
     const End &from = ends_[h], &to = ends_[opposite(h)];
     const Vector x = direction(h);
-    double most = 1;
+    double most = 1024;
     for (std::size_t j = 0; j < 6; ++j) {
       const double room = number(dot(to.at[5 - j] - from.at[j], x)) * (from.is_smooth && to.is_smooth ? 1 : 0.625),
                    used = (from.is_smooth ? number(dot(from.inward[j], x)) : 0) -
                           (to.is_smooth ? number(dot(to.inward[5 - j], x)) : 0);
-      if (used > 0) most = (std::min)(most, room / used);
+      most = (std::min)(most, used > 0 ? room / used : 1);
     }
     double length = 1;
+    while (2 * length <= 0.85 * most) length *= 2;
     for (int k = 0; k < most_halvings && length > most * (1 + 1e-9); ++k) length /= 2;
     if (length > most * (1 + 1e-9))
       refuse(Error_code::parameter_outside_domain, solid.halfedges[h].edge,
