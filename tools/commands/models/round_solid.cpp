@@ -145,7 +145,11 @@ std::vector<double> cuts_of(const Command_line& line, const Solid& solid, const 
 double fullness_of(const Command_line& line) {
   const std::string word = line.text("profile");
   if (word == "fair") return 0;
-  const double value = line.number<double>("profile", 0);
+  double value = 0;
+  try {
+    value = line.number<double>("profile", 0);
+  } catch (const std::exception&) { // no number is given
+  }
   if (!(0 < value && value < 1))
     throw std::invalid_argument("--profile: '" + word + "' is neither fair nor a number between 0 and 1");
   return value;
