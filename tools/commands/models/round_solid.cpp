@@ -148,7 +148,7 @@ double fullness_of(const Command_line& line) {
   double value = 0;
   try {
     value = line.number<double>("profile", 0);
-  } catch (const std::exception&) { // no number
+  } catch (const std::exception&) { // no number is given
   }
   if (!(0 < value && value < 1))
     throw std::invalid_argument("--profile: '" + word + "' is neither fair nor a number between 0 and 1");
