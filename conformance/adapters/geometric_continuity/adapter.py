@@ -126,7 +126,7 @@ def model(file, order, within):
 def roads(file, order, within):
     names = {"gap": "--gap", "angle_radians": "--kink", "curvature_jump": "--curvature"}
     try:
-        found = call(["--require", "G0", file] + [w for k, v in within.items() for w in (names[k], v)])
+        found = call(["--require", "G0", "--allow-empty", file] + [w for k, v in within.items() for w in (names[k], v)])
     except RuntimeError as error:
         if "unrecognised option" in str(error):
             raise Unsupported("roads by this version") from error
@@ -136,8 +136,10 @@ def roads(file, order, within):
         if "order" in join and join["kind"] in ("plan", "link"):
             orders.append(join["order"] or "undecided")
         elif join["kind"] == "elevation":
-            orders.append("G0" if join["met"] else "gap")
-    return least(orders)
+            # Heights, then slopes, then second derivatives.
+            orders.append("G0" if join["within"][0] else "gap")
+    # Where lanes meet, reference lines need not: it counts those that do not, and makes no join of them.
+    return least(orders + ["gap"] * found["summary"]["links_apart"])
 
 
 def decide(file, order, within):
