@@ -138,7 +138,7 @@ def roads(file, order, within):
         elif join["kind"] == "elevation":
             # Heights, then slopes, then second derivatives.
             orders.append("G0" if join["within"][0] else "gap")
-    # Where lanes meet, reference lines need not: it counts those that do not, and makes no join of them.
+    # Reference lines need not meet where lanes do: those that do not are counted only.
     return least(orders + ["gap"] * found["summary"]["links_apart"])
 
 
