@@ -33,7 +33,7 @@ set(release_tests
     install packaging_deb
     # the program
     program_big program_cad program_cad_losses program_cad_poles program_cad_reader program_cad_report program_cad_verdicts program_certificates program_drawings program_manual
-    program_manual_numbers program_memory program_output program_report_in_browser program_words program_work)
+    program_manual_numbers program_memory program_output program_report_in_browser program_wires program_words program_work)
 add_custom_target(long_tests)
 add_custom_target(release_tests)
 

@@ -11,7 +11,7 @@
 #include "commands/fonts/read_fonts.h"
 #include "commands/fonts/verify_fonts.h"
 #include "commands/repair/repair_drawing.h"
-#include "formats/svg/Unpacked_bytes.h"
+#include "files/Unpacked_bytes.h"
 #include "memory_file.h"
 #include "reports/report_joins.h"
 

@@ -12,7 +12,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 
 "$draw_figures" .
-for example in blend_surfaces_g3 fair_blend interpolate_fair join_the_spout line_and_arc orders_of_continuity portnov_figures; do "$examples/$example" >/dev/null; done
+for example in blend_surfaces_g3 fair_blend interpolate_fair join_the_spout line_and_arc orders_of_continuity portnov_figures road_joins; do "$examples/$example" >/dev/null; done
 
 "$program" blend "$data/hill_left.g2" "$data/hill_right.g2" --strategy normal,energy3,fair --plot first_blend.svg \
   --title "Three blends, each proved G2: the lower E, the more evenly the curvature varies" >/dev/null
@@ -27,8 +27,36 @@ for figure in surface_blend_energy3 surface_blend_fairest; do
   "$program" blend --surfaces "$data/bent_near.g2" "$data/bent_far.g2" --strategy "$strategy" -o blend.g2 >/dev/null
   "$program" plot --surfaces "$data/bent_near.g2" blend.g2 "$data/bent_far.g2" --title "The blend by $strategy" -o $figure.svg
 done
-"$program" round-edges "$data/box.g2" --set-back 2 --plot rounded_box.svg >/dev/null
+"$program" round-edges "$data/box.g2" --set-back 2 --open --plot rounded_box.svg >/dev/null
+cat >bracket.off <<'END'
+OFF
+12 8 18
+0 0 0
+40 0 0
+40 10 0
+10 10 0
+10 40 0
+0 40 0
+0 0 20
+40 0 20
+40 10 20
+10 10 20
+10 40 20
+0 40 20
+6 5 4 3 2 1 0
+6 6 7 8 9 10 11
+4 0 1 7 6
+4 1 2 8 7
+4 2 3 9 8
+4 3 4 10 9
+4 4 5 11 10
+4 5 0 6 11
+END
+"$program" round-edges bracket.off --set-back 3 --plot rounded_solid.svg >/dev/null
 "$program" plot --surfaces "$data/fillet.g2" --title "Cylinder, fillet, plane" -o fillet.svg
+# fair_curves.svg is drawn by the benchmark of this name, where it is built
+compare_fair_curves=$(dirname "$program")/../benchmark/Geometric_continuity/compare_fair_curves
+if [ -x "$compare_fair_curves" ]; then "$compare_fair_curves" fair_curves.svg >/dev/null; fi
 # from_python.svg is drawn by the page "From Python", where the module is built; PYTHON is an
 # interpreter with matplotlib
 module=$(dirname "$program")/../python
@@ -44,6 +72,16 @@ if [ -f "$model" ] && [ -n "$browser" ] && "$program" report "$model" -o linkrod
     "file://$work/linkrods.html" >/dev/null 2>&1
 else
   echo "report_of_a_cad_model.png stays as it is: it needs OpenCASCADE, $model and Chromium" >&2
+fi
+
+draw_solids=$(dirname "$draw_figures")/draw_solids
+if [ -x "$draw_solids" ]; then
+  "$draw_solids" make . | while read -r name set_back; do
+    "$program" round-edges "$name.step" --set-back "$set_back" -o "${name}_rounded.step" >/dev/null
+  done
+  "$draw_solids" draw . rounded_solids.png
+else
+  echo "rounded_solids.png stays as it is: it needs OpenCASCADE" >&2
 fi
 
 for figure in *.svg *.png; do

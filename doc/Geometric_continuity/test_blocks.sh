@@ -7,7 +7,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$2/doc/Geometric_continuity"
 awk -v work="$work" '/^\\code\{\.cpp\}/ { file = work "/" FILENAME "." ++n[FILENAME]; next } /^\\endcode/ { file = "" } file { print > file }' *.txt
 awk '/^\\endverbatim/ { inside = 0 } inside { print } /^\\verbatim/ { getline; inside = /^100 1 0 0/; if (inside) print }' Input_and_output.txt >"$work/curve.g2"
-[ "$(ls "$work" | grep -c '\.txt\.')" -eq 4 ] || { echo "not four blocks:" && ls "$work" && exit 1; }
+[ "$(ls "$work" | grep -c '\.txt\.')" -eq 5 ] || { echo "not five blocks:" && ls "$work" && exit 1; }
 cat >"$work/main.cpp" <<'CPP'
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
@@ -51,6 +51,9 @@ int main() {
   const Point wished(4, 2, 2), point = GC::curvature_alternatives(curve, FT(1)).point_at(FT(5));
 #include "Segmented_curves.txt.1"
   std::cout << "C_0 = " << *c0 << '\n';
+  {
+#include "Roads_and_rails.txt.1"
+  }
   std::ifstream shown("curve.g2");
   std::cout << GC::read_g2_curves<GC::Traits_2<CGAL::Simple_cartesian<CGAL::Exact_rational>>>(shown)[0].control_point(1) << '\n';
 }
@@ -67,5 +70,6 @@ done <<'END'
 ^C0 G2 F2.* C0 G2 F2.*C0 G
 ^2 joins, C0 G2 F2
 ^C_0 = 5$
+^0 0 0 2$
 ^1/3 2$
 END

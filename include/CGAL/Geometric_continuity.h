@@ -32,6 +32,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_polygon.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Clothoid_segment.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Cubic_blended_curve.h>
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
@@ -49,6 +50,7 @@
 #include <CGAL/Geometric_continuity/joins/Join_deviation.h>
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/Visual_join.h>
+#include <CGAL/Geometric_continuity/joins/alignment_join.h>
 #include <CGAL/Geometric_continuity/joins/chain_continuity.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
@@ -69,6 +71,7 @@
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
+#include <CGAL/Geometric_continuity/blends/clothoid_blend.h>
 #include <CGAL/Geometric_continuity/blends/interpolate_fair.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 
@@ -90,14 +93,17 @@
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
+#include <CGAL/Geometric_continuity/models/Road_network.h>
 #include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/round_edges.h>
+#include <CGAL/Geometric_continuity/models/round_polyhedron.h>
 #include <CGAL/Geometric_continuity/models/tessellate.h>
 
 #include <CGAL/Geometric_continuity/IO/g2.h>
 
 #include <algorithm>
+#include <iterator>
 #include <ostream>
 #include <type_traits>
 #include <vector>
@@ -133,6 +139,12 @@ template <class Traits>
 using Piecewise_bezier_curve [[deprecated("the class is Composite_bezier_curve")]] = Composite_bezier_curve<Traits>;
 template <class Traits>
 using Bezier_spline [[deprecated("the class is Composite_bezier_curve")]] = Composite_bezier_curve<Traits>;
+
+// Edges
+[[deprecated("the edge is Patch_edge::u0")]] inline constexpr Patch_edge U_MIN = Patch_edge::u0;
+[[deprecated("the edge is Patch_edge::u1")]] inline constexpr Patch_edge U_MAX = Patch_edge::u1;
+[[deprecated("the edge is Patch_edge::v0")]] inline constexpr Patch_edge V_MIN = Patch_edge::v0;
+[[deprecated("the edge is Patch_edge::v1")]] inline constexpr Patch_edge V_MAX = Patch_edge::v1;
 
 namespace internal {
 
@@ -207,6 +219,17 @@ template <class Traits>
 [[deprecated("the joins of a spline are its knots: call knot_continuities(c)")]] std::vector<Knot_continuity<Traits>>
 continuity(const Rational_bspline_curve<Traits>& c, int max_order = 3) {
   return knot_continuities(c, max_order);
+}
+
+// An iterator to which the curves would be written, as algorithms of CGAL do.
+template <class Chain, class Number, class Output_iterator,
+          class = std::enable_if_t<std::is_same_v<typename std::iterator_traits<Output_iterator>::iterator_category,
+                                                  std::output_iterator_tag>>>
+internal::No_result round_corners(const Chain&, const Number&, const Output_iterator&) {
+  static_assert(internal::never<Chain>,
+                "round_corners(points_or_curves, distance) returns the chain, which has begin() "
+                "and end(): std::copy(rounded.begin(), rounded.end(), out)");
+  return {};
 }
 
 // A function that does not exist, with the sentence that is the first error of the compiler where

@@ -54,6 +54,19 @@ class Representable_blend(Curve):
 
 
 @dataclass(frozen=True)
+class Clothoid_blend:
+    """Three clothoids with continuous curvature between two ends."""
+
+    segments: numpy.ndarray  #: shape (3, 6): x, y and heading at the start, curvature at the start and at the end, length
+    gaps: tuple  #: of the four joins: with the start, with each other, with the end; an `Enclosure` for each
+    kinks: tuple  #: the angles between the directions there, in radians
+    jumps: tuple  #: the differences of the curvatures there, all exactly 0
+
+    def __getattr__(self, name):
+        missing_member(self, name)
+
+
+@dataclass(frozen=True)
 class Rounded_corner:
     """Two curves without what is near their corner, and the blend between them."""
 
@@ -82,6 +95,22 @@ class Fitted_curve(Segmented_curve):
     vertices: List[int]  #: the numbers of the vertices at which segments meet
     corners: List[int]  #: the numbers of the vertices that are corners
     distance: float  #: a proved bound of the distance of curve and polyline, both ways
+
+
+def clothoid_blend(start, end, *, exact: bool = False) -> Clothoid_blend:
+    """Returns three clothoids from `start` to `end` with continuous curvature, also at both ends. Each starts where the one before ends,
+    rounded to a decimal of 17 digits; what that leaves is enclosed.
+
+    start, end: (x, y, heading, curvature), the heading in radians from the x-axis, counter-clockwise; the curvature is positive to
+        the left. Numbers are read exactly, as by `continuity`.
+    exact: whether the numbers of the segments are fractions, the very decimals for which gaps and kinks are enclosed; float64 are
+        the nearest to them, and read back as the same decimals.
+
+    Raises Error: `zero_direction` when both points are equal, `not_representable` when no such clothoids are found,
+    `wrong_number_of_points` for other shapes, `not_finite`, `work_limit`.
+    """
+    check_flag("clothoid_blend", "exact", exact, "the joins are enclosed either way")
+    return Clothoid_blend(**_native.clothoid_blend(start, end, exact))
 
 
 @keywords(order=_BLEND_ORDERS)
@@ -131,12 +160,13 @@ def representable_blend(left, right, strategy: str = "fair") -> Representable_bl
     return Representable_blend(**_native.representable_blend(left, right, strategy))
 
 
-def round_corner(left, right, distance, strategy: str = "fair", *, exact: Optional[bool] = None) -> Rounded_corner:
+def round_corner(left, right, distance=None, strategy: str = "fair", *, radius=None, exact: Optional[bool] = None) -> Rounded_corner:
     """Rounds the corner in which `left` ends and `right` starts: cuts off what is nearer to it than `distance` along the curves, and puts
     a blend there.
 
     left, right: arrays of shape (degree + 1, dimension).
     distance: positive, in units of the coordinates, less than the length of each curve.
+    radius: in place of the distance: that at which a circle of this radius touches both tangents.
     strategy: "fair", "energy3" (G2), "fair_g3" (G3), or cubics with G2 joins: "cubic", one with both handles in the corner between lines
         and two, in the plane, elsewhere; "two_cubics" always takes two, which are fuller.
 
@@ -145,7 +175,9 @@ def round_corner(left, right, distance, strategy: str = "fair", *, exact: Option
     """
     check_name("round_corner", "strategy", strategy, ("fair", "energy3", "fair_g3", "cubic", "two_cubics"))
     left, right = (bezier_points(curve, "round_corner") for curve in (left, right))
-    record = _native.round_corner(left, right, distance, strategy, exact)
+    if (distance is None) == (radius is None):
+        raise Error("parameter_outside_domain", "round_corner", "a distance is needed, or a radius, and not both")
+    record = _native.round_corner(left, right, distance if radius is None else radius, radius is not None, strategy, exact)
     knots = record.pop("knots")
     if knots is not None:
         record["blend"] = Segmented_curve(3, record["blend"], knots)

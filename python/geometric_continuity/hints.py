@@ -23,7 +23,8 @@ _PLOT = "evaluate(curve, numpy.linspace(0, 1, 200)) returns the points that matp
 _VERBS = {"read": _READ, "load": _READ, "open": _READ, "import": _READ, "parse": _READ, "svg": _READ, "write": _WRITE, "save": _WRITE,
           "export": _WRITE, "plot": _PLOT, "draw": _PLOT, "show": _PLOT,
           "verify": "chain_joins(curves) and failing_joins(curves, \"G2\") decide the joins of a spline or a list, "
-                    "verify(file) those of files"}
+                    "verify(file) those of files",
+          "check": "call continuity(left, right) for two curves, chain_joins(spline) for a spline or a list of curves, verify(file) for files"}
 
 # Names that other libraries have, and the call here.
 _GUESSED = {
@@ -49,7 +50,6 @@ _GUESSED = {
     "tangent": "call evaluate(curve, parameters, 1)",
     "measure": "call deviation(left, right)",
     "distance": "call deviation(left, right), which has the gap",
-    "check": "call continuity(left, right) for curves, chain_joins(spline) for a spline or a list of curves, verify(file) for files",
     "repair": "call `geometric_continuity repair` for files; representable_blend(left, right) and align_handles(left, right) for curves",
     "fillet": "call round_corner(left, right, distance)",
     "round_corner": "round_corner(left, right, distance) rounds one corner; call it for each pair of neighbours",

@@ -139,7 +139,8 @@ def failing_joins(points, order: str = "G2", closed: bool = False, parallel: boo
     closed: whether the last curve and the first one have a join, the number n - 1, too.
     parallel: on several cores, where the module was built with TBB.
     tolerance, gap, tangent_angle, curvature_jump, torsion_jump, curvature_derivative: as of `order_within`, for orders G: a join fails
-        unless its order is proved within them.
+        unless its order is proved within them. For C1 and C2 the relative jump of the first derivative is at most the angle, that of the
+        second one at most `curvature_jump`.
 
     The lock of the interpreter is released meanwhile, and signals such as that of Ctrl-C are seen.
 
@@ -152,10 +153,18 @@ def failing_joins(points, order: str = "G2", closed: bool = False, parallel: boo
     tolerances = dict(gap=gap, tangent_angle=tangent_angle, curvature_jump=curvature_jump, torsion_jump=torsion_jump,
                       curvature_derivative=curvature_derivative)
     if tolerance != 0 or any(x is not None for x in tolerances.values()):
-        if order[0] != "G":
-            raise Error("parameter_outside_domain", "failing_joins", f"tolerances are those of orders G0 to G3, not of {order}")
+        if order[0] == "F" or order == "C3":
+            raise Error("parameter_outside_domain", "failing_joins", f"tolerances are those of orders G0 to G3 and C0 to C2, not of {order}")
         exactly = failing_joins(points, order, closed, parallel)  # what holds exactly holds within all tolerances
         found = chain(points, "failing_joins")
+        if order[0] == "C":
+            bounds = [tolerance if x is None else x for x in (tangent_angle, curvature_jump, gap)]
+
+            def fails(i) -> bool:
+                a, b = sides(found[i], found[(i + 1) % len(found)], "failing_joins", int(order[1]))
+                return _native.is_c_within(a.points, b.points, int(order[1]), *bounds) != "proved"
+
+            return numpy.array([i for i in exactly if fails(i)], dtype=numpy.intp)
         return numpy.array([i for i in exactly if order_within(found[i], found[(i + 1) % len(found)], tolerance, **tolerances)
                             .verdicts[int(order[1])] != "proved"], dtype=numpy.intp)
     if isinstance(points, Segmented_curve) and order[0] != "C":

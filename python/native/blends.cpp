@@ -6,6 +6,7 @@
 #include "commands/blends/named_strategies.h"
 
 #include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/blends/clothoid_blend.h>
 #include <CGAL/Geometric_continuity/blends/representable_blend.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
@@ -72,9 +73,11 @@ template <class Traits> Numbers knots_of(const GC::Composite_bezier_curve<Traits
 template <class Blend> Numbers knots_of(const Blend&) { return {}; }
 
 template <class FT>
-Corner_numbers round_in(const Numbers& left, const Numbers& right, double distance, const std::string& strategy) {
+Corner_numbers round_in(const Numbers& left, const Numbers& right, double size, bool is_radius,
+                        const std::string& strategy) {
   typedef Array_traits<FT> Traits;
   const GC::Bezier_curve<Traits> phi = curve<Traits>(left, "round_corner"), psi = curve<Traits>(right, "round_corner");
+  const FT distance = is_radius ? GC::corner_distance(phi, psi, size) : FT(size);
   const auto round = [&](const auto& chosen) {
     const auto corner = GC::round_corner(phi, psi, distance, chosen);
     return Corner_numbers{array_of<Traits>(corner.left),  array_of<Traits>(corner.blend), knots_of(corner.blend),
@@ -120,8 +123,33 @@ Representable_numbers representable_blend(const Numbers& left, const Numbers& ri
                   "representable_blend: the strategy '" + strategy + "' is none of fair, energy3");
 }
 
-Corner_numbers round_corner(const Numbers& left, const Numbers& right, double distance, const std::string& strategy,
-                            Field_of_results field) {
-  return field == Field_of_results::exact ? round_in<Exact>(left, right, distance, strategy)
-                                          : round_in<double>(left, right, distance, strategy);
+Clothoid_numbers clothoid_blend(const Numbers& start, const Numbers& end) {
+  const auto end_of = [](const Numbers& x) {
+    if (x.shape.size() != 1 || x.size() != 4)
+      throw GC::Error(GC::Error_code::wrong_number_of_points,
+                      "clothoid_blend: an end has four numbers, x, y, heading and curvature");
+    const auto at = [&](std::size_t i) { return number<Exact>(x, i); };
+    return GC::Alignment_end{GC::Enclosed_point(at(0), at(1)), GC::Heading(at(2)), GC::End_curvature(at(3))};
+  };
+  const GC::Clothoid_blend blend = GC::clothoid_blend(end_of(start), end_of(end));
+  Clothoid_numbers r;
+  r.segments.shape = {3, 6};
+  for (const GC::Clothoid_segment& s : blend.segments) {
+    const auto place = s.start_point().rational();
+    for (const Exact& x :
+         {place->first, place->second, s.start_heading().angle(), s.start_curvature(), s.end_curvature(), s.length()})
+      r.segments.exact.push_back(x);
+  }
+  for (const GC::Alignment_join& join : blend.joins) {
+    r.gaps.push_back(join.gap);
+    r.kinks.push_back(join.kink);
+    r.jumps.push_back(*join.jump);
+  }
+  return r;
+}
+
+Corner_numbers round_corner(const Numbers& left, const Numbers& right, double size, bool is_radius,
+                            const std::string& strategy, Field_of_results field) {
+  return field == Field_of_results::exact ? round_in<Exact>(left, right, size, is_radius, strategy)
+                                          : round_in<double>(left, right, size, is_radius, strategy);
 }

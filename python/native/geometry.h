@@ -54,6 +54,7 @@ enum class Field_of_results { doubles, exact };
 GC::Join_continuity<Exact> continuity(const Numbers& left, const Numbers& right, std::optional<int> max_order);
 GC::Join_deviation deviation(const Numbers& left, const Numbers& right);
 GC::Order_within order_within(const Numbers& left, const Numbers& right, const GC::Join_tolerance& tolerance);
+GC::Verdict is_c_within(const Numbers& left, const Numbers& right, int order, const GC::Join_tolerance& tolerance);
 std::optional<GC::Visual_class> visual_class(const Numbers& left, const Numbers& right, const Exact& kink_angle);
 std::optional<GC::Kink_size> kink_size(const Numbers& left, const Numbers& right);
 
@@ -101,12 +102,21 @@ struct Representable_numbers {
 };
 Representable_numbers representable_blend(const Numbers& left, const Numbers& right, const std::string& strategy);
 
+// Three clothoids, a row x, y, heading, curvatures, length for each; and the gaps, kinks and jumps
+// of the four joins.
+struct Clothoid_numbers {
+  Numbers segments;
+  std::vector<GC::Enclosure> gaps, kinks, jumps;
+};
+Clothoid_numbers clothoid_blend(const Numbers& start, const Numbers& end);
+
 struct Corner_numbers {
   Numbers left, blend, knots, right; // knots of cubics
   Exact left_cut, right_cut;
 };
-Corner_numbers round_corner(const Numbers& left, const Numbers& right, double distance, const std::string& strategy,
-                            Field_of_results field);
+// By a distance, or by that of a circle with a radius.
+Corner_numbers round_corner(const Numbers& left, const Numbers& right, double size, bool is_radius,
+                            const std::string& strategy, Field_of_results field);
 
 double fairness(const Numbers& curve);
 
@@ -144,5 +154,17 @@ struct Edge_record {
 Edge_record edge_continuity(const Numbers& a, const std::string& edge_a, const Numbers& b, const std::string& edge_b);
 // Along the edge that they have in common; where both are one object, along two of its edges.
 Edge_record edge_continuity(const Numbers& a, const Numbers& b);
+
+// The second surface, matched to the first one along edges, exactly.
+struct Matched_numbers {
+  Numbers points;
+  std::pair<std::string, std::string> edges;
+  std::vector<std::pair<std::string, Exact>> shape; // names and numbers, those up to the order
+  Edge_record before;
+  bool has_order; // along the whole edge, which is proved
+};
+// `shape` has the names of what is given; all else is the nearest, also the edges without names.
+Matched_numbers match(const Numbers& a, const std::string& edge_a, const Numbers& b, const std::string& edge_b,
+                      int order, const std::vector<std::pair<std::string, Exact>>& shape);
 
 #endif // GEOMETRIC_CONTINUITY_PYTHON_GEOMETRY_H

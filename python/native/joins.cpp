@@ -174,6 +174,11 @@ GC::Order_within order_within(const Numbers& left, const Numbers& right, const G
                      [&](const auto& a, const auto& b) { return GC::order_within(a, b, tolerance); });
 }
 
+GC::Verdict is_c_within(const Numbers& left, const Numbers& right, int order, const GC::Join_tolerance& tolerance) {
+  return with_curves(left, right, "failing_joins",
+                     [&](const auto& a, const auto& b) { return GC::is_c_within(a, b, order, tolerance); });
+}
+
 std::optional<GC::Visual_class> visual_class(const Numbers& left, const Numbers& right, const Exact& kink_angle) {
   const GC::Corner_threshold bound{kink_angle};
   return with_plane_curves(left, right, "visual_class",

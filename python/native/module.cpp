@@ -428,6 +428,13 @@ PYBIND11_MODULE(_native, m) {
                                        bound(curvature_derivative)};
     return released([&] { return order_within(a, b, tolerance); });
   });
+  m.def("is_c_within", [](const py::object& left, const py::object& right, int order, const py::object& tangent_angle,
+                          const py::object& curvature_jump, const py::object& gap) {
+    const Numbers a = numbers_of(left), b = numbers_of(right);
+    const auto bound = [](const py::object& x) { return GC::Bound(GC::enclosure(exact_number(x))); };
+    const GC::Join_tolerance tolerance{bound(tangent_angle), bound(curvature_jump), 0, bound(gap)};
+    return to_string(released([&] { return is_c_within(a, b, order, tolerance); }));
+  });
   m.def("visual_class", [](const py::object& left, const py::object& right, const py::object& kink_angle) {
     const Numbers a = numbers_of(left), b = numbers_of(right);
     const Exact angle = exact_number(kink_angle);
@@ -458,6 +465,16 @@ PYBIND11_MODULE(_native, m) {
           const Wish wish(exact, {&a, &b, &p});
           return record_of(released([&] { return blend(a, b, strategy, x, y, p, wish.field); }), wish.exact);
         });
+  m.def("clothoid_blend", [](const py::object& start, const py::object& end, bool exact) {
+    const Numbers a = numbers_of(start), b = numbers_of(end);
+    Clothoid_numbers r = released([&] { return clothoid_blend(a, b); });
+    py::dict record;
+    record["segments"] = array_of(std::move(r.segments), exact);
+    record["gaps"] = py::tuple(py::cast(r.gaps));
+    record["kinks"] = py::tuple(py::cast(r.kinks));
+    record["jumps"] = py::tuple(py::cast(r.jumps));
+    return record;
+  });
   m.def("representable_blend", [](const py::object& left, const py::object& right, const std::string& strategy) {
     const Numbers a = numbers_of(left), b = numbers_of(right);
     if (!a.are_doubles() || !b.are_doubles())
@@ -470,12 +487,12 @@ PYBIND11_MODULE(_native, m) {
     record["moved"] = r.moved;
     return record;
   });
-  m.def("round_corner", [](const py::object& left, const py::object& right, const py::object& distance,
+  m.def("round_corner", [](const py::object& left, const py::object& right, const py::object& size, bool is_radius,
                            const std::string& strategy, const std::optional<bool>& exact) {
     const Numbers a = numbers_of(left), b = numbers_of(right);
-    const double d = nearest_double(exact_number(distance));
+    const double d = nearest_double(exact_number(size));
     const Wish wish(exact, {&a, &b});
-    Corner_numbers r = released([&] { return round_corner(a, b, d, strategy, wish.field); });
+    Corner_numbers r = released([&] { return round_corner(a, b, d, is_radius, strategy, wish.field); });
     py::dict record;
     record["left"] = array_of(std::move(r.left), wish.exact);
     record["blend"] = array_of(std::move(r.blend), wish.exact);
@@ -534,6 +551,24 @@ PYBIND11_MODULE(_native, m) {
           const Numbers x = numbers_of(a), y = numbers_of(b);
           return released([&] { return edge_continuity(x, edge_a, y, edge_b); });
         });
+  m.def("match", [](const py::object& a, const std::string& edge_a, const py::object& b, const std::string& edge_b,
+                    int order, const py::dict& given, const std::optional<bool>& exact) {
+    const Numbers x = numbers_of(a), y = numbers_of(b);
+    std::vector<std::pair<std::string, Exact>> shape;
+    bool rounded = false;
+    for (const auto& [name, number] : given)
+      shape.emplace_back(py::cast<std::string>(name), exact_number(number, rounded));
+    Matched_numbers r = released([&] { return match(x, edge_a, y, edge_b, order, shape); });
+    const bool is_exact = exact ? *exact : !(x.rounded || y.rounded || rounded);
+    py::dict record, numbers;
+    record["points"] = array_of(std::move(r.points), is_exact);
+    for (const auto& [name, value] : r.shape) numbers[name.c_str()] = number(value, is_exact);
+    record["shape"] = numbers;
+    record["edges"] = r.edges;
+    record["before"] = std::move(r.before);
+    record["has_order"] = r.has_order;
+    return record;
+  });
   m.def("edge_continuity", [](const py::object& a, const py::object& b) {
     const Numbers x = numbers_of(a), other = a.is(b) ? Numbers() : numbers_of(b);
     const Numbers& y = a.is(b) ? x : other;

@@ -7,6 +7,7 @@ import contextlib
 import importlib.util
 import io
 import json
+import math
 import os
 import subprocess
 import sys
@@ -61,6 +62,49 @@ class Outlines(unittest.TestCase):
         self.assertEqual(outlines.mend(contour(), max_move=0.5), [])
         halves = [Point(p.x + 0.5, p.y, p.type) for p in contour()]
         self.assertEqual(outlines.mend(halves), [])
+
+    def test_masters(self):
+        """Smooth masters between which there is a kink, and random ones: mended, no mixture has one, and nodes and far points stay."""
+
+        def master(a, b, node=(0, 0)):
+            x, y = node
+            return [Point(*p) for p in ((-300, -200, "move"), (-200, -150, None), (x - a[0], y - a[1], None), (x, y, "curve"),
+                                        (x + b[0], y + b[1], None), (200, 300, None), (300, 250, "curve"))]
+
+        def mixtures(masters, weights):
+            return [sum(w * getattr(m[q], c) - w * getattr(m[p], c) for w, m in zip(weights, masters)) for p, q in ((2, 3), (3, 4)) for c in "xy"]
+
+        masters = [master((40, 30), (80, 60)), master((30, 40), (30, 40), (17, 5))]
+        self.assertEqual([outlines.kinks(m) for m in masters], [[], []])
+        self.assertEqual(outlines.kinks_between(masters), [3])
+        moves = outlines.mend_masters(masters, glyph="a")
+        self.assertEqual([[(m.index, m.after) for m in moved] for moved in moves], [[(2, (-36, -30)), (4, (78, 65))], [(2, (-19, -25)), (4, (53, 35))]])
+        self.assertEqual(outlines.kinks_between(masters), [])
+        self.assertEqual(outlines.mend_masters(masters), [[], []])
+        self.assertEqual(outlines.mend_masters([master((40, 30), (80, 60)), master((30, 40), (30, 40))], max_move=5), [[], []])
+        random_numbers = numpy.random.default_rng(17)
+        print("seed 17")
+        mended = 0
+        for _ in range(80):
+            angle, ratio, masters = random_numbers.uniform(0, 6), random_numbers.uniform(0.3, 3), []
+            for _ in range(random_numbers.integers(2, 5)):
+                t, length, noise = angle + random_numbers.uniform(-0.4, 0.4), random_numbers.uniform(30, 150), random_numbers.uniform(-0.02, 0.02)
+                a, b = ([round(float(size * f(u))) for f in (numpy.cos, numpy.sin)] for size, u in ((length, t), (ratio * length, t + noise)))
+                masters.append(master(a, b, random_numbers.integers(-50, 50, 2).tolist()))
+            before = [[(p.x, p.y) for p in m] for m in masters]
+            between = len(outlines.kinks_between(masters))
+            moves = outlines.mend_masters(masters)
+            for old, m, moved in zip(before, masters, moves):
+                self.assertEqual({i for i, p in enumerate(m) if (p.x, p.y) != old[i]}, {move.index for move in moved})
+                self.assertLessEqual({move.index for move in moved}, {2, 4})
+            if outlines.kinks_between(masters):
+                continue
+            mended += between
+            for _ in range(4):
+                ax, ay, bx, by = mixtures(masters, random_numbers.integers(1, 10, len(masters)).tolist())
+                self.assertEqual(ax * by, ay * bx)
+                self.assertGreater(ax * bx + ay * by, 0)
+        self.assertGreater(mended, 60)
 
     def test_which_handles_move(self):
         def moved(*points, **options):
@@ -280,6 +324,25 @@ class Sources(unittest.TestCase):
         self.assertTrue(all(moves.values()))
         for font in fonts:
             self.assertEqual(sources.ufo_kinks(font), [])
+        self.assertEqual(sources.between_masters(self.path("test.designspace")), 0)
+        # two smooth masters with one ratio of the handles, and with two
+
+        def set_handles(font, left, right):
+            p, q, r = font["o"].contours[0].points[5:8]
+            p.x, p.y, r.x, r.y = q.x - left[0], q.y - left[1], q.x + right[0], q.y + right[1]
+            font.save()
+
+        set_handles(fonts[0], (60, 20), (60, 20))
+        set_handles(fonts[1], (120, 80), (120, 80))
+        self.assertEqual([sources.ufo_kinks(font) for font in fonts], [[], []])
+        self.assertEqual(sources.between_masters(self.path("test.designspace")), 0)
+        set_handles(fonts[0], (60, 20), (30, 10))
+        self.assertEqual(sources.ufo_kinks(fonts[0]), [])
+        self.assertEqual(sources.between_masters(self.path("test.designspace")), 1)
+        with contextlib.redirect_stdout(io.StringIO()) as output:
+            self.assertEqual(sources.main(["repair", self.path("test.designspace"), self.path("test.designspace")]), 0)
+        self.assertIn("nodes with a kink between masters: 1 before, 0 after", output.getvalue())
+        fonts = [ufoLib2.Font.open(self.path(n)) for n in ("light.ufo", "bold.ufo")]
         del fonts[0]["o"].contours[0].points[-1]
         self.assertEqual(sources.incompatible(fonts), ["o"])
 
@@ -416,9 +479,14 @@ class Free_cad(unittest.TestCase):
         part = self.part
         line = self.check(part.makeLine(Vector(0, 0.1, 0), Vector(1, 2, 3)), 1, 1, False)
         self.assertEqual(line[0].points[0].tolist(), [0, Fraction(0.1), 0])
-        self.check(part.Arc(Vector(1, 0, 0), Vector(0, 1, 0), Vector(-1, 0, 0)).toShape(), 3, 1, True)
-        circle = self.check(part.makeCircle(2), 3, 2, True)
-        self.assertEqual([gc.continuity(p, q).g_order for p, q in zip(circle, circle[::-1])], [3, 3])
+        half = self.check(part.Arc(Vector(1, 0, 0), Vector(0, 1, 0), Vector(-1, 0, 0)).toShape(), 2, 2, True)
+        self.assertGreaterEqual(gc.order_within(*half, 1e-13).proved_order, 2)
+        for curve in (part.Circle(Vector(1, 2, 3), Vector(3, 1, -1), 4), part.Ellipse(Vector(5, 0, 1), Vector(0, 2, 2), Vector(0, 0, 1)),
+                      part.Hyperbola(Vector(5, 0, 1), Vector(0, 2, 2), Vector(0, 0, 1))):
+            self.check(curve.toShape(0.7, 1.6), 2, 1, True)
+        self.check(part.Parabola(Vector(1, 0, 0), Vector(2, 1, 0), Vector(0, 0, 1)).toShape(0.7, 1.6), 2, 1, False)
+        circle = self.check(part.makeCircle(2), 2, 3, True)
+        self.assertTrue(all(gc.order_within(p, q, 1e-13).proved_order >= 2 for p, q in zip(circle, circle[1:] + circle[:1])))
         bezier = part.BezierCurve()
         bezier.setPoles([Vector(0, 0, 0), Vector(1, 1, 0), Vector(2, 0, 0)])
         self.check(bezier.toShape(), 2, 1, False)
@@ -458,6 +526,46 @@ class Free_cad(unittest.TestCase):
         self.assertEqual([join.g_order for _, join in joins], [1, 1, 0])
         square = part.makePolygon([Vector(0, 0, 0), Vector(1, 0, 0), Vector(2, 0, 0), Vector(2, 1, 0), Vector(0, 0, 0)])
         self.assertEqual([join.g_order for _, join in self.adapter.wire_joins(square)], [3, 0, 0, 0])
+
+    def test_tangent_wires(self):
+        """Arcs, ellipses and splines that start where a line ends, in general directions: what FreeCAD rounds is within its tolerance."""
+        import random
+
+        from FreeCAD import Rotation, Vector
+
+        part = self.part
+        seed = 187
+        random.seed(seed)
+        exact = proved = 0
+        for i in range(40):
+            turned = Rotation(Vector(*(random.uniform(-1, 1) for _ in range(3))), random.uniform(0, 360))
+            p, t, n = (turned.multVec(Vector(*v)) for v in ((50, 20, 9), (1, 0, 0), (0, 1, 0)))
+            kink = 0.001 if i % 4 == 3 else 0  # degrees
+            line = part.LineSegment(p - t * random.uniform(1, 50), p).toShape()
+            bent, up = Rotation(t.cross(n), kink).multVec(t), n
+            r = random.uniform(5, 50)
+            curve = part.Circle(p + up * r, t.cross(n), r) if i % 2 else part.Ellipse(p, p + up * (r + 5) + t * r, p + up * (r + 5))
+            if kink:
+                curve = part.Circle(p + Rotation(t.cross(n), kink).multVec(up) * r, t.cross(n), r)
+            u = curve.parameter(p)
+            wire = part.Wire([line, part.Arc(curve, u, u + 1).toShape()])
+            (_, join), = self.adapter.wire_joins(wire)
+            exact += join.g_order >= 1
+            (number, within), = self.adapter.wire_joins_within(wire)
+            angle = within.deviation.tangent_angle
+            with self.subTest(seed=seed, i=i, bent=tuple(bent)):
+                self.assertEqual(number, 0)
+                self.assertEqual(within.verdicts[:2], ("proved", "refuted" if kink else "proved"))
+                self.assertTrue(angle.lower - 1e-12 <= math.radians(kink) <= angle.upper + 1e-12)
+                self.assertEqual(within.verdicts[2], "refuted")  # from a line
+            (_, wide), = self.adapter.wire_joins_within(wire, gap=1e-6, tangent_angle=1e-3)
+            self.assertEqual(wide.proved_order, 1)
+            self.assertEqual(next(self.adapter.wire_joins_within(wire, 0, gap=0))[1].verdicts[0], "proved" if join.c_order >= 0 else "refuted")
+            chain = self.adapter.wire_pieces(wire)
+            self.assertEqual(list(gc.failing_joins(chain, "G1", tolerance=1e-7)), [0] if kink else [])
+            proved += within.verdicts[1] == "proved"
+        self.assertEqual(proved, 30)
+        self.assertLess(exact, 10)  # most have a gap of the size of rounding
 
 
 class Drawings(unittest.TestCase):

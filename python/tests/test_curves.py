@@ -95,6 +95,20 @@ class Blends(unittest.TestCase):
             gc.round_corner([(0, 0), (4, 0)], [(4, 0), (4, 4)], 5)
         self.assertIn("5", caught.exception.reason)
 
+    def test_corners_of_radius(self):
+        right = gc.round_corner([(0, 0), (4, 0)], [(4, 0), (4, 4)], radius=1.5)
+        self.assertEqual((right.left_cut, right.right_cut), (Fraction(5, 8), Fraction(3, 8)))
+        # tan(theta / 2) = 1/2 for the turn of cosine 3/5
+        half = gc.round_corner([(0, 0), (5, 0)], [(5, 0), (8, 4)], radius=2)
+        self.assertEqual((half.left_cut, half.right_cut), (Fraction(4, 5), Fraction(1, 5)))
+        general = gc.round_corner([(0., 0), (4, 0)], [(4, 0), (5, 4)], radius=0.5)
+        distance = 0.5 * numpy.tan(numpy.arctan2(4, 1) / 2)
+        numpy.testing.assert_allclose(4 - general.left[-1, 0], distance, rtol=1e-12)
+        for given in ({}, dict(distance=1, radius=1), dict(radius=0), dict(radius=-1)):
+            with self.assertRaises(gc.Error) as caught:
+                gc.round_corner([(0, 0), (4, 0)], [(4, 0), (4, 4)], **given)
+            self.assertEqual(caught.exception.code, "parameter_outside_domain")
+
     def test_corners_by_cubics(self):
         left, right = [(0, 0), (4, 0)], [(4, 0), (4, 4)]
         for strategy, cubics in (("cubic", 1), ("two_cubics", 2)):
@@ -241,6 +255,26 @@ class Documentation(unittest.TestCase):
 
         for module in (gc, gc.evaluation):
             self.assertEqual(doctest.testmod(module).failed, 0)
+
+
+class Clothoids(unittest.TestCase):
+    def test_three_clothoids(self):
+        blend = gc.clothoid_blend((0, 0, Decimal("0.3"), 0), (100, 20, Decimal("-0.2"), Fraction(1, 80)))
+        self.assertEqual(blend.segments.shape, (3, 6))
+        self.assertTrue((blend.segments[:2, 4] == blend.segments[1:, 3]).all())
+        self.assertEqual([tuple(jump) for jump in blend.jumps], [(0, 0)] * 4)
+        for gap, kink in zip(blend.gaps, blend.kinks):
+            self.assertLess(gap.upper, 5e-14)
+            self.assertLess(kink.upper, 5.2e-16)
+        exact = gc.clothoid_blend((0, 0, Decimal("0.3"), 0), (100, 20, Decimal("-0.2"), Fraction(1, 80)), exact=True)
+        self.assertEqual(exact.segments.astype(float).tolist(), blend.segments.tolist())
+        self.assertEqual(exact.segments[0, 2], Fraction(3, 10))
+
+    def test_refused(self):
+        for end, code in (((0, 0, 1, 0), "zero_direction"), ((1, 0, 1), "wrong_number_of_points"), ((1, 0, float("nan"), 0), "not_finite")):
+            with self.assertRaises(gc.Error) as caught:
+                gc.clothoid_blend((0, 0, 0, 0), end)
+            self.assertEqual(caught.exception.code, code)
 
 
 if __name__ == "__main__":

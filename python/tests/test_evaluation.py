@@ -238,7 +238,7 @@ class Sentences(unittest.TestCase):
         self.says("Bezier_curve(points, weights, domain)", lambda: gc.Bezier, AttributeError)
         self.says("Spline(degree, points, knots)", lambda: gc.BSpline, AttributeError)
         self.says("did you mean interpolate?", lambda: gc.interpolation, AttributeError)
-        self.says("did you mean continuity?", lambda: gc.check_continuity, AttributeError)
+        self.says("call continuity(left, right) for two curves", lambda: gc.check_continuity, AttributeError)
         self.says("call evaluate(curve, parameters, 1)", lambda: gc.tangent_vector, AttributeError)
         self.says("call curvature(...) of geometric_continuity with it", lambda: gc.blend(LEFT, RIGHT).curvature, AttributeError)
         self.says("call interpolate(points) for the spline through points", lambda: gc.spline, AttributeError)
@@ -247,7 +247,7 @@ class Sentences(unittest.TestCase):
         self.says("fit(points, tolerance) leads curves near it", lambda: gc.Polyline, AttributeError)
         self.says("help(geometric_continuity) lists", lambda: gc.outline, AttributeError)  # no line
         self.says("chain_joins(curves) and failing_joins", lambda: gc.verify_chain, AttributeError)
-        for name in ("knot_continuity", "is_curvature_continuous", "continuous"):
+        for name in ("knot_continuity", "is_curvature_continuous", "continuous", "check_spline", "check_chain"):
             self.says("chain_joins(spline)", lambda: getattr(gc, name), AttributeError)
         self.says("a curve has .points", lambda: gc.control_points, AttributeError)
         for name in ("connect", "bridge_curves"):

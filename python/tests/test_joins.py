@@ -288,8 +288,17 @@ class Many_joins(unittest.TestCase):
         low, high = map(Fraction, gc.deviation(*bend).tangent_angle)
         self.assertEqual(gc.order_within(*bend, tangent_angle=(low + high) / 2).verdicts[1], "undecided")
         self.assertEqual([gc.failing_joins(bend, "G1", tangent_angle=a).tolist() for a in (low, (low + high) / 2, high)], [[0], [0], []])
-        with self.assertRaisesRegex(gc.Error, "parameter_outside_domain: failing_joins: tolerances are those of orders G0 to G3, not of C1"):
-            gc.failing_joins(chain, "C1", tolerance=1e-3)
+        # the relative jumps of derivatives: 1/1000 of the first, 1/500 of the second ones
+        left, right = [(0, 0), (1, 0), (2, 1)], [(2, 1), (3, 2 + Fraction(1, 1000)), (4, 3 + Fraction(4, 1000))]
+        self.assertEqual([gc.failing_joins([left, right], order).tolist() for order in ("C0", "C1", "C2")], [[], [0], [0]])
+        self.assertEqual([gc.failing_joins([left, right], "C1", tangent_angle=a).tolist() for a in (1e-3, 7e-4)], [[], [0]])
+        domains = [gc.Bezier_curve(left), gc.Bezier_curve(right, None, (0, 2))]  # at half the speed
+        self.assertEqual([gc.failing_joins(domains, "C1", tangent_angle=a).tolist() for a in (0.6, 0.4)], [[], [0]])
+        flat = [[(0, 0), (1, 1), (2, 0)], [(2, 0), (3, -1), (4, Fraction(-4001, 1000))]]
+        self.assertEqual([gc.failing_joins(flat, "C2", tangent_angle=1e-3, curvature_jump=a).tolist() for a in (0.002, 1e-4)], [[], [0]])
+        for order in ("C3", "F1"):
+            with self.assertRaisesRegex(gc.Error, "parameter_outside_domain: failing_joins: tolerances are those of orders G0 to G3 and C0 to C2, not of " + order):
+                gc.failing_joins(chain, order, tolerance=1e-3)
 
     def test_strides(self):
         chain = random_chain(500, 2)

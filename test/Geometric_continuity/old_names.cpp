@@ -45,9 +45,17 @@ bool smooth(const GC::Bspline_curve<Plane>& c, const Patch& p, const std::vector
   return GC::is_G2(c) && GC::is_g1(p, p) && GC::is_G3(chain) && GC::chain_joins(c).empty() && GC::continuity(c).empty();
 }
 
+std::pair<double, double> ends(const Curve& c, const GC::Bspline_curve<Plane>& s,
+                               const GC::Composite_bezier_curve<Plane>& p, const GC::Rational_bezier_curve<Plane>& r) {
+  return {c.start_parameter() + s.start_parameter(), p.end_parameter() + r.end_parameter()};
+}
+bool common(const Patch& p) { return GC::edge_continuity(p, GC::U_MAX, p, GC::Patch_edge::V_MIN).g_order >= 0; }
+
 #ifdef OTHER_CALL // a name that there is not, and the sentence about it
 extern const GC::Bezier_curve<Plane> curve;
 extern const Patch patch;
 std::vector<Plane::Point> points;
+extern const std::vector<Curve> curves;
+std::vector<Curve> out;
 void call() { GC::OTHER_CALL; }
 #endif

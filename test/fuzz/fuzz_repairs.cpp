@@ -65,9 +65,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size > 600 || path.find_first_of(std::string("<&\"\0", 4)) != std::string::npos) return 0;
   const std::string drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\"><path d=\"" + path +
                               "\"/><path transform=\"skewX(20)\" d=\"" + path + "\"/></svg>\n";
-  for (const bool harmonise : {false, true}) {
+  enum Way { kinks, curvatures, arcs, on_grid };
+  for (const Way way : {kinks, curvatures, arcs, on_grid}) {
     Repair_options options;
-    options.harmonise = harmonise;
+    options.harmonise = way == curvatures;
+    options.change_arcs = way == arcs;
+    if (way == on_grid) options.grid_decimals = 3;
     Grades before;
     int code = 0;
     std::string result;

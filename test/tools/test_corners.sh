@@ -173,6 +173,19 @@ refused "gap.g2: curves_do_not_meet" blend gap.g2 --corner 0 --distance 1
 refused "gap.g2: curves_do_not_meet: round_corners: join after curve 0" blend gap.g2 --corners all --distance 1
 refused "curves_do_not_meet: round_corners: join after curve 0" blend one.g2 --corners all --closed --distance 1
 
+# where a circle of a radius touches: R in right angles, half of it for the turn of cosine 3/5;
+# joins without a turn stay
+run 0 blend square.g2 --corners all --closed --radius 3/2 -o by_radius.g2 && cp out report && run 0 blend square.g2 --corners all --closed --distance 3/2 -o by_distance.g2
+holds cmp -s by_radius.g2 by_distance.g2 && holds cmp -s out report
+{ line "0 0" "5 0"; line "5 0" "10 0"; line "10 0" "16 8"; } >turn.g2
+run 0 blend turn.g2 --corners all --radius 2 --json -o turned.g2 && says out '"join":1,' '"left_distance":[1,1],"right_distance":[1,1]' && lacks out '"join":0'
+run 0 blend turn.g2 --corner 1 --radius 2 --cubic -o cubic.g2 && run 0 verify cubic.g2 --require G2
+run 1 blend turn.g2 --corners all --radius 2 --kernel double -o turned.g2 && says out "1 -> 2"
+refused "--distance and --radius: one of them" blend square.g2 --corner 0 --distance 1 --radius 1
+refused "--radius: only with --corner or --corners" blend "$L" "$R" --radius 1
+refused "parameter_outside_domain" blend square.g2 --corners all --radius 0
+refused "turn back" blend back.g2 --corner 0 --radius 1
+
 # a chain without joins ends like verify
 cubic $'0 0 0\n8 0 0\n16 0 0\n24 0 0' >line.g2
 run 2 verify line.g2 && says err "a single curve has no join" && mv err expected

@@ -15,6 +15,8 @@ holds python3 "$extension/geometric_continuity.py" --kink_angle=2 --to=G1 kink.s
 echo '<svg xmlns="http://www.w3.org/2000/svg"><rect width="8" height="6"/></svg>' >rectangle.svg
 holds python3 "$extension/geometric_continuity.py" --kink_angle=5 --distance=1 rectangle.svg >round.svg && says round.svg 'M 1 0L 7 0C 8 0 8 0 8 1L 8 5'
 run 0 verify round.svg --require G2
+holds python3 "$extension/geometric_continuity.py" --kink_angle=5 --distance=1 --arcs=true rectangle.svg >arcs.svg && says arcs.svg 'M 1 0L 7 0A 1 1 0 0 1 8 1L 8 5'
+holds python3 "$extension/geometric_continuity.py" --kink_angle=5 --distance=1 --arcs=false rectangle.svg | cmp -s - round.svg
 echo '<svg' >bad.svg
 python3 "$extension/geometric_continuity.py" bad.svg >none.svg 2>refused && holds false
 says refused "malformed_input" && holds [ ! -s none.svg ]

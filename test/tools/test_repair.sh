@@ -94,8 +94,31 @@ path 'M0 0L10 0L30 1' 1 && says out "no handle can move"
 path 'M0 0C10 9 30 0 60 0L 80 1' 1 && says out "not on this grid"
 path 'M0 0C0 9 30 1 30 1C40 1 50 0 60 0' 1 --kink-angle 45 && says out "a handle lies at the node"
 path 'M0 0L1 2z M1 1' 0 && says out "0 kinks"
-path 'M0 0C1.1234567890123456789 0 20 2 40 0 70-4 80 0 90 0' 1 && says out "too many digits"
-path 'M0 0C1e9 .000000001 20 2 40 0 70-4 80 0 90 0' 1 && says out "not repaired"
+# Where the last decimal makes no grid, handles move by whole units of a coarser one from their
+# nodes, which keep all of their digits, and that is told: numbers of 17 digits, large coordinates
+# with many decimals, handles longer than 2^28 units.
+path 'M0 0C1.1234567890123456789 0 20 2 40 0 70-4 80 0 90 0' 0 && says out 'path "p" (line 2), subpath 1: units of 0.000001 from node to handle, because its numbers have more digits'
+path 'M0 0C1e9 .000000001 20 2 40 0 70-4 80 0 90 0' 0 && says out "because a coordinate is too large for its decimals" && run 0 verify repaired.svg --require G1
+d3='M0.30000000000000004,10C10.1,12.799999999999999,20.200000000000003,20.000000000000004,30.3,20.1C40.4,20.200000000000003,50.5,18.4,60.599999999999994,10'
+path "$d3" 0 && says out "units of 0.000001" "0 kinks" && becomes "$(sed 's/20.200000000000003,20.000000000000004/20.2,20/; s/40.4,20.200000000000003/40.4,20.2/' <<<"$d3")" && run 0 verify repaired.svg --require G1
+cp d one && run 0 repair repaired.svg -o again.svg && holds cmp -s repaired.svg again.svg
+long='M10.583333333 20.372916667C214.816666667 12.435416667 223.8125 8.73125 331.75 10.583333333C439.6875 12.435416667 541.804166667 19.05 647.095833333 20.108333333'
+path "$long" 0 && says out "because a handle is longer than 2^28 units; --grid takes another one" "largest move: 0.3335 units of the grid 0.00001"
+becomes "$(sed 's/8.73125/8.731253333/; s/12.435416667 541/12.435413333 541/' <<<"$long")" && run 0 verify repaired.svg --require G1
+# Beside a line, and between handles of no short direction, one moves to a decimal multiple.
+path 'M0 0L30.1234567890123456 10.9876543210987654C60.1 21.92 80 40 100 80' 0 && run 0 verify repaired.svg --require G1
+path 'M0 0C9.123456789012345 7.345678901234567 20.98765432109876 30.123456789012345 40 50.123456789012345c19.01234567890123457 19.99 30 30 50 60' 0 --kink-angle 10
+run 0 verify repaired.svg --require G1
+path 'M0 0L30.1234567890123456 10.9876543210987654C60.1 21.92 80 40 100 80' 1 --grid 0.01 && says out "no unit of this grid lies in the direction"
+# No number gets more decimals where that would make a join of what is rounding.
+path 'M0 0L30.1234567890123456 10.9876543210987654C60.1 21.92 80 40 100 80L100 80.0000000000000001L180 240' 1 && says out "no unit of this grid lies in the direction"
+# --grid asks for a grid: a finer one leaves less change.
+path 'M0 0C10 9 30 0 60 0L 80 1' 0 --grid 0.1 && becomes "M0 0C10 9 30 -1.5 60 0L 80 1"
+path 'M0 0c10 0 20 2 40 0s40-4 50 0s20-3.3 60 0' 0 --grid 1e-2 --kink-angle 9 --max-move 900 && run 0 verify repaired.svg --require G1
+path 'M0 0C10 0 20 10.4 30.2 10.4C40 10.7 50 0 60 0' 0 --grid 1 && becomes 'M0 0C10 0 20.2 10.4 30.2 10.4C40.2 10.4 50 0 60 0'
+# The curvatures, too.
+path 'M0.1234567890123456 0.2C10.12345678901234 0.21 20.1234 10.12345678901234 30.12345678901234 10.12345678901234C40.12345678901234 10.12345678901235 50.1234567 0.3 60.1 0.2' 0 --to G2
+says out "the curvature jumps by 4.175e-06 % instead of 0.9068 %" && run 0 repair repaired.svg -o again.svg --to G2 && holds cmp -s repaired.svg again.svg
 # JSON.
 if command -v python3 >/dev/null; then
   path 'M0 0C10 0 20 2 40 0 70-4 80 0 90 0L170 1' 1 --json
@@ -107,15 +130,40 @@ fi
 { curve "2 0"$'\n4 4\n0 0 0 0 1 1 1 1\n0 0\n1e1 0\n20 2\n40 0'; curve "2 0"$'\n4 4\n0 0 0 0 1 1 1 1\n40 0 70 -.4e1 80 0 90 0'; } >chain.g2
 run 0 repair chain.g2 -o chain2.g2 && says out "1 kink" "0 kinks" && run 0 verify chain2.g2 --require G1
 sed 's/-.4e1/-3/' chain.g2 >expected && holds cmp -s expected chain2.g2
-sed 's/^1e1 0/1\/3 0/' chain.g2 >fraction.g2 && run 1 repair fraction.g2 -o fraction2.g2 && holds cmp -s fraction.g2 fraction2.g2
-says out "a coordinate that is no decimal"
-sed 's/^20 2/20 1e-16/' chain.g2 >fine.g2 && run 1 repair fine.g2 -o fine2.g2 && says out "no decimal of at most 15 digits"
+sed 's/^1e1 0/1\/3 0/; s/^20 2/20 1\/3/' chain.g2 >fraction.g2 && run 0 repair fraction.g2 -o fraction2.g2 --kink-angle 9
+says out "chain: units of 0.000001 from node to handle, because its numbers are no decimals" && run 0 verify fraction2.g2 --require G1 && holds grep -qx "1/3 0" fraction2.g2
+sed 's/^20 2/20 1\/3000000/; s/^40 0$/40 1\/3/; s/^40 0 70 -.4e1/40 1\/3 70 1\/7/' chain.g2 >fraction.g2 && run 0 repair fraction.g2 -o fraction2.g2 && run 0 verify fraction2.g2 --require G1
+sed 's/^20 2/20 1e-16/; s/-.4e1/0/' chain.g2 >fine.g2 && run 0 repair fine.g2 -o fine2.g2 && says out "1 kink" "0 kinks" && sed 's/ 1e-16/ 0/' fine.g2 >expected && holds cmp -s expected fine2.g2
 cubic $'0 0 0\n1 0 0\n2 1 0\n3 0 0' >space.g2 && run 2 repair space.g2 -o none.g2 && says err "only curves in the plane"
 holds [ ! -e none.g2 ]
 # A gap is no kink, and nothing is proved: 1, as of verify --require G1.
 { curve $'2 0\n2 2\n0 0 1 1\n0 0\n10 5' && curve $'2 0\n2 2\n0 0 1 1\n10.0001 5\n20 10'; } >gap.g2
 run 1 verify gap.g2 --require G1 && run 1 repair gap.g2 -o gap2.g2 && holds cmp -s gap.g2 gap2.g2
 says out "behind curve 1 at (10, 5): a gap, as the next curve starts at (10.0001, 5)" "after:  1 gap" "1 of them not free of kinks and gaps" && lacks out proved
+# --close closes it, where that is nearest and harms least, up to a width.
+run 0 repair gap.g2 -o gap2.g2 --close 1e-4 && sed 's/10.0001 5/10 5/' gap.g2 >expected && holds cmp -s expected gap2.g2
+says out "closed: chain, behind curve 1 at (10, 5): the ends were 0.0001 apart" "moved: chain, curve 2, point 0: (10.0001, 5) -> (10, 5), 1 unit" "every join is free of kinks, proved" && lacks out "not repaired"
+run 0 verify gap2.g2 --require G1 && run 0 repair gap.g2 -o gap2.g2 --close 1e-4 --json && says out '"gap":[' '"closed":[' '"largest_move":[1,1]'
+run 1 repair gap.g2 -o gap2.g2 --close 9e-5 && holds cmp -s gap.g2 gap2.g2 && says out "which is farther away than --close"
+# Both ends of a wider gap move to its middle, with their handles: what is smooth at other ends
+# stays.
+line0=$'2 0\n2 2\n0 0 1 1\n0 0\n10 0' left0=$'2 0\n4 4\n0 0 0 0 1 1 1 1\n10 0\n20 0\n27 9\n30 10' right0=$'2 0\n4 4\n0 0 0 0 1 1 1 1\n31 12\n34 13\n40 20\n50 20'
+{ curve "$line0" && curve "$left0" && curve "$right0"; } >gap3.g2 && run 0 repair gap3.g2 -o gap4.g2 --close 3 && run 0 verify gap4.g2 --require G1
+sed 's/^27 9$/27 10/; s/^30 10$/30 11/; s/^31 12$/30 11/; s/^34 13$/33 12/' gap3.g2 >expected && holds cmp -s expected gap4.g2
+# With 17 digits: the middle has one more.
+{ curve $'2 0\n3 3\n0 0 0 1 1 1\n0 0\n5 0\n10 5.0000000000000001' && curve $'2 0\n2 2\n0 0 1 1\n10 5.0000000000000004\n15 10'; } >gap3.g2 && run 0 repair gap3.g2 -o gap4.g2 --close 1e-15
+says gap4.g2 "10 5.00000000000000025" && run 0 verify gap4.g2 --require G0 && lacks out gap
+# Curves that run backwards are named, and reversed by --reverse.
+{ curve $'2 0\n2 2\n0 0 1 1\n0 0\n10 0' && curve $'2 0\n4 4\n0 0 0 0 1 1 1 1\n20 10\n20 4\n16 0\n10 0' && curve $'2 0\n2 2\n0 0 1 1\n20 10\n20 30'; } >back.g2
+run 0 verify back.g2 && says out "curve 1 runs backwards: to reverse it closes both gaps (repair --reverse)" && run 0 verify back.g2 --json --summary && says out '"backward_curves":[1]'
+run 1 repair back.g2 -o back2.g2 && holds cmp -s back.g2 back2.g2 && says out "chain: curve 2 reversed would close 2 gaps; --reverse does that"
+run 0 repair back.g2 -o back2.g2 --reverse && says out "reversed: curve 2" "after:  0 corners, 0 kinks, 2 G1" && lacks out "nothing is changed" && run 0 verify back2.g2 --require G1
+{ curve $'2 0\n2 2\n0 0 1 1\n0 0\n10 0' && curve $'2 0\n4 4\n0 0 0 0 1 1 1 1\n10 0\n16 0\n20 4\n20 10' && curve $'2 0\n2 2\n0 0 1 1\n20 10\n20 30'; } >expected && holds cmp -s expected back2.g2
+run 0 repair back2.g2 -o back3.g2 --reverse && holds cmp -s back2.g2 back3.g2 && lacks out "reversed:" && lacks out backwards && run 0 repair back.g2 -o back3.g2 --reverse --json && says out '"reversed":[' ' 2]'
+# Knots that are not symmetric, and weights, are reversed, too.
+{ curve $'2 0\n5 4\n0 0 0 0 1/2 2 2 2 2\n9 9\n8 8\n7 8\n1 0\n0 0' && curve $'2 1\n3 3\n0 0 0 1 1 1\n20 10 1\n20 4 2\n27 27 3'; } >back.g2
+run 1 repair back.g2 -o back2.g2 --reverse && says out "reversed: curve 1" "reversed: curve 2" && run 0 verify back2.g2 --require G0
+{ curve $'2 0\n5 4\n0 0 0 0 1.5 2 2 2 2\n0 0\n1 0\n7 8\n8 8\n9 9' && curve $'2 1\n3 3\n0 0 0 1 1 1\n27 27 3\n20 4 2\n20 10 1'; } >expected && holds cmp -s expected back2.g2
 run 1 repair gap.g2 -o gap2.g2 --json && says out '"met":false' '"gaps":1' '"not_met":1'
 run 1 repair chain.g2 --closed -o gap2.g2 && says out "0 kinks" "1 gap" "1 of them not free of kinks and gaps" # which does not lead back
 run 2 repair "$teapot" -o none.g2 && run 2 repair chain.g2 -o none.svg && says err "the format is .g2"
@@ -193,6 +241,23 @@ path 'M0 0A3 4 30 0 1 5 5Q6 9 30 40L40 51' 1 && becomes 'M0 0A3 4 30 0 1 5 5Q6 9
 says out "not on this grid" "before: 1 corner, 1 kink"
 path 'M0 0A5 4 1e-350 0 1 10 0Q10 9 20 30L29 51' 1 && becomes 'M0 0A5 4 1e-350 0 1 10 0Q10 9 20 30L29 51' # no direction changes beside what is undecided
 says out "both nodes bind the handle of a quadratic" "undecided: 1 join, an arc of a rotated ellipse"
+# Other radii and ends of arcs with which a kink vanishes are told, and --arcs takes the first that
+# is a short decimal.
+arcs='M 10 30 A 20 20 0 0 1 46 30 A 25 25 0 0 0 90 30'
+path "$arcs" 1 && becomes "$arcs" && says out "behind command 2: no point of the grid lies in the direction of the arc; smooth with the end (91, 30) of command 3, or with the start (10.8, 30) of command 2, or with the radius 220/9 of command 3, which is no short decimal, or with the radius 225/11 of command 2, which is no short decimal; --arcs takes the first"
+path "$arcs" 1 --json && says out '"smooth_with":[{"curve":2,"end":["91","30"],"is_decimal":true},{"curve":1,"start":["10.8","30"],"is_decimal":true},{"curve":2,"radii":["220/9","220/9"],"is_decimal":false}'
+path "$arcs" 0 --arcs && becomes "${arcs/90 30/91 30}" && says out 'changed: path "p" (line 2), subpath 1, command 3, end: (90, 30) -> (91, 30)' && run 0 verify repaired.svg --require G1
+path "${arcs}m5 5h1" 0 --arcs && becomes "M 10.8 30 A 20 20 0 0 1 46 30 A 25 25 0 0 0 90 30m5 5h1" && run 0 verify repaired.svg --require G1 # what follows does not move
+path 'M10 30a20 20 0 0136 0a25 25 0 0044 0m5 5h1' 0 --arcs && becomes 'M10.8 30a20 20 0 01 35.2 0a25 25 0 0044 0m5 5h1'
+path "${arcs}L 99 9" 0 --arcs --kink-angle 3 && becomes "M 10.8 30 A 20 20 0 0 1 46 30 A 25 25 0 0 0 90 30L 99 9"
+path 'M 10 50 L 40 50 A 15 15 0 0 1 54 58' 0 --arcs && becomes 'M 10 50 L 40 50 A 16.25 16.25 0 0 1 54 58' && says out "command 3, radius: 15 -> 16.25" && run 0 verify repaired.svg --require G1
+path 'M 10 50 L 40 50 A 15 15 0 0 1 54 58' 0 --arcs --json && says out '"what":"radius","from":["15"],"to":["16.25"]' '"moves":[]'
+path 'M0 0H40A21 21 0 0 1 60 20V60' 0 --arcs && becomes 'M0 0H40A20 20 0 0 1 60 20V60' && says out "2 kinks" "0 kinks"
+path 'M0 0H40A21 42 0 0 1 60 40V60' 0 --arcs --kink-angle 9 && becomes 'M0 0H40A20 40 0 0 1 60 40V60' # of the same ratio
+path 'M0 0H40A20 20 0 0 1 60 20L61 60' 1 --arcs && becomes 'M0 0H40A20 20 0 0 1 60 20L61 60' && lacks out "smooth with" # a smooth join stays
+for option in --arcs "--arcs --to G2"; do
+  svg '<path transform="scale(2 1)" d="M0 0H40A21 21 0 0 1 60 20V60"/>' && run 0 repair drawing.svg -o repaired.svg $option --kink-angle 9 && says repaired.svg 'd="M0 0H40A20 20 0 0 1 60 20V60"'
+done
 # A filled path has a join where it ends at its start, which is mended like others; a stroked path
 # has none.
 ring='M50 10C72 10 90 28 90 50C90 72 72 90 50 90C28 90 10 72 10 50C10 28 28 11 50 10'
@@ -277,6 +342,12 @@ refused "--kink-angle" "$leaf" --kink-angle x
 refused "--max-move" "$leaf" --max-move -1
 refused "--to" "$leaf" --to G3
 refused "--closed" "$leaf" --closed
+refused "--close" "$leaf" --close 1
+refused "--reverse" "$leaf" --reverse
+refused "--arcs: only for drawings" gap.g2 --arcs
+refused "--close" gap.g2 --close 0
+refused "is no power of ten such as 0.001" "$leaf" --grid 0.5
+refused "--grid: not with fonts" font.ttf --grid 1
 run 2 repair "$leaf" && says err "-o FILE is needed" && run 2 repair -o x && run 2 repair "$leaf" "$badge" -o x
 run 2 repair "$leaf" -o no/folder.svg && says err "no/folder.svg"
 if [ "$(id -u)" -ne 0 ]; then

@@ -34,10 +34,40 @@ run 0 blend drawing.svg --corners all --distance 5 --kink-angle 1 -o out.svg && 
 svg '<path id="a" d="M0 0 L10 0 A 5 5 0 0 1 10 20 L 0 20 z M 0 0 h9 a1.5,1 0 01 4 0 v5"/><path id="b" d="M0 0 L1 1 L x"/><polygon points="0 0 9 0 9 9"/>'
 run 0 blend drawing.svg --corners all --distance 1 -o out.svg && says out "5 corners of 2 elements" 'path "a" (line 2): 1 corner at an arc' 'path "b" (line 2)'
 says out.svg 'L 10 0A 5 5 0 0 1 10 20L' 'L 9 0A 1.5 1 0 0 1 13 0L 13 5'
+# arcs of a radius: exact in right angles, in general up to the decimals, smaller on short sides
+run 0 blend shapes.svg --corners all --radius 5 -o arcs.svg && says out "21 corners of 6 elements are rounded: 17 arcs, 0 with exactly continuous curvature, 4 with tangents"
+says arcs.svg '<path d="M 15 10L 55 10A 5 5 0 0 1 60 15L 60 35A 5 5 0 0 1 55 40L 15 40A 5 5 0 0 1 10 35L 10 15A 5 5 0 0 1 15 10Z" class="r"' "A 2.5 2.5 0 0 1 90 82.5"
+svg '<polygon points="0 0 30 0 30 20 0 20"/><polygon points="0 0 0 20 30 20 30 0"/>' && run 0 blend drawing.svg --corners all --radius 3 -o arcs.svg && run 0 verify arcs.svg --require G1 && says out "16 G1"
+says arcs.svg "A 3 3 0 0 1 30 3" "A 3 3 0 0 0 3 20"
+svg '<polygon points="0 0 31 2 17 29"/><polyline points="0 0 4 0 4 4" fill="none"/>' && run 0 blend drawing.svg --corners all --radius 5 -o arcs.svg && says out "4 corners of 2 elements are rounded: 4 arcs (1 of a smaller radius on short sides)"
+says arcs.svg "M 0 0L 1 0A 3 3 0 0 1 4 3" && run 0 verify arcs.svg --json
+python3 - out arcs.svg <<'PYTHON' || holds false
+import json, sys
+angles = [j["angle_degrees"][1] for j in json.load(open(sys.argv[1]))["joins"]]
+assert len(angles) == 8 and all(a < 1e-6 for a in angles), angles
+assert open(sys.argv[2]).read().count("A 5 5 0 0") == 3
+PYTHON
+# Inkscape draws the rounded rectangle, and the arcs, inside of the sides that they touch
+if command -v inkscape >/dev/null; then
+  svg '<rect id="r" x="10" y="20" width="50" height="30"/><polygon id="p" points="100 100 140 100 120 60"/>'
+  run 0 blend drawing.svg --corners all --radius 5 -o arcs.svg && run 0 blend drawing.svg --corners all --distance 5 -o cubics.svg
+  for name in arcs cubics; do
+    inkscape --query-all $name.svg >boxes 2>inkscape.log
+    holds grep -qE '^r,10,20,50,30$' boxes
+    # of the triangle 40 x 40 the top is cut off, by sqrt(5) - 1 radii for the arc
+    [ $name = cubics ] || holds awk -F, '$1 == "p" { h = 40 - 5 * (sqrt(5) - 1); if ($5 > h - 0.01 && $5 < h + 0.01) ok = 1 } END { exit !ok }' boxes
+  done
+fi
+# with --cubic at the same distances
+run 0 blend shapes.svg --corners all --radius 5 --cubic -o cubics.svg && says out "17 with exactly continuous curvature, 4 with" && run 0 verify cubics.svg --require G1
+says cubics.svg 'M 15 10L 55 10C 60 10 60 10 60 15L' && lacks cubics.svg "A 5 5"
 # what is refused
 run 2 blend shapes.svg --distance 5 -o out.svg && says err "--corners all is needed"
 run 2 blend shapes.svg --corners not-g1 --distance 5 -o out.svg && says err "all corners of a drawing are rounded"
 run 2 blend shapes.svg --corners all -o out.svg && says err "--distance is needed"
+run 2 blend shapes.svg --corners all --radius 0 -o out.svg && says err "--radius: 0 is not positive"
+run 2 blend shapes.svg --corners all --radius 1 --distance 1 -o out.svg && says err "one of them"
+run 2 blend shapes.svg --corners all --distance 1 --cubic -o out.svg && says err "--radius asks for arcs"
 run 2 blend shapes.svg --corners all --distance 0 -o out.svg && says err "--distance: 0 is not positive"
 run 2 blend shapes.svg --corners all --distance 1 && says err "-o OUT.svg is needed"
 run 2 blend shapes.svg --corners all --distance 1 -o out.g2 && says err "the format is .svg"

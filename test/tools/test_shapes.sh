@@ -88,13 +88,55 @@ try:
     import ezdxf
 except ImportError:
     sys.exit(0)
+import json
 for name in sys.argv[1:]:
     drawing = ezdxf.readfile(name)
     assert not drawing.audit().errors
-    for e in drawing.modelspace():
-        assert e.dxftype() == "SPLINE" and len(e.knots) == len(e.control_points) + e.dxf.degree + 1
-        e.construction_tool().point(0.5)
+    shapes = json.load(open(name.replace(".dxf", ".json")))["shapes"]
+    splines = list(drawing.modelspace())
+    assert len(splines) == len(shapes)
+    for e, shape in zip(splines, shapes):
+        assert e.dxftype() == "SPLINE" and e.dxf.degree == shape["degree"] and list(e.knots) == shape["knots"]
+        assert [tuple(p) for p in e.control_points] == [tuple((p + [0.0])[:3]) for p in shape["points"]]
+        assert list(e.weights) == shape.get("weights", [])
+        tool = e.construction_tool()
+        first = shape["points"][0]
+        assert max(abs(x - y) for x, y in zip(tool.point(0), first)) <= 1e-12 * max(map(abs, first + [1]))
 PYTHON
+
+# Inkscape draws the curves of a drawing where they are: their bounding boxes, but for the width of
+# the pen
+if command -v inkscape >/dev/null; then
+  run 0 blend "$S" --corners all --distance 20 -o letter.json
+  for name in spline letter; do
+    inkscape --query-all $name.svg >boxes 2>inkscape.log
+    python3 - $name.svg $name.json boxes <<'PYTHON' || holds false
+import json, re, sys
+shapes = json.load(open(sys.argv[2]))["shapes"]
+def points(s): # of the Bezier curves between simple knots of multiplicity degree, or of cubics by de Boor
+    p, u, c = s["degree"], s["knots"], s["points"]
+    for i in range(p, len(c)):
+        for step in range(65):
+            if u[i] == u[i + 1]: continue
+            t = u[i] + (u[i + 1] - u[i]) * step / 64
+            d = [list(c[j]) for j in range(i - p, i + 1)]
+            for r in range(1, p + 1):
+                for j in range(p, r - 1, -1):
+                    a = (t - u[j + i - p]) / (u[j + 1 + i - r] - u[j + i - p])
+                    d[j] = [(1 - a) * x + a * y for x, y in zip(d[j - 1], d[j])]
+            yield d[p]
+box = list(zip(*(p for s in shapes for p in points(s))))
+text = open(sys.argv[1]).read()
+pen = float(re.search('stroke-width="([^"]*)"', text).group(1))
+left, top, width, height = map(float, re.search('viewBox="([^"]*)"', text).group(1).split())
+found = [list(map(float, line.split(",")[1:])) for line in open(sys.argv[3]) if line.startswith("path")]
+x0, y0 = min(f[0] for f in found), min(f[1] for f in found)
+x1, y1 = max(f[0] + f[2] for f in found), max(f[1] + f[3] for f in found)
+for a, b in ((x0 + left, min(box[0])), (x1 + left, max(box[0])), (-y1 - top, min(box[1])), (-y0 - top, max(box[1]))):
+    assert abs(a - b) <= pen + 1e-3 * width, (found, box)
+PYTHON
+  done
+fi
 
 # CAD models hold the doubles, too, as FreeCAD reads them
 cad() { # cad FILE.json FILE.step...
@@ -118,6 +160,12 @@ for name in sys.argv[2:]:
     assert len(parts) == len(shapes)
     for part, shape in zip(parts, shapes):
         surface = shape["kind"] == "surface"
+        flat = lambda knots, times: [k for k, n in zip(knots, times) for _ in range(n)]
+        if surface:
+            assert [part.UDegree, part.VDegree] == shape["degree"] and shape["knots"] == [
+                flat(part.getUKnots(), part.getUMultiplicities()), flat(part.getVKnots(), part.getVMultiplicities())]
+        else:
+            assert part.Degree == shape["degree"] and flat(part.getKnots(), part.getMultiplicities()) == shape["knots"]
         poles = [[list(p) for p in row] for row in part.getPoles()] if surface else [list(p) for p in part.getPoles()]
         assert poles == [(p + [0.0])[:3] for p in shape["points"]] if not surface else poles == shape["points"]
         if "weights" in shape: assert part.getWeights() == shape["weights"]

@@ -19,7 +19,11 @@ run 1 verify kink.g2 --within 1,1,1 --allow-uncovered --json && says out '"claim
 run 1 verify kink.g2 --within 1,1,1 --require F3
 run 0 verify kink.g2 --within 1,1,1 --require F2 && says out "F2 within the tolerance, proved"
 for bad in 1,2 1,2,x -1,0,0 1,2,3,4,5 nan,0,0; do run 2 verify "$L" "$R" --within $bad && says err "within"; done
-run 2 verify --closed "$S" --within 1,1,1 --require C1 && run 2 verify "$S" --within 1
+run 2 verify --closed "$S" --within 1,1,1 --require C3 && says err "C up to 2 are decided" && run 2 verify "$S" --within 1
+# C orders: the relative jump of the first derivatives is 1/1000, that of the second ones 1
+{ curve "2 0"$'\n3 3\n0 0 0 1 1 1\n0 0\n1 0\n2 0'; curve "2 0"$'\n3 3\n0 0 0 1 1 1\n2 0\n3 0.001\n4 0.001'; } >nearly.g2
+run 0 verify nearly.g2 --require C1 --within 0,0.001rad,1% && run 1 verify nearly.g2 --require C1 --within 0,0.0009rad,1% && says out "not C1 within the tolerance"
+run 1 verify nearly.g2 --require C2 --within 0,0.001rad,1% && run 0 verify nearly.g2 --require C2 --within 0,0.001rad,100% && says out "C2 within the tolerance, proved"
 
 # a bound on the curvature: of a parabola 2, of a cusp none, and of a line 0
 printf '100 1 0 0\n2 0\n3 3\n0 0 0 1 1 1\n-1 1\n0 -1\n1 1\n' >parabola.g2

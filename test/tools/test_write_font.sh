@@ -61,6 +61,25 @@ holds cmp -s mended.ttf script.ttf
 $python "$here/../../tools/fonttools/write_font.py" mended.ttf moves.json again.ttf 2>err && holds false
 says err "there is no handle at" && holds [ ! -e again.ttf ]
 
+# A collection: each of its fonts, and tables that they share stay shared.
+$python - <<'END'
+from fontTools.ttLib import TTCollection, TTFont
+collection = TTCollection()
+collection.fonts = [TTFont("given.ttf"), TTFont("mended.ttf"), TTFont("given.ttf")]
+collection.save("given.ttc")
+END
+run 0 repair given.ttc -o mended.ttc && says out "kinks: 6 before, 0 after" && run 0 verify mended.ttc --require G1 && says out "0 kinks"
+holds $python - <<'END'
+from fontTools.ttLib import TTCollection, TTFont
+fonts, mended = TTCollection("mended.ttc").fonts, TTFont("mended.ttf")
+assert len(fonts) == 3
+for font in fonts:
+    assert all(font.reader[t] == mended.reader[t] for t in mended.reader.keys() if t != "head")
+assert fonts[0].reader.tables["glyf"].offset == fonts[2].reader.tables["glyf"].offset
+END
+run 2 repair given.ttc -o no.ttf && says err "a collection of fonts is written as .ttc or .otc" && run 2 repair given.ttf -o no.ttc && says err "a single font is written as .ttf"
+holds [ ! -e no.ttf ] && holds [ ! -e no.ttc ]
+
 # Cubic curves. A segment without length stays.
 font -v outlines=cff >given.otf <<'END'
 glyph .notdef
@@ -89,7 +108,9 @@ builder.setupGvar({"K": [TupleVariation({"wght": (0, 1, 1)}, deltas)]})
 builder.save("vf.ttf")
 END
 run 0 verify vf.ttf --require G1 && run 1 verify vf.ttf --all-instances --max-kink 0
-run 0 repair vf.ttf -o vf2.ttf && says out "1 joins are mended for all masters together" "135.8 units"
+$python -c 'from fontTools.ttLib import TTCollection, TTFont; c = TTCollection(); c.fonts = [TTFont("vf.ttf")] * 2; c.save("vf.ttc")'
+run 2 repair vf.ttc -o no.ttc && says err "a collection of fonts; extract the variable fonts first" && holds [ ! -e no.ttc ]
+run 0 repair vf.ttf -o vf2.ttf && says out "1 join is mended for all masters together" "135.8 units"
 run 0 verify vf2.ttf --all-instances --max-kink 0 && run 0 verify vf2.ttf --require G1
 compare vf.ttf vf2.ttf >differences && says differences "tables: glyf gvar" "K (240, 240) -> (336, 336)" && holds [ "$(wc -l <differences)" -eq 2 ]
 run 1 repair vf.ttf -o vf3.ttf --max-move 50 && says out "not mended: glyph K, contour 0, node (120, 120): a handle would move by 135.8 units"

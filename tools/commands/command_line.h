@@ -106,6 +106,11 @@ public:
     return values_.count(option) != 0 ? values_[option].as<std::string>() : "";
   }
 
+  // The values of an option that may be given several times.
+  Arguments texts(const std::string& option) const {
+    return values_.count(option) != 0 ? values_[option].as<Arguments>() : Arguments();
+  }
+
   int integer(const std::string& option) const { return values_[option].as<int>(); }
 
   // The value of an option that must not lie outside of these bounds.
@@ -122,13 +127,17 @@ public:
     return has(option) ? parsed<FT>(option, text(option)) : otherwise;
   }
 
+  // A length, rounded, that is a value of an option.
+  static double positive_length(const std::string& option, const std::string& word) {
+    const double value = parsed<double>(option, word);
+    if (!(value > 0 && value < 1e9))
+      throw std::invalid_argument("--" + option + ": '" + word + "' is not a positive length");
+    return value;
+  }
   // The length that an option gives, if it is given, rounded.
   std::optional<double> length(const std::string& option) const {
     if (!has(option)) return std::nullopt;
-    const double value = parsed<double>(option, text(option));
-    if (!(value > 0 && value < 1e9))
-      throw std::invalid_argument("--" + option + ": '" + text(option) + "' is not a positive length");
-    return value;
+    return positive_length(option, text(option));
   }
 
   // The seconds that an option gives, or `otherwise` when it is not given.

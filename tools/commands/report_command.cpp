@@ -6,10 +6,12 @@
 #include "commands/drawings/read_drawing.h"
 #include "commands/kink_options.h"
 #include "commands/report_inputs.h"
+#include "commands/roads/road_options.h"
 #include "commands/surfaces_hint.h"
 #include "files/output.h"
 #include "formats/cad/read_cad.h"
 #include "formats/font/font_files.h"
+#include "formats/opendrive/read_opendrive.h"
 
 #include <algorithm>
 #include <iostream>
@@ -19,7 +21,7 @@
 namespace {
 
 const char* const report_usage = R"(usage: geometric_continuity report FILE.g2... | DRAWING.svg... | FONT...
-       | MODEL.step... | TOOLPATH.ngc... -o REPORT.html [OPTIONS]
+       | MODEL.step... | TOOLPATH.ngc... | ROAD.xodr... -o REPORT.html [OPTIONS]
 
 Decides the joins of a chain, of drawings, toolpaths or fonts, the edges of CAD
 models within --within, or with --surfaces those of a model, as verify does, and
@@ -37,6 +39,10 @@ each other.
 In fonts, where the worst are those that are off by the most units, also
   bend    a kink of two straight lines, where no handle is off
   rounding  a kink or bend that is off by at most one unit, or --off-by units
+Of road networks the page draws the roads in plan with their lanes, around each
+join, and large with the curvature and the elevation along the road. All joins
+of reference lines are listed, and of profiles and lanes those that are not as
+verify demands.
 examples:
   geometric_continuity report drawing.svg -o drawing.html
   geometric_continuity report model.step --within class-a -o model.html
@@ -90,6 +96,7 @@ void describe_report(po::options_description_easy_init add) {
       "for CAD models: the seconds of processor time that reading one file may take, 60 if not given; a tenth of them "
       "for drawing one face");
   add("glyphs", po::value<std::string>(), "the glyphs of fonts, e.g. a-z,U+00E9,ampersand");
+  describe_road_tolerances(add);
   add("closed", "the last curve leads back to the first");
   add("surfaces", "the files hold the patches of a model");
   add("max-work", po::value<std::string>(), "the steps of work that are allowed for one join, edge or curve");
@@ -125,6 +132,15 @@ int run_report(const Command_line& line) {
     return written(page, output);
   }
   line.refuse({"within", "sew", "time-limit"}, "only for CAD models");
+  if (const auto roads = std::count_if(files.begin(), files.end(), is_road_file); roads != 0) {
+    if (roads != static_cast<std::ptrdiff_t>(files.size()))
+      throw std::invalid_argument("road networks (.xodr) and other files are not shown on one page");
+    line.refuse({"surfaces", "closed", "page"}, "not for road networks");
+    read_road_tolerances(line, demand.roads);
+    report_roads(files, demand, page);
+    return written(page, output);
+  }
+  line.refuse({"gap", "kink", "curvature"}, "only for road networks");
   const auto drawings = std::count_if(files.begin(), files.end(), is_drawing_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))

@@ -7,6 +7,7 @@
 
 #include "commands/commands.h"
 #include "commands/fonts/Glyph_join.h"
+#include "commands/roads/verify_roads.h"
 #include "formats/cad/Cad_reading.h"
 #include "formats/font/Glyph_selection.h"
 #include "reports/report_page.h"
@@ -23,6 +24,7 @@ struct Report_demand {
   Handle_rounding rounding; // of fonts
   std::string tolerance;    // of CAD models, as it is written; empty for that of `verify`
   Cad_reading reading;      // of CAD models
+  Road_demand roads = {};   // of road networks
 };
 
 // Each of these reads files, decides about their joins, and puts these on the page.
@@ -30,6 +32,7 @@ void report_cad(const Arguments& files, const Report_demand& demand, Report_page
 void report_chain(const Arguments& files, const Report_demand& demand, Report_page& page);
 void report_drawings(const Arguments& files, const Report_demand& demand, Report_page& page);
 void report_fonts(const Arguments& files, const Report_demand& demand, Report_page& page);
+void report_roads(const Arguments& files, const Report_demand& demand, Report_page& page);
 void report_surfaces(const Arguments& files, const Report_demand& demand, Report_page& page);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_REPORT_INPUTS_H

@@ -14,12 +14,16 @@
 #include "commands/fonts/verify_instances.h"
 #include "commands/kink_options.h"
 #include "commands/lists/verify_list.h"
+#include "commands/roads/rails.h"
+#include "commands/roads/road_options.h"
+#include "commands/roads/verify_roads.h"
 #include "commands/surfaces_hint.h"
 #include "commands/tolerances.h"
 #include "files/output.h"
 #include "formats/cad/read_cad.h"
 #include "formats/font/font_files.h"
 #include "formats/input_formats.h"
+#include "formats/opendrive/read_opendrive.h"
 #include "reports/Baseline.h"
 
 #include <algorithm>
@@ -33,7 +37,8 @@ namespace {
 
 const char* const verify_usage =
     R"(usage: geometric_continuity verify FILE.g2... | FILE.svg... | FONT...
-       | SOURCE... | MODEL.step... | TOOLPATH.ngc... [OPTIONS]
+       | SOURCE... | MODEL.step... | TOOLPATH.ngc... | ROAD.xodr... | RAIL.ifc...
+       [OPTIONS]
 
 Decides the continuity of every join of the chain that all curves form in the
 given order. The decision is exact for the numbers of the files.
@@ -52,6 +57,11 @@ like: a corner, a kink, which is an angle of at most --kink-angle degrees, G1
 or G2. Corners are meant, and need not meet --require G1, G2, ... Segments of no
 length are left out. Of programs in G-code (.ngc, .nc, .gcode, ...) the joins of
 feed moves in a plane are decided in the same way, and named by their lines.
+
+Of alignments in IFC 4.3 (.ifc) it proves or refutes what the segments of curves
+claim: one position, direction, curvature, within the precision of the file, or
+--gap, --kink and --curvature; --require G1 decides claims up to the direction.
+Of LandXML (.xml) it compares the numbers that follow from others, within 0.001.
 
 Of fonts (TrueType, OpenType, Type 1, WOFF; folders with all that is in them) it
 grades the joins of each glyph, on the integers of the font:
@@ -79,9 +89,10 @@ built with OpenCASCADE) it encloses, over each whole edge that two faces share
 and each seam, the largest gap of both faces, the largest angle of their
 normals and the largest jump of the curvature across the edge, in mm, degrees
 and percent, and decides G0, G1 and G2 within --within GAP,ANGLEdeg,CURVATURE%,
-or within vda-4955 when it is not given. Geometry is taken as it is in the
-file; shapes are not healed, unless --sew DISTANCE lets OpenCASCADE join the
-boundary edges that are within this distance (in mm), as most IGES files need.
+or when it is not given within vda-4955, for --require G2 within 0.02,0.1deg,5%.
+Geometry is taken as it is in the file; shapes are not healed, unless --sew
+DISTANCE lets OpenCASCADE join the boundary edges that are within this distance
+(in mm), as most IGES files need.
 Those that lie beside each other and are not joined are not covered, nor is what
 a file names and cannot be read, or shells said to be closed that are not.
 Each file is read by a process of its own, within --time-limit seconds of
@@ -93,6 +104,18 @@ comes back below the other is a fold, one whose outside is inside fails as well.
 Curves in parameter planes that the file does not have are projections of those
 in space: how far they are from these is said, and what is only wrong with the
 projection does not count.
+Curves without faces, such as those of wires, are decided where their ends meet:
+gap, angle and jump of the curvature, for --require G0, G1, G2, C0, C1 or C2.
+
+Of road networks (ASAM OpenDRIVE 1.4 to 1.8, .xodr) it decides the joins of
+reference lines (gap, kink, jump of the curvature), the lengths of paramPoly3,
+elevation, superelevation, lane offsets and widths where one record passes into
+the next, and the borders of lanes across sections, links and junctions: left
+with left, right with right. Numbers are the decimals of the file; distances in
+the plane are enclosed as narrowly as the verdict needs. Within --gap (metres),
+--kink (radians) and --curvature (1/metre) every reference line must be G1, or
+what --require says: G0, G1 or G2. Reference lines of linked roads need not
+meet, their lanes must. What a file names and does not have is not covered.
 
 --within 0.001,0.01deg,2% also tells how far each join is from continuous, in
 guaranteed bounds, and which orders it has when the ends may be apart by this
@@ -217,15 +240,20 @@ Font_demand font_demand(const Command_line& line, const std::optional<Requiremen
 // Returns the demands on CAD models.
 Cad_demand cad_demand(const Command_line& line, const std::optional<Requirement>& required) {
   line.refuse({"surfaces", "closed", "kernel", "max-order", "certificate"}, "not for CAD models");
-  Cad_demand demand =
-      demand_within(line.has("within") ? line.text("within") : default_cad_tolerance, kink_rule(line).bound);
+  const bool asks_curvature = required && required->order() > 1;
+  Cad_demand demand = demand_within(line.has("within") ? line.text("within")
+                                    : asks_curvature   ? default_cad_tolerance_of_curvature
+                                                       : default_cad_tolerance,
+                                    kink_rule(line).bound);
   if (!required) return demand;
-  if (required->kind() != GC::Continuity_kind::G || required->order() > 2)
-    throw std::invalid_argument("--require " + required->text() + ": of CAD models G0, G1 and G2 are decided");
+  if (required->kind() == GC::Continuity_kind::F || required->order() > 2)
+    throw std::invalid_argument("--require " + required->text() +
+                                ": of CAD models G0, G1 and G2 are decided, of curves without faces C0 to C2, too");
   if (required->order() > demand.most)
     throw std::invalid_argument("--require " + required->text() + ": needs more bounds than --within " +
-                                demand.tolerance + " has; for G2 e.g. 0.02,0.1deg,5%");
+                                demand.tolerance + " has; for " + required->text() + " e.g. 0.02,0.1deg,5%");
   demand.order = required->order();
+  demand.kind = required->kind();
   return demand;
 }
 
@@ -240,6 +268,7 @@ void describe_verify(po::options_description_easy_init add) {
       "the largest angle that is a kink, in degrees, instead of 5; what is larger is a corner, which in drawings, "
       "fonts and CAD models is meant and need not meet a requirement of G orders");
   describe_curvature_bound(add);
+  describe_road_tolerances(add);
   add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
   add("time-limit", po::value<std::string>(),
       "for CAD models: the seconds of processor time that reading one file may take, 60 if not given; with --jsonl, "
@@ -342,6 +371,21 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
     return verify_cad(files, mode, cad_demand(line, required),
                       {Cad_drawing::none, line.length("sew"), line.seconds("time-limit", 60)});
   line.refuse({"sew", "time-limit"}, "only for CAD models");
+  const auto roads = std::count_if(files.begin(), files.end(), is_road_file);
+  if (roads != 0) {
+    if (roads != static_cast<std::ptrdiff_t>(files.size()))
+      throw std::invalid_argument("road networks (.xodr) and other files cannot be verified together");
+    refuse_bound("not for road networks");
+    return verify_roads(files, mode, road_demand(line, required));
+  }
+  const auto rails = std::count_if(files.begin(), files.end(), is_rail_file);
+  if (rails != 0) {
+    if (rails != static_cast<std::ptrdiff_t>(files.size()))
+      throw std::invalid_argument("alignments (.ifc, LandXML) and other files cannot be verified together");
+    refuse_bound("not for alignments");
+    return verify_rails(files, mode, rail_demand(line, required));
+  }
+  line.refuse({"gap", "kink", "curvature"}, "only for road networks and alignments");
   const auto drawings = std::count_if(files.begin(), files.end(), is_drawing_file);
   if (drawings != 0) {
     if (drawings != static_cast<std::ptrdiff_t>(files.size()))
@@ -364,8 +408,9 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
   Join_demand demand{line.integer("max-order", 0, 32), required, {}, kink_rule(line).bound, bound};
   if (required) demand.max_order = (std::max)(demand.max_order, required->order());
   if (line.has("within")) demand.tolerance = parse_tolerances(line.text("within"), false);
-  if (required && demand.tolerance && (required->kind() == GC::Continuity_kind::C || required->order() > 3))
-    throw std::invalid_argument("--require " + required->text() + ": within a tolerance, G or F up to 3 are decided");
+  if (required && demand.tolerance && required->order() > (required->kind() == GC::Continuity_kind::C ? 2 : 3))
+    throw std::invalid_argument("--require " + required->text() +
+                                ": within a tolerance, G or F up to 3 and C up to 2 are decided");
   if (drawings != 0) return verify_drawings(files, demand.max_order, mode, required, kink_rule(line), bound);
   const bool rounded = line.choice("kernel", {"exact", "double"}) == "double";
   if (bound && std::any_of(files.begin(), files.end(), is_standard_input))

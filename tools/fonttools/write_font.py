@@ -6,7 +6,7 @@
     python3 write_font.py FONT MOVES.json RESULT       the moves that `geometric_continuity repair FONT -o MOVES.json` has written
     python3 write_font.py FONT --masters [KINK_ANGLE [MAX_MOVE]] RESULT    a variable font: its masters, mended together
 
-RESULT is a .ttf, .otf, .woff or .woff2; standard output for -.ttf etc. Each handle is found by its contour, its node and its position, so that
+RESULT is a .ttf, .otf, .woff or .woff2, of a collection .ttc or .otc; standard output for -.ttf etc. Each handle is found by its contour, its node and its position, so that
 nothing moves where the font is not the one that was repaired. Only the outlines of glyphs whose handles move are written anew, with their
 bounds where these grow; every other table keeps its bytes."""
 
@@ -21,7 +21,7 @@ from fractions import Fraction
 WITHOUT_FONTTOOLS = 3  # the exit code that tells the program to look for another Python
 
 try:
-    from fontTools.ttLib import TTFont
+    from fontTools.ttLib import TTCollection, TTFont
 except ImportError:
     sys.stderr.write("write_font.py: this Python has no fontTools\n")
     sys.exit(WITHOUT_FONTTOOLS)
@@ -457,15 +457,11 @@ def mend_masters(font, angle, bound):
                 grow(font, name, reach)
     for line in left:
         sys.stderr.write("not mended: %s\n" % line)
-    text = "%d joins are mended for all masters together" % mended
+    text = "%d %s mended for all masters together" % (mended, "join is" if mended == 1 else "joins are")
     sys.stderr.write(text + (", with moves of at most %.4g units\n" % largest if mended else "\n"))
 
 
-def apply_moves(font, path):
-    with open(path, encoding="utf-8") as file:
-        moves = json.load(file)["moves"]
-    if any("font" in move for move in moves):
-        refuse("a collection of fonts; extract them first")
+def apply_moves(font, moves):
     if "gvar" in font or "CFF2" in font:
         refuse("a variable font: its masters are mended together, by --masters")
     by_glyph = {}
@@ -479,16 +475,29 @@ def main():
     if len(sys.argv) < 4:
         sys.exit(__doc__)
     source, what, result = sys.argv[1], sys.argv[2], sys.argv[-1]
-    font = TTFont(source, recalcBBoxes=False, recalcTimestamp=False, lazy=True)
+    kept = {"recalcBBoxes": False, "recalcTimestamp": False, "lazy": True}
+    with open(source, "rb") as file:
+        is_collection = file.read(4) == b"ttcf"
+    font = TTCollection(source, **kept) if is_collection else TTFont(source, **kept)
     if what == "--masters":
+        if is_collection:
+            refuse("a collection of fonts; extract the variable fonts first")
         options = [float(x) for x in sys.argv[3:-1]]
         mend_masters(font, options[0] if options else 5.0, options[1] if len(options) > 1 else None)
     else:
-        apply_moves(font, what)
+        with open(what, encoding="utf-8") as file:
+            moves = json.load(file)["moves"]
+        for number, one in enumerate(font.fonts if is_collection else [font]):
+            apply_moves(one, [move for move in moves if move.get("font", 0) == number])
     ending = os.path.splitext(result)[1].lower() if result[:2] != "-." else result[1:].lower()
-    font.flavor = ending[1:] if ending in (".woff", ".woff2") else None
+    if is_collection != (ending in (".ttc", ".otc")):
+        refuse("a collection of fonts is written as .ttc or .otc" if is_collection else "a single font is written as .ttf or .otf")
     written = io.BytesIO()
-    font.save(written, reorderTables=False)
+    if is_collection:
+        font.save(written)
+    else:
+        font.flavor = ending[1:] if ending in (".woff", ".woff2") else None
+        font.save(written, reorderTables=False)
     if result[:2] == "-.":
         sys.stdout.buffer.write(written.getvalue())
         return

@@ -53,7 +53,7 @@ constexpr Foreign_format
     cad_system =
         {"a file of a CAD system",
          ".3dm .sldprt .sldasm .slddrw .ipt .iam .idw .prt .asm .catpart .catproduct .x_t .x_b .xmt_txt .sat .sab "
-         ".jt .f3d .f3z .skp .ifc .ifcxml ",
+         ".jt .f3d .f3z .skp .ifcxml ",
          export_step},
     print = {"a page", ".pdf .eps .ps .ai .cdr .odg .fig .emf .wmf .vsd .vsdx .drawio .afdesign .sketch ", export_svg},
     image = {"an image", ".png .jpg .jpeg .gif .bmp .tif .tiff .webp .xcf .psd .kra .pbm .pgm .ppm .ico ", trace},

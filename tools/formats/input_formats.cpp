@@ -4,13 +4,17 @@
 
 #include "formats/input_formats.h"
 
+#include "files/Unpacked_bytes.h"
 #include "files/input.h"
 #include "files/output.h"
 #include "formats/cad/cad_file.h"
 #include "formats/font/font_files.h"
 #include "formats/foreign_formats.h"
 #include "formats/gcode/toolpath.h"
-#include "formats/svg/Unpacked_bytes.h"
+#include "formats/ifc/read_ifc.h"
+#include "formats/landxml/read_landxml.h"
+#include "formats/opendrive/read_opendrive.h"
+#include "formats/solids/read_solid.h"
 #include "formats/svg/svg_drawing.h"
 
 #include <CGAL/Geometric_continuity/Error.h>
@@ -30,23 +34,34 @@ namespace {
 namespace fs = std::filesystem;
 
 // The kinds of files that commands read.
-enum Kind : unsigned { curves = 1, drawings = 2, fonts = 4, models = 8, points = 16, toolpaths = 32, sources = 64 };
+enum Kind : unsigned {
+  curves = 1,
+  drawings = 2,
+  fonts = 4,
+  models = 8,
+  points = 16,
+  toolpaths = 32,
+  sources = 64,
+  roads = 128,
+  rails = 256,
+  solids = 512
+};
 
 struct Reader {
   std::string_view command;
   unsigned kinds;
 };
 constexpr unsigned everything = curves | drawings | fonts | models | toolpaths;
-constexpr Reader readers[] = {{"verify", everything | sources},
-                              {"report", everything},
-                              {"repair", curves | drawings | fonts | sources},
+constexpr Reader readers[] = {{"verify", everything | sources | roads | rails},
+                              {"report", everything | roads},
+                              {"repair", curves | drawings | fonts | sources | roads},
                               {"blend", curves | drawings},
                               {"connect", curves},
                               {"match", curves},
                               {"extend", curves},
                               {"plot", curves},
                               {"tessellate", curves},
-                              {"round-edges", curves},
+                              {"round-edges", curves | solids},
                               {"fit", points},
                               {"interpolate", points}};
 
@@ -58,7 +73,10 @@ constexpr struct {
                   {fonts, "a font", "fonts (.ttf, .otf, .ttc, .woff, .woff2, .pfb and others, and folders with fonts)"},
                   {sources, "the source of a font", "sources of fonts (.ufo, .glyphs, .designspace)"},
                   {models, "a CAD model", "CAD models (.step, .stp, .iges, .igs, .brep, .brp)"},
+                  {solids, "a solid", "solids (.step, .stp, .iges, .igs, .brep, .brp, .off)"},
                   {toolpaths, "a toolpath", "toolpaths (.ngc, .nc, .gcode, .gco, .cnc, .tap)"},
+                  {roads, "a road network", "road networks (.xodr)"},
+                  {rails, "an alignment", "alignments (.ifc, LandXML in .xml)"},
                   {points, "points", "points (a text, a line for each)"}};
 
 // E.g. "drawings (.svg, .svgz) and fonts".
@@ -125,7 +143,7 @@ bool may_be_numbers(std::string_view text) {
 
 const Foreign_format* foreign_by_xml(std::string_view text) {
   using namespace foreign;
-  if (has(text, "<svg") || has(text, ":svg")) return nullptr;
+  if (has(text, "<svg") || has(text, ":svg") || begins_as_opendrive(text) || begins_as_landxml(text)) return nullptr;
   if (has(text, "<designspace")) return &designspace;
   if (has(text, "<glyph ")) return &ufo;
   if (has(text, "<ttFont")) return &font_source;
@@ -243,11 +261,13 @@ class Input_check {
   void check_content() const {
     const std::string bytes(Input(file_).beginning(4096));
     if (const Foreign_format* const format = foreign_by_content(bytes)) refuse(*format);
+    if (is_ifc_file(file_) || is_landxml_file(file_)) return check(rails);
     if (const std::string ending = ending_of_model(bytes); !ending.empty()) {
       check(models);
       refuse("a CAD model, which is told by the end of its name: call it *" + ending);
     }
     if (is_font_file(file_)) return check(fonts);
+    if (is_road_file(file_)) return check(roads);
     if (is_svg_file(file_)) return check(drawings);
     if (is_toolpath_file(file_)) return check(toolpaths);
     const bool is_named = endings(file_).empty() || endings(file_).back() == ".g2" || is_standard_input(file_);
@@ -266,6 +286,7 @@ public:
       return check(fonts);
     }
     if (!is_standard_input(file_) && !fs::exists(file_, error)) return;
+    if ((reader_.kinds & solids) != 0 && is_solid_file(file_)) return;
     if (const Foreign_format* const format = foreign_by_name(file_);
         format != nullptr && !(reader_.kinds == points && format == &foreign::table))
       refuse(*format);
@@ -274,6 +295,8 @@ public:
     const std::string ending = all.empty() ? "" : all.back();
     if (ending == ".svg" || ending == ".svgz") return check(drawings);
     if (!ending.empty() && is_toolpath_file(file_)) return check(toolpaths);
+    if (!ending.empty() && is_road_file(file_)) return check(roads);
+    if (ending == ".ifc") return check(rails);
     if (reader_.kinds == points && ending == ".g2") return check(curves);
     if (is_standard_input(file_) || fs::is_regular_file(file_, error)) check_content();
   }

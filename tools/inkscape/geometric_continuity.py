@@ -17,6 +17,7 @@ def main():
     parser.add_argument("--kink_angle", default="5")
     parser.add_argument("--to", default="G1")
     parser.add_argument("--distance")  # to round corners
+    parser.add_argument("--arcs", default="false")  # of which that is the radius
     parser.add_argument("drawing")
     options, _ = parser.parse_known_args()  # --id=... of what is selected
     program = os.environ.get("GEOMETRIC_CONTINUITY_PROGRAM", "geometric_continuity")
@@ -24,7 +25,7 @@ def main():
         result = os.path.join(folder, "result.svg")
         command = [program, "blend" if options.distance else "repair", options.drawing, "-o", result, "--kink-angle", options.kink_angle]
         if options.distance:
-            command += ["--corners", "all", "--distance", options.distance]
+            command += ["--corners", "all", "--radius" if options.arcs == "true" else "--distance", options.distance]
         else:
             command += ["--to", options.to, "--allow-undecided", "--allow-uncovered"]
         try:

@@ -149,6 +149,7 @@ class Known_findings {
     case Finding_rule::corner: return 5;
     case Finding_rule::tangent: return 6;
     case Finding_rule::gap:
+    case Finding_rule::length:
     case Finding_rule::not_verified: break;
     }
     return 7;

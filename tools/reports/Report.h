@@ -115,6 +115,12 @@ public:
   // Adds words to what is said of all things in the end.
   void say_of_every(const std::string& words) { subject_.every += words; }
 
+  // Replaces the noun of what is decided, and what is said of all of it in the end.
+  void speak_of(const std::string& noun, const std::string& every) {
+    subject_.noun = noun;
+    subject_.every = every;
+  }
+
   // Names a file, also one without anything to decide.
   void begin_file(const std::string& name) { writer_->pass(name, 0); }
 

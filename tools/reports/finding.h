@@ -24,7 +24,8 @@ enum class Finding_rule {
   derivative,   // a higher derivative jumps, or one with respect to the parameter
   undecided,    // the tolerance lies inside of the bounds, or the order cannot be decided
   not_verified, // what cannot be read or compared
-  rounding      // segments that are no longer than rounding are looked through
+  rounding,     // segments that are no longer than rounding are looked through
+  length        // the arc length is not the one that is declared
 };
 
 // The name of a rule in reports.
@@ -40,15 +41,17 @@ inline std::string rule_id(Finding_rule rule) {
   case Finding_rule::undecided: return "undecided";
   case Finding_rule::not_verified: break;
   case Finding_rule::rounding: return "rounding";
+  case Finding_rule::length: return "length";
   }
   return "not-verified";
 }
 
 // The rule of this name.
 inline std::optional<Finding_rule> rule_of(std::string_view id) {
-  for (const Finding_rule rule : {Finding_rule::gap, Finding_rule::corner, Finding_rule::kink, Finding_rule::tangent,
-                                  Finding_rule::curvature, Finding_rule::bend, Finding_rule::derivative,
-                                  Finding_rule::undecided, Finding_rule::not_verified, Finding_rule::rounding})
+  for (const Finding_rule rule :
+       {Finding_rule::gap, Finding_rule::corner, Finding_rule::kink, Finding_rule::tangent, Finding_rule::curvature,
+        Finding_rule::bend, Finding_rule::derivative, Finding_rule::undecided, Finding_rule::not_verified,
+        Finding_rule::rounding, Finding_rule::length})
     if (rule_id(rule) == id) return rule;
   return std::nullopt;
 }

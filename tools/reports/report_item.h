@@ -42,6 +42,12 @@ struct Report_curve {
 typedef std::vector<std::shared_ptr<const Report_curve>> Report_outline;
 constexpr std::size_t most_curves_of_outline = 2000;
 
+// A place on a road: the road's number, the length along it, and where that is.
+struct Report_road_place {
+  std::size_t road;
+  double s, x, y;
+};
+
 struct Report_item {
   std::size_t number = 0;         // in the order of the files, from 1 on
   std::string place, verdict;     // in words
@@ -58,6 +64,7 @@ struct Report_item {
   std::shared_ptr<const Report_curve> left, right; // that meet there; none for an edge of a model
   std::shared_ptr<const Report_outline> outline;   // if it is not too long
   std::size_t edge = 0;                            // the number of an edge of the model
+  std::optional<Report_road_place> road_place;     // of a road network
 
   // The worse of two of one grade has the larger one.
   double rank() const { return units_off ? *units_off : severity; }
@@ -69,6 +76,22 @@ inline bool is_worse(const Report_item& a, const Report_item& b) {
   if (a.rank() != b.rank()) return a.rank() > b.rank();
   return a.number < b.number;
 }
+
+// Roads as they are drawn: rounded numbers at places along each road.
+struct Report_roads {
+  struct Lane {
+    bool is_driving;
+    std::size_t first;               // of the places
+    std::vector<double> left, right; // how far its borders are from the reference line
+  };
+  struct Road {
+    std::string id;
+    std::vector<double> s, x, y, heading, curvature, elevation;
+    std::vector<Lane> lanes;
+  };
+  double x, y; // of the origin of the coordinates
+  std::vector<Road> roads;
+};
 
 // A model as it is drawn.
 struct Report_model {

@@ -96,6 +96,10 @@ std::string page_item(const Report_item& item, double extent, Curve_numbers& cur
   if (item.left || item.curvature_jump) json += ",\"jump\":" + page_bounds(item.curvature_jump);
   if (item.left)
     json += ",\"left\":" + std::to_string(curves(*item.left)) + ",\"right\":" + std::to_string(curves(*item.right));
+  else if (item.road_place)
+    json += ",\"road\":" + std::to_string(item.road_place->road) +
+            ",\"s\":" + page_number(item.road_place->s, item.place) +
+            ",\"xy\":" + page_numbers({item.road_place->x, item.road_place->y}, item.place);
   else
     json += ",\"edge\":" + std::to_string(item.edge);
   if (item.gap) json += ",\"gap\":" + page_bounds(item.gap);
@@ -136,6 +140,34 @@ void write_model(std::ostream& os, const Report_model& model) {
     os << separator << "{\"grade\":\"" << e.grade << "\",\"patches\":[";
     for (std::size_t j = 0; j < e.patches.size(); ++j) os << (j == 0 ? "" : ",") << e.patches[j];
     os << "],\"points\":" << page_numbers(e.points, "edge " + std::to_string(i)) << '}';
+    separator = ",\n";
+  }
+  os << "]}";
+}
+
+// Numbers rounded to millimetres, or to another unit.
+std::string page_rounded(const std::vector<double>& numbers, const std::string& place, double unit = 1e-3) {
+  std::vector<double> rounded(numbers);
+  for (double& x : rounded) x = std::nearbyint(x / unit) / std::nearbyint(1 / unit);
+  return page_numbers(rounded, place);
+}
+
+void write_roads(std::ostream& os, const Report_roads& roads) {
+  os << ",\n\"roads\":{\"origin\":" << page_numbers({roads.x, roads.y}, "the origin") << ",\"roads\":[";
+  const char* separator = "\n";
+  for (const Report_roads::Road& road : roads.roads) {
+    const std::string place = "road " + road.id;
+    os << separator << "{\"id\":" << page_string(road.id) << ",\"s\":" << page_rounded(road.s, place)
+       << ",\"x\":" << page_rounded(road.x, place) << ",\"y\":" << page_rounded(road.y, place)
+       << ",\"h\":" << page_rounded(road.heading, place, 1e-5) << ",\"k\":" << page_rounded(road.curvature, place, 1e-7)
+       << ",\"z\":" << page_rounded(road.elevation, place) << ",\"lanes\":[";
+    for (std::size_t i = 0; i < road.lanes.size(); ++i) {
+      const Report_roads::Lane& lane = road.lanes[i];
+      os << (i == 0 ? "" : ",") << "{\"driving\":" << (lane.is_driving ? "true" : "false")
+         << ",\"first\":" << lane.first << ",\"left\":" << page_rounded(lane.left, place)
+         << ",\"right\":" << page_rounded(lane.right, place) << '}';
+    }
+    os << "]}";
     separator = ",\n";
   }
   os << "]}";
@@ -254,5 +286,6 @@ void Report_page::write(std::ostream& os) const {
   }
   os << ']';
   if (model) write_model(os, *model);
+  if (roads) write_roads(os, *roads);
   os << '}' << page_behind_data;
 }

@@ -41,6 +41,7 @@ public:
   // the numbers of the items are shown; otherwise their places have numbers
   bool is_numbered = true;
   std::optional<Report_model> model;
+  std::optional<Report_roads> roads;
 
   // A page that shows at most so many joins.
   explicit Report_page(std::size_t most) : most_(most) {}

@@ -43,7 +43,9 @@ const Rule rules[] = {
     {Finding_rule::rounding, "Rounding", "Rounding",
      "Segments that are no longer than one unit of the last decimal of their path are looked through: the join of "
      "their "
-     "neighbours is decided."}};
+     "neighbours is decided."},
+    {Finding_rule::length, "WrongLength", "A wrong length",
+     "The arc length of a piece of a road is not the one that the file declares."}};
 
 // A message in plain text: braces would stand for arguments, brackets for links.
 std::string json_message(const std::string& text) {

@@ -406,7 +406,7 @@ check('the links of the manual, which show the curves of its figures', async () 
   if (!program) return;
   const work = mkdtempSync(join(tmpdir(), 'geometric_continuity'));
   try {
-    const { status, stderr } = spawnSync(program, ['round-edges', join(sources, 'demo/Geometric_continuity/data/box.g2'), '--set-back', '2', '-o', 'box.g2'], { cwd: work, encoding: 'utf8' });
+    const { status, stderr } = spawnSync(program, ['round-edges', join(sources, 'demo/Geometric_continuity/data/box.g2'), '--set-back', '2', '--open', '-o', 'box.g2'], { cwd: work, encoding: 'utf8' });
     assert.equal(status, 0, stderr);
     const box = nets_in(readFileSync(join(work, 'box.g2'), 'utf8'));
     assert.deepEqual(numbers_of('rounded_box'), [net(back(box[5])), net(back(across(box[10])).reverse())]);

@@ -17,7 +17,7 @@ import sys
 from fractions import Fraction
 from typing import Dict, List, Optional
 
-from .outlines import Kink, Move, Point, joins, kinks, mend
+from .outlines import Kink, Move, Point, are_compatible, joins, kinks, kinks_between, mend, mend_masters
 
 
 def _ufo_points(contour) -> List[Point]:
@@ -82,10 +82,15 @@ def mend_ufo(path, output=None, kink_angle=5, max_move: Optional[float] = None) 
     import ufoLib2
 
     font = ufoLib2.Font.open(path)
-    moves = []
     if output is not None:
         shutil.copytree(path, output)
-    folder = os.fspath(path if output is None else output)
+    moves = mend_ufo_font(font, kink_angle, max_move)
+    _write_ufo(os.fspath(path if output is None else output), font, moves)
+    return moves
+
+
+def _write_ufo(folder: str, font, moves: List[Move]) -> None:
+    """Writes moved points into the files of the glyphs of a UFO."""
     layers = os.path.join(folder, "layercontents.plist")
     glyphs = os.path.join(folder, "glyphs")
     if os.path.exists(layers):
@@ -93,14 +98,11 @@ def mend_ufo(path, output=None, kink_angle=5, max_move: Optional[float] = None) 
             glyphs = os.path.join(folder, dict(plistlib.load(file))[font.layers.defaultLayer.name])
     with open(os.path.join(glyphs, "contents.plist"), "rb") as file:
         names = plistlib.load(file)
-    for glyph in font:
-        moved = []
-        for number, contour in enumerate(glyph):
-            moved += mend(_ufo_points(contour), kink_angle, max_move, glyph.name or "", number)
-        if moved:
-            _write_points(os.path.join(glyphs, names[glyph.name]), moved)
-        moves += moved
-    return moves
+    by_glyph: Dict[str, List[Move]] = {}
+    for m in moves:
+        by_glyph.setdefault(m.glyph, []).append(m)
+    for name, moved in by_glyph.items():
+        _write_points(os.path.join(glyphs, names[name]), moved)
 
 
 def designspace_sources(path) -> List[str]:
@@ -121,10 +123,37 @@ def incompatible(fonts) -> List[str]:
     return sorted(name for name, kinds in structures.items() if len(kinds) > 1)
 
 
+def _ufo_masters(fonts):
+    """The points of the contours of each glyph that are compatible in all masters that have the glyph, by name and number of the contour:
+    (name, number, the numbers of these masters, their points)."""
+    found = []
+    for name in dict.fromkeys(glyph.name for font in fonts for glyph in font):
+        numbers = [i for i, font in enumerate(fonts) if name in font]
+        outlines = [[_ufo_points(contour) for contour in fonts[i][name]] for i in numbers]
+        if len(numbers) > 1 and len({len(o) for o in outlines}) == 1 and all(are_compatible(masters) for masters in zip(*outlines)):
+            found += [(name, k, numbers, list(masters)) for k, masters in enumerate(zip(*outlines))]
+    return found
+
+
 def mend_designspace(path, kink_angle=5, max_move: Optional[float] = None) -> Dict[str, List[Move]]:
-    """Mends the masters of a designspace where they are, and returns what was moved in each. Points keep their numbers and types, so that
-    masters that were compatible are."""
-    return {source: mend_ufo(source, None, kink_angle, max_move) for source in designspace_sources(path)}
+    """Mends the masters of a designspace where they are, and returns what was moved in each. Where the contours of a glyph are compatible the
+    masters are mended together, so that no instance has a kink, see `outlines.mend_masters()`; what is left, and other glyphs, in each master
+    alone. Points keep their numbers and types, so that masters that were compatible are."""
+    import ufoLib2
+
+    paths = designspace_sources(path)
+    fonts = [ufoLib2.Font.open(source) for source in paths]
+    moves: List[List[Move]] = [[] for _ in paths]
+    for name, number, numbers, masters in _ufo_masters(fonts):
+        for i, points, moved in zip(numbers, masters, mend_masters(masters, kink_angle, max_move, name, number)):
+            for m in moved:
+                point = fonts[i][name][number].points[m.index]
+                point.x, point.y = points[m.index].x, points[m.index].y
+            moves[i] += moved
+    for source, font, moved in zip(paths, fonts, moves):
+        moved += mend_ufo_font(font, kink_angle, max_move)
+        _write_ufo(source, font, moved)
+    return dict(zip(paths, moves))
 
 
 def _glyphs_points(path) -> List[Point]:
@@ -147,15 +176,38 @@ def glyphs_kinks(font, kink_angle=5) -> List[Kink]:
     return [k for name, number, path in _glyphs_paths(font) for k in kinks(_glyphs_points(path), kink_angle, name, number)]
 
 
+def _glyphs_masters(font):
+    """The paths of each glyph of a `glyphsLib.GSFont` that are compatible in the layers of all masters: (name, number, paths, their points)."""
+    found = []
+    for glyph in font.glyphs:
+        layers = [layer for layer in glyph.layers if layer.layerId == layer.associatedMasterId]
+        if len(layers) < 2 or len({len(layer.paths) for layer in layers}) != 1:
+            continue
+        paths = list(zip(*(layer.paths for layer in layers)))
+        points = [[_glyphs_points(p) for p in masters] for masters in paths]
+        if all(are_compatible(masters) for masters in points):
+            found += [(glyph.name, k, p, q) for k, (p, q) in enumerate(zip(paths, points))]
+    return found
+
+
+def _move_nodes(path, points: List[Point], moved: List[Move]) -> None:
+    for m in moved:
+        node = path.nodes[m.index]
+        node.position = type(node.position)(points[m.index].x, points[m.index].y)
+
+
 def mend_glyphs(font, kink_angle=5, max_move: Optional[float] = None) -> List[Move]:
-    """Mends the kinks of all layers of a `glyphsLib.GSFont` in memory, so of all masters, and returns what was moved."""
+    """Mends the kinks of all layers of a `glyphsLib.GSFont` in memory, and returns what was moved: of masters with compatible paths together,
+    so that no instance has a kink, see `outlines.mend_masters()`; of other layers, and what is left, each alone."""
     moves = []
+    for name, number, paths, masters in _glyphs_masters(font):
+        for path, points, moved in zip(paths, masters, mend_masters(masters, kink_angle, max_move, name, number)):
+            _move_nodes(path, points, moved)
+            moves += moved
     for name, number, path in _glyphs_paths(font):
         points = _glyphs_points(path)
         moved = mend(points, kink_angle, max_move, name, number)
-        for m in moved:
-            node = path.nodes[m.index]
-            node.position = type(node.position)(points[m.index].x, points[m.index].y)
+        _move_nodes(path, points, moved)
         moves += moved
     return moves
 
@@ -195,6 +247,21 @@ def verify_source(path, kink_angle=5, require: Optional[str] = None) -> Dict:
         found += kinks(points, kink_angle, name, number)
     failing = counts["kink"] + counts["undecided"] + (counts["g1"] if require == "G2" else 0)
     return {"file": os.fspath(path), "met": counts["joins"] > 0 and (require is None or failing == 0), "summary": counts, "kinks": found}
+
+
+def between_masters(path, kink_angle=5) -> int:
+    """Returns at how many nodes of a designspace, or of a .glyphs, some mixture of its masters has a kink, where no master has a corner."""
+    kind = os.path.splitext(os.fspath(path).rstrip("/"))[1].lower()
+    if kind == ".glyphs":
+        import glyphsLib
+
+        return sum(len(kinks_between(masters, kink_angle)) for *_, masters in _glyphs_masters(glyphsLib.GSFont(path)))
+    if kind != ".designspace":
+        return 0
+    import ufoLib2
+
+    fonts = [ufoLib2.Font.open(source) for source in designspace_sources(path)]
+    return sum(len(kinks_between(masters, kink_angle)) for *_, masters in _ufo_masters(fonts))
 
 
 def mend_source(path, output, kink_angle=5, max_move: Optional[float] = None) -> List[Move]:
@@ -257,10 +324,12 @@ def main(arguments: List[str]) -> int:
     given = parser.parse_args(arguments)
     try:
         if given.command == "repair":
-            before = verify_source(given.file, given.kink_angle)
+            before, between = verify_source(given.file, given.kink_angle), between_masters(given.file, given.kink_angle)
             moves = mend_source(given.file, given.output, given.kink_angle, given.max_move)
             record = verify_source(given.output, given.kink_angle, "G1")
             print(f"moves: {len(moves)} handles\nbefore: {_counts_text(before['summary'])}")
+            if between:
+                print(f"nodes with a kink between masters: {between} before, {between_masters(given.output, given.kink_angle)} after")
             _print_record(record, "G1")
             return 0 if record["met"] else 1
         records = [verify_source(file, given.kink_angle, given.require) for file in given.files]

@@ -268,6 +268,13 @@ BOOST_AUTO_TEST_CASE(no_waves) {
   BOOST_CHECK_LE(largest_difference(
                      curve, curve, [](int i) { return (i + 10) % 50; }, turned),
                  2e-6);
+  // Beside a turn of 3 degrees between turns to different sides, no corner stands for the rest.
+  const std::vector<Plane::Point> eight = {{0, 0}, {2, 1}, {3, 0}, {2, -1}, {0, .05}, {-2, 1}, {-3, 0}, {-2, -1}};
+  const auto loops = compared(eight, Closure::closed, 3);
+  BOOST_CHECK_LE(inflections(loops), 2);
+  for (const auto& piece : loops.segments())
+    for (const double t : {0., .1, .2, .3, .4, .5, .6, .7, .8, .9})
+      BOOST_CHECK_LE(std::abs(GC::curvature(piece, piece.domain().first + t)), 2.);
 }
 
 BOOST_AUTO_TEST_CASE(points_at_the_origin) {

@@ -170,6 +170,41 @@ BOOST_AUTO_TEST_CASE(noise_and_staircases) {
     BOOST_CHECK(GC::fit<Epick_2>(pixels.begin(), pixels.end(), 1, Closure::closed, order).corners.empty());
     BOOST_CHECK_LE(pieces(pixels, 1, Closure::closed, order), 7);
   }
+  // the outline of the pixels inside of an ellipse, by columns, within half a step
+  Points columns;
+  const auto height = [](int x) { return std::floor(36 * std::sqrt(1 - (x + 0.5) * (x + 0.5) / 3600)); };
+  for (const int side : {1, -1})
+    for (int i = -60; i < 60; ++i) {
+      const int x = side > 0 ? i : -1 - i;
+      for (const int end : {x + (side < 0), x + (side > 0)})
+        if (const Epick_2::Point q(end, side * height(x)); columns.empty() || columns.back() != q) columns.push_back(q);
+    }
+  for (const double tolerance : {0.5, 0.75})
+    BOOST_CHECK(GC::fit<Epick_2>(columns.begin(), columns.end(), tolerance, Closure::closed, 1).corners.empty());
+  // a line by steps of 1, to its ends; and a square of pixels, turned, which has four corners
+  for (const double slope : {1., 0.5, 0.37, 0.1}) {
+    Points steps = {Epick_2::Point(0, 0)};
+    for (int x = 0; x < 60; ++x) {
+      const double y = std::floor((x + 1) * slope);
+      steps.emplace_back(x + 1, steps.back().y());
+      if (y != steps.back().y()) steps.emplace_back(x + 1, y);
+    }
+    for (const double tolerance : {0.5, 0.75, 1.})
+      BOOST_CHECK(GC::fit<Epick_2>(steps.begin(), steps.end(), tolerance, Closure::open, 1).corners.empty());
+  }
+  Points square; // of the side (58, 16), each in 60 parts
+  int x = 0, y = 0, u = 58, v = 16;
+  for (int i = 0; i < 4; ++i) {
+    for (int k = 1; k <= 60; ++k) {
+      const Epick_2::Point q(x + u * k / 60, y + v * k / 60), p = square.empty() ? Epick_2::Point(0, 0) : square.back();
+      if (p.x() != q.x() && p.y() != q.y()) square.emplace_back(i % 2 == 0 ? q.x() : p.x(), i % 2 == 0 ? p.y() : q.y());
+      if (p != q) square.push_back(q);
+    }
+    x += u, y += v;
+    std::swap(u, v), u = -u;
+  }
+  for (const double tolerance : {0.75, 1.})
+    BOOST_CHECK_EQUAL(GC::fit<Epick_2>(square.begin(), square.end(), tolerance, Closure::closed, 1).corners.size(), 4u);
 }
 
 BOOST_AUTO_TEST_CASE(corners) {

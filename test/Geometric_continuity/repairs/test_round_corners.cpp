@@ -5,6 +5,7 @@
 // All corners of a chain are rounded: which joins are corners, how near they are cut where curves
 // are short, what stays as it is, and what is refused.
 
+#include "support/random.h"
 #include "support/test.h"
 
 #include <CGAL/Geometric_continuity/curves/arcs.h>
@@ -312,6 +313,47 @@ BOOST_AUTO_TEST_CASE(by_cubics) {
   }
   BOOST_CHECK(r.corners[0].blend == 1 && r.corners[1].blend == 4 && r.corners[2].blend == 7);
   BOOST_CHECK(GC::round_corners(square, 1, GC::Closure::closed, 2, GC::Cubics{false}).curves.size() == 12);
+}
+
+// The distance in which a circle touches both sides: exact where it is rational, and at each corner
+// that of its angle.
+BOOST_AUTO_TEST_CASE(radius) {
+  const auto line = [](const Point& a, const Point& b) { return Curve{a, b}; };
+  BOOST_CHECK(GC::corner_distance(square[0], square[1], Q(3) / 7) == Q(3) / 7);
+  // turns with the cosines 3/5 and -3/5: the tangents of half the angle are 1/2 and 2
+  const Curve base = line(Point(0, 0), Point(8, 0));
+  BOOST_CHECK(GC::corner_distance(base, line(Point(8, 0), Point(11, 4)), 1) == Q(1) / 2);
+  BOOST_CHECK(GC::corner_distance(base, line(Point(8, 0), Point(5, -4)), 1) == Q(2));
+  BOOST_CHECK(GC::corner_distance(base, line(Point(8, 0), Point(9, 0)), 1) == Q(0));
+  // at random in doubles: the centre of the circle is as far from both cuts as the radius
+  typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Doubles;
+  std::mt19937 random = seeded(first_seed());
+  const auto number = [&] { return std::uniform_real_distribution<double>(-1, 1)(random); };
+  for (int i = 0; i < 1000; ++i) {
+    const double x = number(), y = number(), u = number(), v = number(), r = 1 + number();
+    const GC::Bezier_curve<Doubles> a{Doubles::Point(-x, -y), Doubles::Point(0, 0)},
+        b{Doubles::Point(0, 0), Doubles::Point(u, v)};
+    const double d = GC::corner_distance(a, b, r), angle = std::atan2(x * v - y * u, x * u + y * v);
+    BOOST_TEST(d == r * std::abs(std::tan(angle / 2)), boost::test_tools::tolerance(1e-9));
+  }
+  CHECK_ERROR(GC::corner_distance(base, line(Point(8, 0), Point(1, 0)), 1), zero_tangent);
+  CHECK_ERROR(GC::corner_distance(base, Curve{Point(8, 0), Point(8, 0)}, 1), zero_tangent);
+
+  // a closed polygon with three kinds of corners; the smooth one between its first sides stays
+  const std::vector<Point> points = {Point(0, 0),  Point(10, 0),  Point(20, 0),
+                                     Point(26, 8), Point(26, 20), Point(0, 20)};
+  const Rounded r = GC::round_corners(points, GC::Corner_radius{2}, GC::Closure::closed, 2, GC::Cubics());
+  BOOST_REQUIRE(r.corners.size() == 5 && r.curves.size() == 11);
+  const std::vector<Q> distances = {1, Q(2) / 3, 2, 2, 2};
+  for (std::size_t i = 0; i < 5; ++i) BOOST_CHECK(r.corners[i].distance == distances[i]);
+  BOOST_CHECK(least_order(r, true) >= 2);
+  BOOST_CHECK(GC::round_corners(square, GC::Corner_radius{100}, GC::Closure::closed).corners[0].distance == 3);
+  BOOST_CHECK(GC::round_corners(points, GC::Corner_radius{0.5}).corners.size() == 3); // open
+  CGAL::Polygon_2<CGAL::Simple_cartesian<Q>> polygon(points.begin(), points.end());
+  BOOST_CHECK(GC::round_corners(polygon, GC::Corner_radius{0.5}).corners.size() == 5);
+  CHECK_ERROR(GC::round_corners(square, GC::Corner_radius{0}, GC::Closure::closed), parameter_outside_domain);
+  const Chain back = {base, line(Point(8, 0), Point(1, 0))};
+  CHECK_ERROR(GC::round_corners(back, GC::Corner_radius{1}, GC::Closure::open), zero_tangent);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

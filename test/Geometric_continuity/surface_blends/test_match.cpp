@@ -87,6 +87,25 @@ BOOST_AUTO_TEST_CASE(a_part_of_one_surface) {
   check_continued(random.surface<Patch<Exact>>());
 }
 
+// Without names the edges are those that two parts of one surface have in common, whatever their
+// directions, also where they are a little apart; two pairs that are equally near are refused.
+BOOST_AUTO_TEST_CASE(nearest_edges) {
+  typedef Bezier<Exact> S;
+  typedef Exact::Point Point;
+  const S a({{Point(0, 0, 0), Point(0, 3, 0)}, {Point(4, 0, 1), Point(4, 3, 1)}}),
+      b({{Point(0, 3, 0), Point(0, 6, 2)}, {Point(4, 3, 1), Point(4, 6, 1)}});
+  BOOST_CHECK(GC::nearest_edges(a, b) == std::pair(v1, v0));
+  BOOST_CHECK(GC::nearest_edges(b, a) == std::pair(v0, v1));
+  BOOST_CHECK(GC::nearest_edges(a, b.reverse_v()) == std::pair(v1, v1));
+  BOOST_CHECK(GC::nearest_edges(a, b.reverse_u().swap_parameters()) == std::pair(v1, u0));
+  const S aside({{Point(0, 4, 0), Point(0, 6, 2)}, {Point(4, 3, 2), Point(4, 6, 1)}});
+  BOOST_CHECK(GC::nearest_edges(a, aside) == std::pair(v1, v0));
+  check_match(a, v1, aside, v0, GC::match(a, aside), 2);
+  const auto square = [](int z) { return S({{Point(0, 0, z), Point(0, 3, z)}, {Point(4, 0, z), Point(4, 3, z)}}); };
+  CHECK_ERROR(GC::nearest_edges(square(0), square(9)), several_common_edges);
+  CHECK_ERROR(GC::match(square(0), square(9)), several_common_edges);
+}
+
 BOOST_AUTO_TEST_CASE(what_is_refused) {
   const Bezier<Exact> square{{{0, 0, 0}, {0, 1, 0}}, {{1, 0, 0}, {1, 1, 0}}},
       pole{{{0, 0, 0}, {0, 1, 0}}, {{0, 0, 0}, {1, 1, 0}}}, flat{{{0, 1, 0}, {0, 1, 0}}, {{1, 1, 0}, {1, 1, 0}}};

@@ -41,6 +41,7 @@
 #include <STEPControl_Writer.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array2OfPnt.hxx>
 #include <TColgp_HArray1OfPnt.hxx>
 #include <TopExp.hxx>
@@ -62,6 +63,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -284,6 +286,56 @@ void write_assembly(const TopoDS_Shape& part, const TopoDS_Shape& other) {
   Interface_Static::SetIVal("write.step.assembly", 0);
 }
 
+TopoDS_Shape arc(const gp_Pnt& centre, double radius, double from, double to) {
+  return BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(centre, gp_Dir(0, 0, 1)), radius), from, to).Edge();
+}
+TopoDS_Shape line(const gp_Pnt& a, const gp_Pnt& b) { return BRepBuilderAPI_MakeEdge(a, b).Edge(); }
+
+// The spline of these control points, with these knots besides those at the ends 0 and 1.
+TopoDS_Shape spline(const std::vector<gp_Pnt>& points, int degree, const std::vector<std::pair<double, int>>& inner) {
+  TColgp_Array1OfPnt poles(1, static_cast<int>(points.size()));
+  for (int i = 0; i < poles.Length(); ++i) poles.SetValue(i + 1, points[static_cast<std::size_t>(i)]);
+  const int n = static_cast<int>(inner.size()) + 2;
+  TColStd_Array1OfReal knots(1, n);
+  TColStd_Array1OfInteger times(1, n);
+  knots.SetValue(1, 0), knots.SetValue(n, 1);
+  times.SetValue(1, degree + 1), times.SetValue(n, degree + 1);
+  for (int i = 2; i < n; ++i) {
+    knots.SetValue(i, inner[static_cast<std::size_t>(i) - 2].first);
+    times.SetValue(i, inner[static_cast<std::size_t>(i) - 2].second);
+  }
+  return BRepBuilderAPI_MakeEdge(new Geom_BSplineCurve(poles, knots, times, degree)).Edge();
+}
+
+// Curves without faces, whose ends meet, or nearly.
+void write_wires() {
+  const gp_Pnt a(0, 5, 0), b(30, 5, 0), c(30, -5, 0), d(0, -5, 0);
+  const TopoDS_Shape slot = compound({line(a, b), arc(gp_Pnt(30, 0, 0), 5, -M_PI / 2, M_PI / 2), line(d, c),
+                                      arc(gp_Pnt(0, 0, 0), 5, M_PI / 2, 1.5 * M_PI)});
+  for (const char* name : {"slot.brep", "slot.step", "slot.igs"}) write(slot, name);
+  write(moved(slot), "slot_moved.brep");
+  write(line(a, b), "line.brep");
+  // with a solid beside it
+  write(compound({BRepPrimAPI_MakeBox(1, 1, 1).Shape(), slot}), "slot_and_box.brep");
+  // kinks of 1 and of 44.5 degrees, a gap of 0.1, and an end that is free
+  const gp_Pnt e(10, 0, 0), f(20, std::tan(M_PI / 180) * 10, 0), g(30, 10 + std::tan(M_PI / 180) * 20, 0);
+  const gp_Vec further(gp_Vec(f, g).Normalized());
+  write(compound({line(gp_Pnt(0, 0, 0), e), line(e, f), line(g, f),
+                  line(g.Translated(0.1 * further), g.Translated(20 * further))}),
+        "kinked_wire.brep");
+  write(compound({line(gp_Pnt(0, 0, 0), e), line(gp_Pnt(0, 0, 0), f), line(g, gp_Pnt(0, 0, 0))}), "tree.brep");
+  // a parabola, and behind the knot 1/2 its continuation with one more in the second derivative; a
+  // polygon; a circle
+  write(compound({spline({{0, 0, 0}, {1, 1, 0}, {2, 1, 0}, {3, 3, 0}}, 2, {{0.5, 1}}),
+                  spline({{5, 0, 0}, {6, 0, 0}, {7, 1, 0}, {8, 1, 0}}, 1, {{0.25, 1}, {0.5, 1}}),
+                  arc(a, 2, 0, 2 * M_PI)}),
+        "knots.brep");
+  // the second derivatives agree: two halves of one cubic, cut at 1/2
+  write(compound({spline({{0, 0, 0}, {1, 2, 0}, {2.5, 2, 1}, {4, 1, 1.5}}, 3, {}),
+                  spline({{4, 1, 1.5}, {5.5, 0, 2}, {7, -2, 2}, {8, -7, -1}}, 3, {})}),
+        "cubics.brep");
+}
+
 } // namespace
 
 // Writes the models, and that of a file placed again, if one is given.
@@ -337,6 +389,7 @@ int main(int argc, char** argv) {
     for (int j = 1; j <= 4; ++j) points.SetValue(i, j, gp_Pnt(i, j + 0.1 * i * i, (i * j) % 3));
   write(face(new Geom_BezierSurface(points)), "bezier.brep");
   write(ring, "wire.brep");
+  write_wires();
   // A face that cannot be divided into triangles: it has a boundary that crosses itself.
   BRepBuilderAPI_MakePolygon crossing(gp_Pnt(0, 0, 0), gp_Pnt(2, 2, 0), gp_Pnt(2, 0, 0), gp_Pnt(0, 2, 0), true);
   const TopoDS_Shape crossed = BRepBuilderAPI_MakeFace(gp_Pln(), crossing.Wire()).Shape();

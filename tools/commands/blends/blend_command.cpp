@@ -94,7 +94,12 @@ Of a drawing (.svg) all corners are rounded in place by such cubics: those that
 turn by more than --kink-angle degrees. R is in the units of the drawing. Path
 data changes, and polygons, polylines and rectangles with corners become paths;
 all else stays byte for byte. Corners of lines are exactly G2 on the decimals
-that are written, others exactly G1, and G2 up to the decimals.
+that are written, others exactly G1, and G2 up to the decimals. With --radius R
+corners of two lines become arcs of circles of this radius, which touch the
+lines up to the decimals; with --cubic also these are cubics.
+
+--radius R in place of --distance R: each corner is cut where a circle of this
+radius touches both tangents, R tan(A/2) from a corner that turns by A.
 
 --max-curvature K, or --min-radius R for K = 1/R, is a condition: a blend may
 nowhere be bent more, which is decided exactly. Without --strategy all are
@@ -346,7 +351,10 @@ void describe_blend(po::options_description_easy_init add) {
   add("corner", po::value<int>(), "I, round the join after this curve of a chain");
   add("corners", po::value<std::string>(), "all or not-g1, round these joins of a chain");
   add("distance", po::value<std::string>(), "R > 0, from a corner to where its curves are cut");
-  add("cubic", "with --corner or --corners: round by cubics, one or two, with G2 joins");
+  add("radius", po::value<std::string>(),
+      "R > 0, in place of --distance: corners are cut where a circle of this radius touches; in drawings they become "
+      "arcs");
+  add("cubic", "with --corner or --corners: round by cubics, one or two, with G2 joins; in drawings with --radius");
   add("kink-angle", po::value<std::string>(), "D, of drawings: corners are what turns by more degrees (default 5)");
   describe_curvature_bound(add);
   add("closed", "with --corners: the last curve leads back to the first");
@@ -384,7 +392,7 @@ int run_blend(const Command_line& line) {
   const auto bounded = [&](auto work) {
     return within_work_limit([&] { return line.files().empty() ? "blend" : input_name(line.files().front()); }, work);
   };
-  line.refuse({"distance", "closed", "cubic"}, "only with --corner or --corners");
+  line.refuse({"distance", "radius", "closed", "cubic"}, "only with --corner or --corners");
   if (line.has("surfaces")) {
     line.refuse({"s1", "s2", "start", "end", "replace", "kernel", "plot", "max-curvature", "min-radius"},
                 "not with --surfaces");

@@ -50,7 +50,7 @@ std::string words(const Surface& a, GC::Patch_edge edge_a, const Surface& b, GC:
 }
 
 template <class Surface> int match(const Command_line& line, const Surface& a, const Surface& b) {
-  const auto [edge_a, edge_b] = given_edges(line);
+  const auto [edge_a, edge_b] = line.has("edges") ? given_edges(line) : nearest_edges(a, b);
   const int order = line.choice("order", {"G2", "G1", "G3"})[1] - '0';
   const GC::Edge_direction direction = nearer_direction(a, edge_a, b, edge_b);
   GC::Matching_shape<Exact> shape = nearest_matching_shape(a, edge_a, b, edge_b, order, direction);
@@ -61,7 +61,7 @@ template <class Surface> int match(const Command_line& line, const Surface& a, c
   const bool has_order =
       order == 3 ? has_g3_edge(a, edge_a, c, edge_b) : decided_edge(a, edge_a, c, edge_b).g_order >= order;
   std::ostream& report = report_stream(line);
-  report << "before: " << words(a, edge_a, b, edge_b)
+  report << "edges: " << edge_a << ',' << edge_b << "\nbefore: " << words(a, edge_a, b, edge_b)
          << "\nafter: " << (order == 3 && has_order ? "G3" : words(a, edge_a, c, edge_b)) << "\nalpha = " << shape.alpha
          << ", beta = " << shape.beta;
   if (order > 1) report << ", alpha2 = " << shape.alpha2 << ", delta = " << shape.delta;
@@ -73,7 +73,7 @@ template <class Surface> int match(const Command_line& line, const Surface& a, c
 }
 
 void describe_match(po::options_description_easy_init add) {
-  add("edges", po::value<std::string>(), "of A and of B, e.g. u1,v0 (default v1,v0)");
+  add("edges", po::value<std::string>(), "of A and of B, e.g. u1,v0 (default: those whose ends are nearest)");
   add("order", po::value<std::string>()->default_value("G2"), "G1, G2 or G3");
   add("alpha", po::value<std::string>(), "how far lines across the edge lean along it (default: the nearest)");
   add("beta", po::value<std::string>(), "R > 0, the speed across the edge (default: the nearest)");

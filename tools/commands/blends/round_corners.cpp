@@ -56,16 +56,24 @@ Rounded<FT> with_corner(const Chain<FT>& chain, int i, const FT& distance, const
   return result;
 }
 
+// At the distance that is asked for, or at that of a circle with the radius.
 template <class FT, class Strategy>
-Rounded<FT> rounded_chain(const Command_line& line, const Chain<FT>& chain, const FT& distance, int order,
-                          const Strategy& strategy) {
+Rounded<FT> rounded_chain(const Command_line& line, const Chain<FT>& chain, int order, const Strategy& strategy) {
   const int n = static_cast<int>(chain.size());
-  if (!line.has("corner"))
-    return GC::round_corners(chain.begin(), chain.end(), distance,
-                             line.has("closed") ? GC::Closure::closed : GC::Closure::open,
-                             line.choice("corners", {"all", "not-g1"}) == "all" ? order : 1, strategy);
+  const FT size = line.number<FT>(line.has("radius") ? "radius" : "distance", FT(0));
+  if (!line.has("corner")) {
+    const GC::Closure closure = line.has("closed") ? GC::Closure::closed : GC::Closure::open;
+    const int least = line.choice("corners", {"all", "not-g1"}) == "all" ? order : 1;
+    if (line.has("radius"))
+      return GC::round_corners(chain.begin(), chain.end(), GC::Corner_radius{size}, closure, least, strategy);
+    return GC::round_corners(chain.begin(), chain.end(), size, closure, least, strategy);
+  }
   if (n < 2) throw std::invalid_argument("--corner: at least 2 curves are needed");
-  return with_corner(chain, line.integer("corner", 0, n - 1), distance, strategy);
+  const int i = line.integer("corner", 0, n - 1);
+  if (!line.has("radius")) return with_corner(chain, i, size, strategy);
+  const FT distance =
+      GC::corner_distance(chain[static_cast<std::size_t>(i)], chain[static_cast<std::size_t>((i + 1) % n)], size);
+  return with_corner(chain, i, distance, strategy);
 }
 
 // A chain as a strategy rounds it; all strategies cut the corners at the same places.
@@ -77,10 +85,9 @@ template <class FT> struct Variant {
 // By the strategy that is asked for, or by those that a bound on the curvature lets choose from.
 template <class FT>
 std::vector<Variant<FT>> variants(const Command_line& line, const Chain<FT>& chain, int order, bool is_bounded) {
-  const FT distance = line.number<FT>("distance", FT(0));
   std::vector<Variant<FT>> result;
   const auto add = [&](const std::string& name, const auto& strategy) {
-    result.push_back({name, rounded_chain(line, chain, distance, order, strategy)});
+    result.push_back({name, rounded_chain(line, chain, order, strategy)});
   };
   if (line.has("cubic")) {
     add("cubic", GC::Cubics());
@@ -354,7 +361,9 @@ Exit_code round_corners(const Command_line& line) {
     line.refuse({"strategy"}, "not with --cubic");
     if (line.integer("order") != 2) throw std::invalid_argument("--cubic: joins of order 2 only");
   }
-  if (!line.has("distance")) throw std::invalid_argument("--corner, --corners: --distance is needed");
+  if (line.has("distance") && line.has("radius")) throw std::invalid_argument("--distance and --radius: one of them");
+  if (!line.has("distance") && !line.has("radius"))
+    throw std::invalid_argument("--corner, --corners: --distance is needed, or --radius");
   if (line.has("corner")) line.refuse({"closed"}, "only with --corners");
   line.refuse({"replace", "representable", "beta", "eta", "s1", "s2", "start", "end"},
               "not with --corner or --corners");

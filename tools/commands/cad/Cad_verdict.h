@@ -10,6 +10,7 @@
 
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
 #include <CGAL/Geometric_continuity/joins/Join_deviation.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <algorithm>
@@ -21,9 +22,10 @@
 #include <vector>
 
 // The tolerance unless one is given: the edges of CAD models are computed, and never meet exactly.
-constexpr const char* default_cad_tolerance = "vda-4955";
+constexpr const char *default_cad_tolerance = "vda-4955",
+                     *default_cad_tolerance_of_curvature = "0.02,0.1deg,5%"; // where G2 or C2 is required
 
-// The demands on the edges of CAD models.
+// The demands on the edges of CAD models and on the joins of wires.
 struct Cad_demand {
   std::optional<int> order; // that is required
   int most = 0;             // up to this order there are bounds
@@ -31,6 +33,13 @@ struct Cad_demand {
   GC::Join_tolerance bounds;
   std::string tolerance; // as it is written
   GC::Bound kink;        // the angle that is reached all along a corner, in radians
+  // C orders are those of wires
+  GC::Continuity_kind kind = GC::Continuity_kind::G;
+
+  // Returns what is required, e.g. "G1"; empty if nothing is.
+  std::string name() const {
+    return order ? (kind == GC::Continuity_kind::C ? 'C' : 'G') + std::to_string(*order) : std::string();
+  }
 };
 
 // How two faces meet along an edge. A corner is sharp everywhere, a fading one in places only,
@@ -113,8 +122,46 @@ struct Cad_verdict {
   }
 };
 
-// Why the edges of wires, such as those of a sketch, are not covered.
-constexpr const char* edge_without_face = "without a face: what is compared are the two faces of an edge";
+// The verdict on a join of curves within the tolerance.
+struct Cad_join_verdict {
+  std::optional<GC::Wire_enclosure> enclosure; // if it can be computed
+  std::string reason;                          // why it cannot
+  // For each order: the ends are the same; in addition the tangents agree; the curvature vectors.
+  std::array<GC::Verdict, 3> within{GC::Verdict::undecided, GC::Verdict::undecided, GC::Verdict::undecided};
+  // In addition to the ends the first and the second derivatives agree.
+  std::array<GC::Verdict, 3> c_within = within;
+  Cad_shape shape = Cad_shape::undecided; // never one that only faces have
+
+  // Returns the highest order that is proved, or -1.
+  int order() const {
+    int order = -1;
+    while (order < 2 && within[static_cast<std::size_t>(order + 1)] == GC::Verdict::proved) ++order;
+    return order;
+  }
+
+  // Returns "G2", "G1", "G0", "gap" or "undecided".
+  std::string order_name() const {
+    if (order() >= 0) return 'G' + std::to_string(order());
+    return within[0] == GC::Verdict::refuted ? "gap" : "undecided";
+  }
+
+  // Returns whether the join has an order. A corner is meant, unless a C order is asked for.
+  GC::Verdict meets(GC::Continuity_kind kind, int asked) const {
+    if (kind == GC::Continuity_kind::C) return c_within[static_cast<std::size_t>(asked)];
+    if (shape == Cad_shape::corner) return within[0];
+    if (shape == Cad_shape::bent && asked > 0 && within[0] != GC::Verdict::refuted) return GC::Verdict::undecided;
+    return within[static_cast<std::size_t>(asked)];
+  }
+};
+
+// Why a place where more than two curves of a wire meet is not covered.
+constexpr const char* branching_of_curves = "three curves or more meet there";
+
+// Returns the class of a join and why it is not decided, as claim_of() an edge does.
+Given claim_of(const Cad_join_verdict& verdict, const Cad_demand& demand);
+
+// Returns the verdict on a join of curves.
+Cad_join_verdict cad_verdict(const Cad_join& join, const Cad_demand& demand);
 
 // Why boundary edges are not covered that lie beside others.
 constexpr const char* beside_another = "it lies beside another boundary edge and was not compared with it, see --sew";

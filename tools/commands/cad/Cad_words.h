@@ -47,6 +47,21 @@ inline std::string cad_place(std::size_t number, const Cad_edge& edge, const Cad
   return text + " of " + model.instances[model.labels[edge.faces[0]].instance];
 }
 
+// Returns e.g. `join of curve 0 (circle; #16) and curve 1 (line; #24)`.
+inline std::string cad_place(const Cad_join& join, const Cad_wires& wires) {
+  const auto curve = [&](std::size_t number) {
+    const Cad_curve_edge& c = wires.curves[number];
+    return "curve " + std::to_string(number) + " (" + c.kind + (c.id.empty() ? ")" : "; " + c.id + ')');
+  };
+  if (join.is_knot) {
+    std::ostringstream os;
+    os << "knot " << join.ends[0].parameter << " of " << curve(join.curves[0]);
+    return os.str();
+  }
+  if (join.curves[0] == join.curves[1]) return "ends of " + curve(join.curves[0]);
+  return "join of " + curve(join.curves[0]) + " and " + curve(join.curves[1]);
+}
+
 // Returns "inner", "seam, closed" and the like.
 inline std::string cad_kind(const Cad_edge& edge) {
   return std::string(name(edge.kind)) + (edge.closed ? ", closed" : "");
@@ -143,6 +158,27 @@ inline std::string cad_sentence(const Cad_edge& edge, const Cad_verdict& verdict
   if (has_verdict(edge)) return cad_kind(edge) + ": " + cad_order(verdict) + "; " + cad_numbers(edge, verdict, demand);
   if (edge.kind == Cad_edge_kind::boundary && !edge.reason.empty()) return cad_kind(edge) + ": " + edge.reason;
   return cad_kind(edge) + (is_no_point(edge, verdict) ? ": " + cad_no_point(verdict) : "");
+}
+
+// Returns all that is said of a join behind its place.
+inline std::string cad_sentence(const Cad_join_verdict& verdict, const Cad_demand& demand) {
+  if (!verdict.enclosure) return verdict.reason;
+  const GC::Wire_enclosure& e = *verdict.enclosure;
+  std::ostringstream os;
+  os << verdict.order_name();
+  if (verdict.shape == Cad_shape::kink || verdict.shape == Cad_shape::corner || verdict.shape == Cad_shape::bent)
+    os << ", " << name(verdict.shape);
+  os << "; gap " << e.deviation.gap << " mm";
+  if (e.deviation.tangent_angle)
+    os << ", angle " << GC::in_degrees(*e.deviation.tangent_angle) << " degrees, curvature jump "
+       << GC::in_percent(*e.deviation.curvature_jump) << " %";
+  else
+    os << ", no tangent";
+  if (demand.kind == GC::Continuity_kind::C)
+    os << ", jumps of derivatives " << GC::in_percent(e.derivative_jumps[0]) << " % and "
+       << GC::in_percent(e.derivative_jumps[1]) << " %";
+  os << " at (" << e.point[0] << ", " << e.point[1] << ", " << e.point[2] << ')';
+  return os.str();
 }
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_CAD_WORDS_H

@@ -90,6 +90,34 @@ inline void write_members(std::ostream& os, std::size_t number, const Cad_edge& 
   write_ranges_json(os, "poles", verdict.poles);
 }
 
+// Writes the members of a join of curves.
+inline void write_members(std::ostream& os, std::size_t number, const Cad_join& join, const Cad_join_verdict& verdict) {
+  os << "\"join\":" << number << ",\"curves\":[" << join.curves[0] << ',' << join.curves[1] << ']';
+  if (join.is_knot) GC::write_number(os << ",\"knot\":", join.ends[0].parameter);
+  if (!verdict.enclosure) {
+    GC::write_json(os << ",\"order\":null,\"reason\":", verdict.reason);
+    return;
+  }
+  const GC::Wire_enclosure& e = *verdict.enclosure;
+  os << ",\"order\":\"" << verdict.order_name() << "\",\"shape\":\"" << name(verdict.shape) << '"';
+  for (const auto& [key, within] :
+       {std::pair(",\"within\":[\"", &verdict.within), std::pair(",\"c_within\":[\"", &verdict.c_within)})
+    os << key << (*within)[0] << "\",\"" << (*within)[1] << "\",\"" << (*within)[2] << "\"]";
+  const auto write = [&](const char* key, const std::optional<GC::Enclosure>& x) {
+    GC::write_json(os << ",\"" << key << "\":", x);
+  };
+  const auto converted = [](const std::optional<GC::Enclosure>& x, auto unit) {
+    return x ? std::optional<GC::Enclosure>(unit(*x)) : std::nullopt;
+  };
+  write("gap", e.deviation.gap);
+  write("angle_degrees", converted(e.deviation.tangent_angle, GC::in_degrees));
+  write("curvature_percent", converted(e.deviation.curvature_jump, GC::in_percent));
+  write("first_derivative_percent", GC::in_percent(e.derivative_jumps[0]));
+  write("second_derivative_percent", GC::in_percent(e.derivative_jumps[1]));
+  for (std::size_t i = 0; i < 3; ++i) GC::write_number(os << (i == 0 ? ",\"point\":[" : ","), e.point[i]);
+  os << ']';
+}
+
 inline void write_json(std::ostream& os, const Cad_summary& s) {
   os << "{\"faces\":" << s.faces << ",\"inner\":" << s.inner << ",\"seam\":" << s.seams
      << ",\"boundary\":" << s.boundary << ",\"non_manifold\":" << s.non_manifold << ",\"degenerate\":" << s.degenerate
@@ -100,7 +128,8 @@ inline void write_json(std::ostream& os, const Cad_summary& s) {
      << ",\"exact\":" << s.exact << ",\"not_compared\":" << s.not_compared << ",\"projected\":" << s.projected
      << ",\"sewn\":" << s.sewn << ",\"placed_parts\":" << s.instances << ",\"different_parts\":" << s.shapes
      << ",\"compared\":" << s.compared << ",\"lost\":" << s.lost << ",\"beside\":" << s.beside
-     << ",\"open_shells\":" << s.open_shells << ",\"length_unit\":\"mm\"}";
+     << ",\"open_shells\":" << s.open_shells << ",\"curves\":" << s.curves << ",\"joins\":" << s.joins
+     << ",\"free_ends\":" << s.free_ends << ",\"branchings\":" << s.branchings << ",\"length_unit\":\"mm\"}";
 }
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_CAD_JSON_H

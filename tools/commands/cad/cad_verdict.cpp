@@ -319,6 +319,48 @@ std::optional<Given> claim_of(const Cad_edge& edge, const Cad_verdict& verdict, 
   return Given{Claim::undecided, "edge", open_reason(verdict)};
 }
 
+Given claim_of(const Cad_join_verdict& verdict, const Cad_demand& demand) {
+  if (!verdict.enclosure) return {Claim::not_covered, "join", verdict.reason};
+  switch (verdict.meets(demand.kind, demand.order.value_or(1))) {
+  case GC::Verdict::proved: return {Claim::met, "join"};
+  case GC::Verdict::refuted: return {demand.order ? Claim::not_met : Claim::met, "join"};
+  case GC::Verdict::undecided: break;
+  }
+  return {Claim::undecided, "join",
+          verdict.enclosure->deviation.tangent_angle ? "the tolerance lies between the bounds"
+                                                     : "a tangent cannot be told from zero"};
+}
+
+Cad_join_verdict cad_verdict(const Cad_join& join, const Cad_demand& demand) {
+  Cad_join_verdict result;
+  try {
+    result.enclosure = GC::wire_enclosure(join.ends[0], join.ends[1]);
+  } catch (const GC::Error& e) {
+    result.reason = e.what();
+    return result;
+  }
+  const GC::Join_deviation& d = result.enclosure->deviation;
+  const auto within = [](const std::optional<GC::Enclosure>& x, const GC::Bound& bound) {
+    return x ? GC::at_most(*x, bound) : GC::Verdict::undecided;
+  };
+  const GC::Verdict is_smooth = within(d.tangent_angle, demand.bounds.tangent_angle),
+                    is_kink = within(d.tangent_angle, times(demand.kink, 1 - rounded_angle));
+  result.within[0] = GC::at_most(d.gap, demand.bounds.gap);
+  result.within[1] = result.within[0] && is_smooth;
+  result.within[2] = result.within[1] && within(d.curvature_jump, demand.bounds.curvature_jump);
+  result.c_within[0] = result.within[0];
+  const auto& [first, second] = result.enclosure->derivative_jumps;
+  result.c_within[1] = result.within[0] && GC::at_most(first, demand.bounds.tangent_angle);
+  result.c_within[2] = result.c_within[1] && GC::at_most(second, demand.bounds.curvature_jump);
+  result.shape = result.within[0] == GC::Verdict::refuted ? Cad_shape::gap
+                 : is_smooth == GC::Verdict::proved       ? Cad_shape::smooth
+                 : is_smooth == GC::Verdict::undecided    ? Cad_shape::undecided
+                 : is_kink == GC::Verdict::proved         ? Cad_shape::kink
+                 : is_kink == GC::Verdict::refuted        ? Cad_shape::corner
+                                                          : Cad_shape::bent;
+  return result;
+}
+
 Cad_verdict cad_verdict(const Cad_edge& edge, const Cad_demand& demand) {
   Cad_verdict result;
   if (!edge.sides) {

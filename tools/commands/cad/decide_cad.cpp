@@ -72,7 +72,7 @@ void move(Cad_verdict& verdict, const GC::Cad_placement& place) {
 }
 
 Decided_cad_file decided(const std::string& file, Cad_model model, const Cad_demand& demand) {
-  Decided_cad_file result{file, std::move(model), {}, 0};
+  Decided_cad_file result{file, std::move(model), {}, {}, 0};
   const std::vector<Cad_edge>& edges = result.model.edges;
   Progress progress("edges");
   const std::vector<std::size_t> first = equal_edges(edges);
@@ -95,6 +95,7 @@ Decided_cad_file decided(const std::string& file, Cad_model model, const Cad_dem
     move(result.verdicts[i], edges[i].place);
     result.compared += edges[i].sides && first[i] == i;
   }
+  for (const Cad_join& join : result.model.wires.joins) result.joins.push_back(cad_verdict(join, demand));
   return result;
 }
 
@@ -119,18 +120,33 @@ void decide_cad_files(const Arguments& files, const Cad_demand& demand, const Ca
 
 std::string Cad_summary::hint() const {
   if (boundary > 0) return "--sew DISTANCE joins boundary edges that coincide";
-  if (loose > 0)
-    return "curves without faces are decided exactly when they are written as a chain (.g2) or a drawing (.svg), and "
-           "in "
-           "FreeCAD by geometric_continuity.adapters.freecad";
-  return "";
+  return curves > 0 ? "the ends of its curves are free: no two of them meet" : "";
+}
+
+void Cad_summary::add(Claim claim, int order, Cad_shape shape) {
+  ++(claim == Claim::not_covered ? not_compared
+     : claim == Claim::undecided ? undecided
+     : order == 2                ? g2
+     : order == 1                ? g1
+     : order == 0                ? g0
+                                 : gaps);
+  kinks += shape == Cad_shape::kink;
+  corners += shape == Cad_shape::corner;
+  fading_corners += shape == Cad_shape::fading_corner;
+  bent += shape == Cad_shape::bent;
+  folds += shape == Cad_shape::fold;
+  inside_out += shape == Cad_shape::inside_out;
 }
 
 void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
   faces += file.model.faces.size();
   lost += file.model.lost.size();
   open_shells += file.model.open_shells.size();
-  loose += file.model.loose_edges;
+  const Cad_wires& wires = file.model.wires;
+  curves += wires.curves.size();
+  joins += wires.joins.size();
+  free_ends += wires.free_ends.size();
+  branchings += wires.branchings.size();
   sewn += file.model.sewn;
   instances += file.model.instances.size();
   shapes += file.model.shapes;
@@ -152,21 +168,10 @@ void Cad_summary::add(const Decided_cad_file& file, const Cad_demand& demand) {
       continue;
     case Cad_edge_kind::knot_line: ++knot_lines; break;
     }
-    const Claim claim = claim_of(edge, verdict, demand)->claim;
-    const int order = verdict.order();
-    ++(claim == Claim::not_covered ? not_compared
-       : claim == Claim::undecided ? undecided
-       : order == 2                ? g2
-       : order == 1                ? g1
-       : order == 0                ? g0
-                                   : gaps);
-    kinks += verdict.shape == Cad_shape::kink;
-    corners += verdict.shape == Cad_shape::corner;
-    fading_corners += verdict.shape == Cad_shape::fading_corner;
+    add(claim_of(edge, verdict, demand)->claim, verdict.order(), verdict.shape);
     exact += verdict.exact.has_value();
-    bent += verdict.shape == Cad_shape::bent;
-    folds += verdict.shape == Cad_shape::fold;
-    inside_out += verdict.shape == Cad_shape::inside_out;
     projected += edge.projected;
   }
+  for (const Cad_join_verdict& verdict : file.joins)
+    add(claim_of(verdict, demand).claim, verdict.order(), verdict.shape);
 }

@@ -24,7 +24,8 @@ Cad_demand demand_within(const std::string& tolerance, const GC::Corner_threshol
 struct Decided_cad_file {
   std::string file;
   Cad_model model;
-  std::vector<Cad_verdict> verdicts; // of each edge
+  std::vector<Cad_verdict> verdicts;   // of each edge
+  std::vector<Cad_join_verdict> joins; // the verdicts on those of curves without faces
   // edges with two sides, each as often as it is decided: once for all that are equal
   std::size_t compared = 0;
 };
@@ -34,8 +35,8 @@ struct Decided_cad_file {
 void decide_cad_files(const Arguments& files, const Cad_demand& demand, const Cad_reading& reading,
                       const std::function<void(const Decided_cad_file&)>& take);
 
-// How many edges there are of each kind, and how they do. Only inner edges, seams and knot lines
-// have verdicts.
+// How many edges there are of each kind, and how they do. Only inner edges, seams, knot lines and
+// joins of curves have verdicts.
 struct Cad_summary {
   std::size_t faces = 0, inner = 0, seams = 0, boundary = 0, non_manifold = 0, degenerate = 0, knot_lines = 0;
   // By the order that is proved. A report claims the edges that are undecided here as undecided,
@@ -49,18 +50,22 @@ struct Cad_summary {
   std::size_t sewn = 0;      // edges that sewing made of two
   // placed parts, if there are several, and the different ones among them
   std::size_t instances = 0, shapes = 0;
-  std::size_t compared = 0;    // edges, what is equal once
-  std::size_t lost = 0;        // things that could not be read
-  std::size_t loose = 0;       // edges of no face
+  std::size_t compared = 0; // edges, what is equal once
+  std::size_t lost = 0;     // things that could not be read
+  // edges of no face, their joins, the ends that meet no other one, places where three or more meet
+  std::size_t curves = 0, joins = 0, free_ends = 0, branchings = 0;
   std::size_t beside = 0;      // boundary edges that lie beside others
   std::size_t open_shells = 0; // that are said to be closed
 
-  std::size_t decided() const { return inner + seams + knot_lines; }
+  std::size_t decided() const { return inner + seams + knot_lines + joins; }
 
   // Returns a hint what to do if no edge is compared; it is empty if there is nothing to say.
   std::string hint() const;
 
   void add(const Decided_cad_file& file, const Cad_demand& demand);
+
+private:
+  void add(Claim claim, int order, Cad_shape shape);
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_DECIDE_CAD_H

@@ -99,6 +99,33 @@ Report_item item_of(std::size_t number, const Cad_edge& edge, const Cad_verdict&
   return item;
 }
 
+// The join as a card of the page.
+Report_item item_of(const Cad_join& join, const Cad_join_verdict& verdict, const Cad_wires& wires,
+                    const std::string& reason) {
+  Report_item item;
+  item.place = cad_place(join, wires);
+  item.verdict = verdict.reason;
+  if (!verdict.enclosure) return item;
+  item.verdict = verdict.order_name() + (reason.empty() ? "" : ": " + reason);
+  const GC::Join_deviation& d = verdict.enclosure->deviation;
+  item.grade = verdict.shape == Cad_shape::gap      ? Report_grade::gap
+               : verdict.shape == Cad_shape::corner ? Report_grade::corner
+               : verdict.shape == Cad_shape::kink   ? Report_grade::kink
+               : verdict.shape == Cad_shape::bent   ? Report_grade::kink
+               : verdict.order() == 2               ? Report_grade::g2
+               : verdict.order() == 1               ? Report_grade::g1
+                                                    : Report_grade::undecided;
+  item.gap = readable(d.gap);
+  if (d.tangent_angle) item.angle = readable(GC::in_degrees(*d.tangent_angle));
+  if (d.curvature_jump) item.curvature_jump = readable(GC::in_percent(*d.curvature_jump));
+  for (const double x : verdict.enclosure->point) item.point.push_back(rounded(std::abs(x) < 1e-9 ? 0 : x, 6));
+  item.severity = (item.grade == Report_grade::gap || !d.tangent_angle ? d.gap
+                   : item.grade >= Report_grade::g1                    ? *d.curvature_jump
+                                                                       : *d.tangent_angle)
+                      .upper;
+  return item;
+}
+
 // Gathers the edges of CAD models, and draws the faces.
 class Cad_page {
   const Cad_demand demand_;
@@ -224,9 +251,9 @@ class Cad_page {
   std::string empty_text() const {
     std::string text = "There is no edge of two sides";
     if (summary_.boundary > 0) text += ", but " + counted(summary_.boundary, "boundary edge");
-    if (summary_.loose > 0)
-      text +=
-          std::string(summary_.boundary > 0 ? " and " : ", but ") + counted(summary_.loose, "edge") + " without a face";
+    if (summary_.curves > 0)
+      text += std::string(summary_.boundary > 0 ? " and " : ", but ") + counted(summary_.curves, "curve") +
+              " without a face";
     return text + (summary_.hint().empty() ? "." : ": " + summary_.hint() + '.');
   }
 
@@ -299,8 +326,42 @@ public:
       edges_.push_back(drawn(edge, report_grade_name(item.grade), first_face));
       page_.add(std::move(item));
     }
-    if (decided.model.loose_edges > 0) page_.leave_out("edge", edge_without_face, "", decided.model.loose_edges);
+    add_wires(decided, before);
     files_.push_back({faces_.size(), edges_.size(), others_.size()});
+  }
+
+  // Adds the joins of curves without faces: of each the halves of both curves are drawn that meet
+  // there.
+  void add_wires(const Decided_cad_file& decided, const std::string& before) {
+    const Cad_wires& wires = decided.model.wires;
+    for (const Cad_curve_edge& curve : wires.curves) {
+      if (!curve.reason.empty()) page_.leave_out("curve", curve.reason, "");
+      others_.push_back({"boundary", {}, coordinates(curve.points)});
+    }
+    if (!wires.branchings.empty()) page_.leave_out("place", branching_of_curves, "", wires.branchings.size());
+    for (std::size_t i = 0; i < wires.joins.size(); ++i) {
+      const Cad_join& join = wires.joins[i];
+      const Given given = claim_of(decided.joins[i], demand_);
+      Report_item item = item_of(join, decided.joins[i], wires, given.reason);
+      item.place = before + item.place;
+      if (!page_.count(item.grade, item.severity, given.reason)) continue;
+      item.number = page_.total();
+      item.edge = edges_.size();
+      edges_.push_back({report_grade_name(item.grade), {}, coordinates(points_at(join, wires))});
+      page_.add(std::move(item));
+    }
+  }
+
+  // The points from the middle of the first curve to that of the second one; around a knot a few.
+  static std::vector<GC::Cad_point<3>> points_at(const Cad_join& join, const Cad_wires& wires) {
+    const auto &left = wires.curves[join.curves[0]].points, &right = wires.curves[join.curves[1]].points;
+    if (join.is_knot) return left;
+    std::vector<GC::Cad_point<3>> a(left), b(right);
+    if (join.ends[0].reversed) std::reverse(a.begin(), a.end());
+    if (join.ends[1].reversed) std::reverse(b.begin(), b.end());
+    a.erase(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(a.size() / 2));
+    a.insert(a.end(), b.begin(), b.begin() + static_cast<std::ptrdiff_t>(b.size() / 2 + 1));
+    return a;
   }
 
   // Fills the page when all is gathered.
@@ -329,8 +390,13 @@ public:
       page_.notes.push_back(
           counted(summary_.projected, "edge") +
           " with curves in parameter planes that are not in the file, but projections of those in space.");
-    page_.summary = counted(summary_.faces, "face") + ", " + counted(summary_.decided(), "edge") +
-                    " of two sides within " + demand_.tolerance + "; lengths in mm";
+    if (summary_.curves > 0)
+      page_.notes.push_back(counted(summary_.curves, "curve") + " without a face: " + counted(summary_.joins, "join") +
+                            ", " + counted(summary_.free_ends, "free end") + '.');
+    page_.summary = counted(summary_.faces, "face") + ", " + counted(summary_.decided() - summary_.joins, "edge") +
+                    " of two sides" +
+                    (summary_.joins > 0 ? " and " + counted(summary_.joins, "join") + " of curves" : "") + " within " +
+                    demand_.tolerance + "; lengths in mm";
   }
 };
 

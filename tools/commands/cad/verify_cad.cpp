@@ -15,6 +15,7 @@
 #include <iostream>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -87,10 +88,9 @@ class Cad_report {
     Report_subject s{"edge of two sides", "every edge of two sides and every knot line"};
     s.proof = "proved";
     if (!demand.order) return s;
-    const std::string order = 'G' + std::to_string(*demand.order);
-    s.required = order + " within the tolerance";
-    if (*demand.order > 0) s.required += " or a corner";
-    s.required_in_json = "\"required\":\"" + order + '"';
+    s.required = demand.name() + " within the tolerance";
+    if (*demand.order > 0 && demand.kind == GC::Continuity_kind::G) s.required += " or a corner";
+    s.required_in_json = "\"required\":\"" + demand.name() + '"';
     return s;
   }
 
@@ -139,6 +139,89 @@ class Cad_report {
     });
   }
 
+  // Adds a join of curves without faces.
+  void add_join(const Decided_cad_file& file, std::size_t number) {
+    const Cad_wires& wires = file.model.wires;
+    const Cad_join& join = wires.joins[number];
+    const Cad_join_verdict& verdict = file.joins[number];
+    const Given given = claim_of(verdict, demand_);
+    std::ostringstream os;
+    if (is_text())
+      os << cad_place(join, wires) << ": " << cad_sentence(verdict, demand_) << '\n';
+    else if (report_.mode().format == Report_format::json) {
+      GC::write_json(os << ",\n {\"file\":", file.file);
+      write_members(os << ',', number, join, verdict);
+      os << '}';
+    }
+    report_.row("joins", os.str(), given.claim);
+    const bool is_noted = !demand_.order && verdict.shape != Cad_shape::smooth && verdict.shape != Cad_shape::corner;
+    report_.add(file.file, given, is_noted, [&] {
+      Finding f;
+      f.file = file.file;
+      f.line = line_of(wires.curves[join.curves[0]].id);
+      f.kind = "join";
+      f.place = cad_place(join, wires);
+      f.rule = given.claim == Claim::not_covered ? Finding_rule::not_verified
+               : given.claim == Claim::undecided ? Finding_rule::undecided
+                                                 : rule(verdict.shape);
+      if (f.rule == Finding_rule::curvature && demand_.kind == GC::Continuity_kind::C)
+        f.rule = Finding_rule::derivative;
+      f.message = (given.claim == Claim::not_met ? "not " + report_.subject().required + ", " : "") +
+                  cad_sentence(verdict, demand_);
+      std::ostringstream properties;
+      write_members(properties, number, join, verdict);
+      f.properties = properties.str();
+      for (const std::size_t curve : join.curves) {
+        const Cad_curve_edge& c = wires.curves[curve];
+        f.object += (f.object.empty() ? "" : " - ") + (c.id.empty() ? "curve " + std::to_string(curve) : c.id);
+        f.shape += (f.shape.empty() ? "" : " - ") + c.kind;
+      }
+      f.spot = join.is_knot ? "knot" : "join";
+      if (!verdict.enclosure) return f;
+      const GC::Join_deviation& d = verdict.enclosure->deviation;
+      if (f.rule == Finding_rule::gap) f.measure = Measure{"gap", d.gap};
+      if ((f.rule == Finding_rule::corner || f.rule == Finding_rule::kink) && d.tangent_angle)
+        f.measure = Measure{"angle_degrees", GC::in_degrees(*d.tangent_angle)};
+      if (f.rule == Finding_rule::curvature && d.curvature_jump)
+        f.measure = Measure{"curvature_jump", *d.curvature_jump};
+      if (f.rule == Finding_rule::gap && d.tangent_angle)
+        f.behind = Measure{"angle_degrees", GC::in_degrees(*d.tangent_angle)};
+      return f;
+    });
+  }
+
+  // Adds what of curves without faces has no verdict.
+  void add_not_covered_curve(const std::string& file, const std::string& place, const Given& given, long long line) {
+    if (is_text()) report_.row("not_read", place + ": " + given.reason + '\n');
+    report_.add(file, given, true, [&] {
+      Finding f;
+      f.file = file;
+      f.line = line;
+      f.kind = given.noun;
+      f.place = place;
+      f.rule = Finding_rule::not_verified;
+      f.message = "not compared, " + given.reason;
+      f.shape = given.reason;
+      return f;
+    });
+  }
+
+  void add_wires(const Decided_cad_file& file) {
+    const Cad_wires& wires = file.model.wires;
+    for (std::size_t i = 0; i < wires.joins.size(); ++i) add_join(file, i);
+    for (std::size_t i = 0; i < wires.curves.size(); ++i)
+      if (const Cad_curve_edge& c = wires.curves[i]; !c.reason.empty())
+        add_not_covered_curve(file.file, "curve " + std::to_string(i) + " (" + c.kind + ')',
+                              {Claim::not_covered, "curve", c.reason}, line_of(c.id));
+    for (const std::vector<std::size_t>& branching : wires.branchings) {
+      std::string place = "ends of curves";
+      for (const std::size_t curve : branching)
+        place += (curve == branching.front() ? " " : ", ") + std::to_string(curve);
+      add_not_covered_curve(file.file, place, {Claim::not_covered, "place", branching_of_curves},
+                            line_of(wires.curves[branching[0]].id));
+    }
+  }
+
   void add_row(std::size_t number, const Cad_edge& edge, const Cad_verdict& verdict, const Decided_cad_file& file,
                Claim claim) {
     std::ostringstream os;
@@ -173,6 +256,11 @@ class Cad_report {
   }
 
   void add(const Decided_cad_file& file) {
+    if (demand_.kind == GC::Continuity_kind::C && !file.model.faces.empty())
+      throw std::invalid_argument("--require " + demand_.name() +
+                                  ": of CAD models G0, G1 and G2 are decided, and C orders only of curves without "
+                                  "faces; " +
+                                  file.file + " has faces");
     report_.begin_file(file.file);
     lines_.clear();
     if (report_.mode().has_findings()) lines_ = entity_lines(file.file);
@@ -186,18 +274,7 @@ class Cad_report {
     for (const auto& [face, reason] : file.model.not_covered)
       add_not_covered(file.file, "face", "face " + std::to_string(face) + ": " + reason,
                       {Claim::not_covered, "face", reason}, line_of_face(file.model, face));
-    for (std::size_t i = 0; i < file.model.loose_edges; ++i)
-      report_.add(file.file, {Claim::not_covered, "edge", edge_without_face}, false, [&] {
-        Finding f;
-        f.file = file.file;
-        f.line = no_line;
-        f.kind = "edge";
-        f.place = "edge " + std::to_string(i) + " of those without a face";
-        f.rule = Finding_rule::not_verified;
-        f.message = std::string("not compared, ") + edge_without_face;
-        f.shape = edge_without_face;
-        return f;
-      });
+    add_wires(file);
     summary_.add(file, demand_);
   }
 
@@ -205,10 +282,17 @@ class Cad_report {
     const Cad_summary& s = summary_;
     std::ostringstream os;
     if (s.beside > 0) os << beside_words(s.beside) << '\n';
-    os << counted(s.faces, "face") << "; edges: " << s.inner << " inner, " << counted(s.seams, "seam") << ", "
-       << s.boundary << " boundary, " << s.degenerate << " degenerate, " << s.non_manifold << " non-manifold";
+    if (s.curves > 0) {
+      os << counted(s.curves, "curve") << " without a face; " << counted(s.joins, "join") << ", "
+         << counted(s.free_ends, "free end");
+      if (s.branchings > 0) os << ", " << counted(s.branchings, "place") << " where three curves or more meet";
+      os << '\n';
+    }
+    if (s.faces > 0 || s.curves == 0)
+      os << counted(s.faces, "face") << "; edges: " << s.inner << " inner, " << counted(s.seams, "seam") << ", "
+         << s.boundary << " boundary, " << s.degenerate << " degenerate, " << s.non_manifold << " non-manifold";
     if (s.knot_lines > 0) os << "; " << counted(s.knot_lines, "knot line") << " inside of faces";
-    os << '\n';
+    if (s.faces > 0 || s.curves == 0) os << '\n';
     if (s.instances > 0) os << parts_words(s.instances, s.shapes) << '\n';
     if (s.sewn > 0) os << sewn_words(s.sewn) << '\n';
     if (s.decided() == 0 && s.beside == 0 && !s.hint().empty()) os << s.hint() << '\n';
@@ -240,8 +324,13 @@ public:
   Cad_report(const Arguments& files, const Report_mode& mode, const Cad_demand& demand, const Cad_reading& reading)
       : demand_(demand), report_(mode, subject(demand)), names_files_(files.size() > 1) {
     report_.row("edges");
+    report_.row("joins");
     report_.row("not_read");
     decide_cad_files(files, demand, reading, [this](const Decided_cad_file& file) { add(file); });
+    if (summary_.faces == 0 && summary_.joins > 0)
+      report_.speak_of("join of curves", "every join of curves");
+    else if (summary_.joins > 0)
+      report_.say_of_every(" and every join of curves");
   }
 
   // Prints the report and returns the exit code.

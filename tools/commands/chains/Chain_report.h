@@ -27,6 +27,12 @@ struct Decided_joins {
   Drawn_counts drawn = {};
   std::ostringstream stream = {}; // for parts of a row
   std::vector<std::string> certificates = {};
+  // gaps that close when a curve is reversed, with the numbers of both curves
+  struct Gap {
+    std::size_t left, right;
+    Closing_reversal reversal;
+  };
+  std::vector<Gap> gaps = {};
 };
 
 // The report on a chain.
@@ -37,6 +43,8 @@ class Chain_report {
   Drawn_counts drawn_;
   Certificate certificate_;
   std::size_t curves_ = 0, bent_ = 0;
+  std::vector<std::size_t> backward_;       // curves of which both gaps close when they are reversed
+  std::optional<std::size_t> right_closes_; // the curve behind the last gap, if that closes it
 
   static Report_subject subject(const Join_demand& demand) {
     Report_subject s{"join", "every join"};
@@ -67,6 +75,11 @@ public:
     drawn_ += joins.drawn;
     report_.add(joins.part, "joins");
     for (const std::string& certificate : joins.certificates) certificate_.add(certificate);
+    for (const Decided_joins::Gap& gap : joins.gaps) {
+      const bool both = gap.reversal.left && right_closes_ == gap.left;
+      if (both) backward_.push_back(gap.left);
+      right_closes_ = gap.reversal.right && !both ? std::optional<std::size_t>(gap.right) : std::nullopt;
+    }
   }
 
   // Adds a curve: where it exceeds the bound on the curvature, if it does.
@@ -118,6 +131,11 @@ private:
       os << ",\"c_order\":" << *summary_.c_order() << ",\"g_order\":" << *summary_.g_order()
          << ",\"f_order\":" << *summary_.f_order();
     if (drawn_.all > 0) os << ",\"zero_tangent\":" << drawn_.all << ",\"drawn_g1\":" << drawn_.smooth;
+    if (!backward_.empty()) {
+      os << ",\"backward_curves\":[";
+      for (std::size_t i = 0; i < backward_.size(); ++i) os << (i == 0 ? "" : ",") << backward_[i];
+      os << ']';
+    }
     if (demand_.curvature) os << ",\"curves\":" << curves_ << ",\"bent_curves\":" << bent_;
     os << '}';
     return os.str();
@@ -135,6 +153,16 @@ private:
     if (drawn_.all > 0) os << "; " << drawn_.all << " with a zero tangent, " << drawn_.smooth << " of them drawn as G1";
     if (demand_.curvature) os << "; " << counted(curves_, "curve");
     os << '\n';
+    constexpr std::size_t most = 10; // curves that are named
+    if (!backward_.empty()) {
+      os << (backward_.size() == 1 ? "curve " : "curves ");
+      for (std::size_t i = 0; i < backward_.size() && i < most; ++i) os << (i == 0 ? "" : ", ") << backward_[i];
+      os << (backward_.size() > most ? ", ... run"
+             : backward_.size() > 1  ? " run"
+                                     : " runs")
+         << " backwards: to reverse " << (backward_.size() == 1 ? "it" : "them")
+         << " closes both gaps (repair --reverse)\n";
+    }
     return os.str();
   }
 };

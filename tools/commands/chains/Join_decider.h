@@ -46,9 +46,13 @@ public:
     joins.summary.add(join);
     const Drawn drawn = this->drawn(join, left, right);
     if (drawn) joins.drawn.add(*drawn);
+    if (join.c_order < 0) {
+      const Closing_reversal reversal = closing_reversal(ends);
+      if (reversal.left || reversal.right) joins.gaps.push_back({place.left, place.right, reversal});
+    }
     if (mode_.certificate != nullptr) joins.certificates.push_back(certificate(place, join, left, right));
     const bool is_open = demand_.max_order > 0 && lacks_direction(join, drawn, left, right);
-    Claim claim = this->claim(join, drawn, within);
+    Claim claim = this->claim(join, drawn, within, left, right);
     if (claim == Claim::not_met && is_open && is_about_tangents()) claim = Claim::undecided;
     const bool fails = claim != Claim::met, is_noted = this->is_noted(join, drawn, within);
     if (only_orders && (fails || (mode_.has_findings() && is_noted))) ends.complete(join, demand_.max_order);
@@ -97,14 +101,17 @@ private:
   // Returns the claim of the requirement, exactly or within the tolerance; where nothing is
   // required, of all orders within the tolerance. Where a tangent is zero, the tangent of the drawn
   // curves counts.
-  Claim claim(const Join& join, const Drawn& drawn, const std::optional<GC::Order_within>& within) const {
+  Claim claim(const Join& join, const Drawn& drawn, const std::optional<GC::Order_within>& within, const Span& left,
+              const Span& right) const {
     if (!demand_.order) return within && has_undecided_order(*within) ? Claim::undecided : Claim::met;
     if (demand_.order->met(join)) return Claim::met;
     if (drawn && is_about_tangents() && drawn->is_smooth()) return Claim::met;
     if (!within) return Claim::not_met;
-    const GC::Verdict verdict = drawn && is_about_tangents()
-                                    ? GC::at_most(drawn->angle, demand_.tolerance->joins.tangent_angle)
-                                    : (*within)(demand_.order->order());
+    const bool is_c = demand_.order->kind() == GC::Continuity_kind::C;
+    const GC::Verdict verdict =
+        is_c ? GC::is_c_within(left.jets(), right.jets(), demand_.order->order(), demand_.tolerance->joins)
+        : drawn && is_about_tangents() ? GC::at_most(drawn->angle, demand_.tolerance->joins.tangent_angle)
+                                       : (*within)(demand_.order->order());
     return verdict == GC::Verdict::proved      ? Claim::met
            : verdict == GC::Verdict::undecided ? Claim::undecided
                                                : Claim::not_met;
@@ -218,7 +225,8 @@ private:
     case Finding_rule::bend:
     case Finding_rule::undecided:
     case Finding_rule::not_verified:
-    case Finding_rule::rounding: break;
+    case Finding_rule::rounding:
+    case Finding_rule::length: break;
     }
     return std::nullopt;
   }

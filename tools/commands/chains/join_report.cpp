@@ -114,21 +114,18 @@ std::optional<std::string> remark(const Join& join, const GC::Coordinate_jet<Int
   return numbers.certain() ? std::optional<std::string>(text) : std::nullopt;
 }
 
-// Tells which of two curves with a gap between them would close it if it were reversed; empty for
-// none.
-template <class Span> const char* reversal(const GC::Span_join<Span>& ends) {
+template <class Span> Closing_reversal closing_reversal(const GC::Span_join<Span>& ends) {
   const auto point = [](const Span& span, bool at_end) {
     return at_end ? span.jets().end_jet(0)[0] : span.jets().start_jet(0)[0];
   };
-  if (point(ends.left(), true) == point(ends.right(), true)) return "; it closes when the right curve is reversed";
-  if (point(ends.left(), false) == point(ends.right(), false)) return "; it closes when the left curve is reversed";
-  return "";
+  return {point(ends.left(), false) == point(ends.right(), false),
+          point(ends.left(), true) == point(ends.right(), true)};
 }
 
 template <class Span>
 Join_words join_words(const Join& join, const GC::Span_join<Span>& ends, const GC::Corner_threshold& bound) {
   Join_words words;
-  const char* const gap = join.c_order < 0 ? reversal(ends) : "";
+  const Closing_reversal reversal = join.c_order < 0 ? closing_reversal(ends) : Closing_reversal();
   bool certain = false;
   ends.visit_enclosures([&](const auto& x, const auto& y) {
     const Enclosed_numbers numbers(x, y);
@@ -139,7 +136,8 @@ Join_words join_words(const Join& join, const GC::Span_join<Span>& ends, const G
     const Jet x = ends.left().jets().end_jet(3), y = ends.right().jets().start_jet(3);
     words = words_of(join, x.dimension(), Exact_numbers(x, y), bound);
   }
-  words.remark += gap;
+  if (reversal.left || reversal.right)
+    append(words.remark, "; it closes when the ", reversal.right ? "right" : "left", " curve is reversed");
   return words;
 }
 
@@ -159,6 +157,8 @@ void append_table_row(std::string& table, const Join& join, std::size_t left, st
   append(table, words.remark, '\n');
 }
 
+template Closing_reversal closing_reversal(const GC::Span_join<Program_span<GC::Decimal>>&);
+template Closing_reversal closing_reversal(const GC::Span_join<Program_span<double>>&);
 template Join_words join_words(const Join&, const GC::Span_join<Program_span<GC::Decimal>>&,
                                const GC::Corner_threshold&);
 template Join_words join_words(const Join&, const GC::Span_join<Program_span<double>>&, const GC::Corner_threshold&);

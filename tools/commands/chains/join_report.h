@@ -79,6 +79,12 @@ struct Join_words {
 template <class Span>
 Join_words join_words(const Join& join, const GC::Span_join<Span>& ends, const GC::Corner_threshold& bound);
 
+// Tells which of two curves with a gap between them would close it if it were reversed.
+struct Closing_reversal {
+  bool left = false, right = false;
+};
+template <class Span> Closing_reversal closing_reversal(const GC::Span_join<Span>& ends);
+
 // Returns the first line of a table of joins.
 std::string table_head();
 

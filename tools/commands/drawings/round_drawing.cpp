@@ -6,6 +6,7 @@
 
 #include "commands/drawings/segment_joins.h"
 #include "commands/kink_options.h"
+#include "commands/repair/decimal_text.h"
 #include "files/input.h"
 #include "files/output.h"
 #include "formats/svg/read_svg_path.h"
@@ -60,32 +61,24 @@ Fraction with_significant_digits(const Fraction& x, int digits) {
 
 // Writes a finite decimal as it is, and another number as a double.
 void write_decimal(std::ostream& os, const Fraction& x) {
-  constexpr int most_digits = 60;
-  typedef CGAL::Fraction_traits<Fraction> Parts;
-  Fraction scaled = x < 0 ? Fraction(-x) : x;
-  Parts::Numerator_type p;
-  Parts::Denominator_type q;
-  for (int digits = 0; digits <= most_digits; ++digits, scaled *= 10) {
-    Parts::Decompose()(scaled, p, q);
-    if (q != 1) continue;
-    std::ostringstream integer;
-    integer << p;
-    std::string text = integer.str();
-    if (digits > 0) {
-      const std::size_t n = static_cast<std::size_t>(digits);
-      if (text.size() <= n) text.insert(0, n + 1 - text.size(), '0');
-      text.insert(text.size() - n, ".");
-    }
-    os << (x < 0 ? "-" : "") << text;
-    return;
-  }
-  GC::write_number(os, CGAL::to_double(x));
+  if (const std::optional<std::string> text = decimal_text(x))
+    os << *text;
+  else
+    GC::write_number(os, CGAL::to_double(x));
 }
+
+// How corners are rounded.
+struct Rounding_demand {
+  GC::Corner_threshold bound;
+  Fraction size;          // a distance or a radius, in the units of the drawing
+  bool is_radius = false; // of a circle that touches both sides: cuts are where it does
+  bool with_arcs = false; // between lines, arcs of this circle
+};
 
 // A subpath of Bezier curves whose corners are rounded, in the coordinates of its element.
 class Rounded_subpath {
-  const GC::Corner_threshold& bound_;
-  const Fraction distance_;
+  const Rounding_demand& demand_;
+  const Fraction size_;             // in the coordinates of the element
   const int decimals_;              // of the coordinates
   std::vector<Plane_curve> curves_; // in the place of an arc its chord
   std::vector<std::string> arcs_;   // of each curve, the numbers of an arc before its end; or empty
@@ -96,20 +89,26 @@ class Rounded_subpath {
 
   // The parameter of the point at exactly the distance that is asked for, where its coordinates are
   // short decimals and no less of the line is to be cut off.
-  std::optional<Fraction> exact_cut(const Plane_curve& line, bool from_end, double distance) const {
+  std::optional<Fraction> exact_cut(const Plane_curve& line, bool from_end, const Fraction& wanted,
+                                    double distance) const {
     const Plane_point chord = point_of(line, 1) - point_of(line, 0);
     const std::optional<Fraction> length = GC::rational_square_root(Fraction(dot(chord, chord)));
-    if (!length || distance < CGAL::to_double(distance_)) return std::nullopt;
-    const Fraction t = from_end ? Fraction(1 - distance_ / *length) : Fraction(distance_ / *length);
+    if (!length || distance < CGAL::to_double(wanted)) return std::nullopt;
+    const Fraction t = from_end ? Fraction(1 - wanted / *length) : Fraction(wanted / *length);
     const Plane_point p = point_of(line, 0) + t * chord;
     return rounded(p) == p ? std::optional<Fraction>(t) : std::nullopt;
   }
 
   // The parameter of the point at a distance along a curve from its start, or from its end, as a
   // short decimal: by the lengths of chords.
-  Fraction cut(const Plane_curve& c, bool from_end, double distance) const {
+  Fraction cut(const Plane_curve& c, bool from_end, const Fraction& wanted, double distance, bool is_arc) const {
     if (c.degree() == 1)
-      if (const std::optional<Fraction> t = exact_cut(c, from_end, distance)) return *t;
+      if (const std::optional<Fraction> t = exact_cut(c, from_end, wanted, distance)) return *t;
+    if (is_arc) {
+      const Plane_point chord = point_of(c, 1) - point_of(c, 0);
+      const Fraction t(distance / std::sqrt(CGAL::to_double(dot(chord, chord))));
+      return from_end ? Fraction(1 - t) : t;
+    }
     constexpr int chords = 256;
     const auto point = [&](int i) {
       const auto p = c(Fraction(from_end ? chords - i : i) / chords);
@@ -172,6 +171,30 @@ class Rounded_subpath {
     return r;
   }
 
+  // The arc with both cuts of a corner as ends: its chord in the result, and the text of its other
+  // numbers.
+  void add_arc(const Plane_curve& left, const Plane_curve& right, const Fraction& radius,
+               std::vector<Plane_curve>& result, std::vector<std::string>& arcs) const {
+    const Plane_point u = point_of(left, 1) - point_of(left, 0), v = point_of(right, 1) - point_of(right, 0);
+    std::ostringstream text;
+    for (int i = 0; i < 2; ++i) write_decimal(text << ' ', radius);
+    text << " 0 0 " << (Fraction(u[0] * v[1]) > Fraction(u[1] * v[0]) ? 1 : 0);
+    result.push_back(Plane_curve{std::vector<Plane_point>{point_of(left, 1), point_of(right, 0)}});
+    arcs.resize(result.size());
+    arcs.back() = text.str();
+  }
+
+  // A line whose ends have short decimals where they are those of arcs.
+  Plane_curve with_short_ends(const Plane_curve& line, bool at_start, bool at_end) const {
+    const auto short_point = [&](const Plane_point& p, bool is_cut) {
+      Plane_point r = p;
+      for (int i = 0; i < 2 && is_cut; ++i) r[i] = with_digits(p[i], decimals_ + 7);
+      return r;
+    };
+    return Plane_curve(
+        std::vector<Plane_point>{short_point(point_of(line, 0), at_start), short_point(point_of(line, 1), at_end)});
+  }
+
   void add_blend(const Plane_curve& left, const Plane_curve& right, const Plane_point& corner,
                  std::vector<Plane_curve>& result) const {
     const int m = left.degree();
@@ -191,13 +214,14 @@ class Rounded_subpath {
 
 public:
   std::size_t corners = 0, exact = 0; // rounded, and those with exactly continuous curvature
+  std::size_t arcs = 0, smaller = 0;  // those that are arcs, and of these with a smaller radius
   std::size_t at_arcs = 0;            // corners that stay
 
   // `arc_text` returns the numbers of an arc before its end, as they are written.
   template <class Arc_text>
-  Rounded_subpath(const Drawing_subpath& path, const GC::Corner_threshold& bound, const Fraction& distance,
-                  int decimals, Arc_text arc_text)
-      : bound_(bound), distance_(distance), decimals_((std::max)(decimals, 0)), closed_(path.closed) {
+  Rounded_subpath(const Drawing_subpath& path, const Rounding_demand& demand, const Fraction& size, int decimals,
+                  Arc_text arc_text)
+      : demand_(demand), size_(size), decimals_((std::max)(decimals, 0)), closed_(path.closed) {
     for (const auto& segment : path.segments) {
       arcs_.push_back(segment.arc() ? arc_text(segment) : "");
       curves_.push_back(segment.arc() ? Plane_curve{segment.start(), segment.end()}
@@ -206,7 +230,7 @@ public:
     is_corner_.assign(curves_.size(), false);
     for (std::size_t i = 0; i < path.joins(); ++i) {
       const std::size_t j = next(i);
-      if (segment_class(path.segments[i], path.segments[j], bound_) != GC::Visual_class::corner) continue;
+      if (segment_class(path.segments[i], path.segments[j], demand_.bound) != GC::Visual_class::corner) continue;
       is_corner_[i] = arcs_[i].empty() && arcs_[j].empty();
       ++(is_corner_[i] ? corners : at_arcs);
     }
@@ -216,20 +240,41 @@ public:
   void write(std::ostream& os) {
     const std::size_t n = curves_.size();
     std::vector<Fraction> from(n, Fraction(0)), to(n, Fraction(1));
+    std::vector<Fraction> radius(n, Fraction(0)); // of arcs
     for (std::size_t i = 0; i < n; ++i) {
       if (!is_corner_[i]) continue;
-      const double d = (std::min)({CGAL::to_double(distance_), longest_cut(i, true), longest_cut(next(i), false)});
-      to[i] = cut(curves_[i], true, d);
-      from[next(i)] = cut(curves_[next(i)], false, d);
+      const Plane_curve &left = curves_[i], &right = curves_[next(i)];
+      const Fraction wanted = demand_.is_radius ? corner_distance(left, right, size_) : size_;
+      const bool is_arc = demand_.with_arcs && left.degree() == 1 && right.degree() == 1;
+      const double longest = (std::min)(longest_cut(i, true), longest_cut(next(i), false)),
+                   d = (std::min)(CGAL::to_double(wanted), longest);
+      to[i] = cut(left, true, wanted, d, is_arc);
+      from[next(i)] = cut(right, false, wanted, d, is_arc);
+      if (!is_arc) continue;
+      const bool is_short = longest < CGAL::to_double(wanted);
+      radius[i] =
+          is_short ? with_significant_digits(Fraction(CGAL::to_double(size_) * longest / CGAL::to_double(wanted)), 12)
+                   : size_;
+      ++arcs;
+      smaller += is_short;
     }
     std::vector<Plane_curve> parts, result;
-    std::vector<std::string> arcs; // of the result
-    for (std::size_t i = 0; i < n; ++i) parts.push_back(part(curves_[i], from[i], to[i]));
+    std::vector<std::string> arc_texts; // of the result
+    const auto is_arc_behind = [&](std::size_t i) { return Fraction(0) < radius[i]; };
+    for (std::size_t i = 0; i < n; ++i) {
+      parts.push_back(part(curves_[i], from[i], to[i]));
+      const bool at_start = is_arc_behind(i == 0 ? n - 1 : i - 1), at_end = is_arc_behind(i);
+      if (at_start || at_end) parts.back() = with_short_ends(parts.back(), at_start, at_end);
+    }
     for (std::size_t i = 0; i < n; ++i) {
       result.push_back(parts[i]);
-      arcs.resize(result.size());
-      arcs.back() = arcs_[i];
+      arc_texts.resize(result.size());
+      arc_texts.back() = arcs_[i];
       if (!is_corner_[i]) continue;
+      if (is_arc_behind(i)) {
+        add_arc(parts[i], parts[next(i)], radius[i], result, arc_texts);
+        continue;
+      }
       const std::size_t before = result.size();
       add_blend(parts[i], parts[next(i)], point_of(curves_[next(i)], 0), result);
       std::vector<Plane_curve> chain(result.begin() + static_cast<std::ptrdiff_t>(before) - 1, result.end());
@@ -241,11 +286,11 @@ public:
       write_decimal(stream << ' ', p[1]);
     };
     write_point(os << 'M', point_of(result[0], 0));
-    arcs.resize(result.size());
+    arc_texts.resize(result.size());
     for (std::size_t i = 0; i < result.size(); ++i) {
       const Plane_curve& c = result[i];
-      if (!arcs[i].empty()) {
-        write_point(os << 'A' << arcs[i], point_of(c, 1));
+      if (!arc_texts[i].empty()) {
+        write_point(os << 'A' << arc_texts[i], point_of(c, 1));
         continue;
       }
       os << "?LQC"[c.degree()];
@@ -288,19 +333,19 @@ std::string tag_of_path(std::string_view tag, const std::string& data) {
 // Rounds the corners of a drawing that it receives.
 class Drawing_rounder : public Drawing_handler {
   const std::string& text_;
-  const GC::Corner_threshold bound_;
-  const Fraction distance_;
+  const Rounding_demand demand_;
   struct Edit {
     std::size_t begin, end;
     std::string text;
   };
   std::vector<Edit> edits_;
 
-  // The distance in the coordinates of the element, for which the drawing is scaled by the root of
-  // the determinant.
-  Fraction own_distance(const Drawing_element& element) const {
+  // The distance or radius in the coordinates of the element, for which the drawing is scaled by
+  // the root of the determinant.
+  Fraction own_size(const Drawing_element& element) const {
     const double scale = std::sqrt(std::abs(CGAL::to_double(element.transform.determinant())));
-    return scale == 1 || !(scale > 0) ? distance_ : Fraction(distance_ / with_significant_digits(Fraction(scale), 9));
+    return scale == 1 || !(scale > 0) ? demand_.size
+                                      : Fraction(demand_.size / with_significant_digits(Fraction(scale), 9));
   }
 
   // Returns path data of all subpaths with rounded corners; empty where there is none, or where it
@@ -308,10 +353,10 @@ class Drawing_rounder : public Drawing_handler {
   template <class Arc_text>
   std::string rounded(const Drawing_element& element, const std::vector<Drawing_subpath>& paths, Arc_text arc_text) {
     std::ostringstream data;
-    std::size_t found = 0, exact = 0, at_arcs = 0;
+    std::size_t found = 0, exact = 0, at_arcs = 0, by_arcs = 0, of_smaller = 0;
     for (const Drawing_subpath& path : paths) {
       if (path.segments.empty()) continue;
-      Rounded_subpath rounded(path, bound_, own_distance(element), element.decimals, arc_text);
+      Rounded_subpath rounded(path, demand_, own_size(element), element.decimals, arc_text);
       try {
         rounded.write(data);
       } catch (const GC::Error& error) {
@@ -321,11 +366,15 @@ class Drawing_rounder : public Drawing_handler {
       found += rounded.corners;
       exact += rounded.exact;
       at_arcs += rounded.at_arcs;
+      by_arcs += rounded.arcs;
+      of_smaller += rounded.smaller;
     }
     if (at_arcs != 0) leave(element, counted(at_arcs, "corner") + " at an arc");
     if (found == 0) return "";
     corners += found;
     exact_corners += exact;
+    arcs += by_arcs;
+    smaller += of_smaller;
     ++elements;
     return data.str();
   }
@@ -335,11 +384,10 @@ class Drawing_rounder : public Drawing_handler {
   }
 
 public:
-  std::size_t corners = 0, exact_corners = 0, elements = 0;
+  std::size_t corners = 0, exact_corners = 0, elements = 0, arcs = 0, smaller = 0;
   std::vector<std::string> left; // elements, with the reasons
 
-  Drawing_rounder(const std::string& text, const GC::Corner_threshold& bound, const Fraction& distance)
-      : text_(text), bound_(bound), distance_(distance) {}
+  Drawing_rounder(const std::string& text, const Rounding_demand& demand) : text_(text), demand_(demand) {}
 
   bool takes_paths() const override { return true; }
 
@@ -411,15 +459,19 @@ Exit_code round_drawing(const Command_line& line) {
   if (!line.has("corners")) throw std::invalid_argument("blend of a drawing: --corners all is needed; see --help");
   if (line.text("corners") != "all")
     throw std::invalid_argument("--corners: all corners of a drawing are rounded: all");
-  if (!line.has("distance")) throw std::invalid_argument("--corners: --distance is needed");
+  const bool is_radius = line.has("radius");
+  const char* const option = is_radius ? "radius" : "distance";
+  if (is_radius && line.has("distance")) throw std::invalid_argument("--distance and --radius: one of them");
+  if (!is_radius && !line.has("distance")) throw std::invalid_argument("--corners: --distance is needed, or --radius");
+  if (!is_radius) line.refuse({"cubic"}, "corners of drawings are rounded by cubics, unless --radius asks for arcs");
   if (!line.has("output")) throw std::invalid_argument("blend of a drawing: -o OUT.svg is needed");
   check_output_name(line, "output", {".svg", ".xml"});
-  const Fraction distance = line.number("distance", Fraction(0));
-  if (!(Fraction(0) < distance))
-    throw std::invalid_argument("--distance: " + line.text("distance") + " is not positive");
+  const Fraction size = line.number(option, Fraction(0));
+  if (!(Fraction(0) < size))
+    throw std::invalid_argument("--" + std::string(option) + ": " + line.text(option) + " is not positive");
   Input input(files[0]);
   const std::string text{std::istreambuf_iterator<char>(input), {}};
-  Drawing_rounder rounder(text, corner_threshold(line), distance);
+  Drawing_rounder rounder(text, {corner_threshold(line), size, is_radius, is_radius && !line.has("cubic")});
   std::istringstream stream(text);
   read_svg_drawing(stream, input_name(files[0]), rounder);
   const std::string result = rounder.result();
@@ -427,9 +479,15 @@ Exit_code round_drawing(const Command_line& line) {
   std::ostream& report = report_stream(line);
   report << counted(rounder.corners, "corner") << " of " << counted(rounder.elements, "element")
          << (rounder.corners == 1 ? " is rounded" : " are rounded");
-  if (rounder.corners != 0)
-    report << ": " << rounder.exact_corners << " with exactly continuous curvature, "
-           << rounder.corners - rounder.exact_corners
+  const char* separator = ": ";
+  if (rounder.arcs != 0) {
+    report << separator << counted(rounder.arcs, "arc");
+    if (rounder.smaller != 0) report << " (" << rounder.smaller << " of a smaller radius on short sides)";
+    separator = ", ";
+  }
+  if (rounder.corners != rounder.arcs)
+    report << separator << rounder.exact_corners << " with exactly continuous curvature, "
+           << rounder.corners - rounder.arcs - rounder.exact_corners
            << " with tangents that are so exactly, and curvature up to rounding";
   report << '\n';
   for (const std::string& left : rounder.left) report << "left as it is: " << GC::printable(left) << '\n';

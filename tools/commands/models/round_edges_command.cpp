@@ -5,9 +5,12 @@
 #include "commands/command_line.h"
 #include "commands/models/exact_models.h"
 #include "commands/models/model_json.h"
+#include "commands/models/round_solid.h"
 #include "commands/work_limit.h"
 #include "files/output.h"
 #include "formats/shapes/write_shapes.h"
+#include "formats/solids/patches_of_solid.h"
+#include "formats/solids/read_solid.h"
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/IO/g2.h>
@@ -19,26 +22,40 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
 
 const char* const round_edges_usage =
     R"(usage: geometric_continuity round-edges MODEL.g2... --set-back R [OPTIONS]
+       geometric_continuity round-edges SOLID.step|.brep|.off --set-back R ...
 
-Rounds the sharp edges of a model: both surfaces at such an edge are trimmed
-back from it, so that their new edges are about R away from the old one, within
-one per cent, and exactly where the surface is linear across the edge and its
-length across is rational; and a surface of degree 5 across leads from the one
-new edge to the other. It is G2 with both along the whole new edges, which is
-decided exactly on the numbers that are written: the surfaces of the model, then
-the blends.
+Rounds the edges of a solid, and the result is closed: the faces are plane, have
+straight edges, and three edges meet at each vertex. A solid is a CAD model, a
+polygon mesh, or a model .g2 of plane surfaces without a boundary. Each edge is
+cut off at the distance R in both faces. Chains of edges are replaced by B-spline
+surfaces of the degrees 5 and 5: C2 along the chain, and G2 with the faces and
+each other along whole edges, which is decided exactly on the numbers that are
+written. A .g2 has them cut into patches with four edges, a CAD model has trimmed
+faces that share their edges.
 
-Edges stay that are G2, and those where the largest angle between the normals is
-less than --min-kink or, as they are meant, greater than --max-kink. Where more
-than two surfaces meet at the end of a rounded edge, a hole is left open: the
-report names it. It also names blends that may be folded, as they are where they
-have not enough room.
+--set-back EDGE=R gives one edge its own distance, with the number by which
+`verify` names it, such as 7, or 0u0 in a .g2. --edges 0,3,5 rounds only these;
+where one other edge of a vertex stays sharp, blends meet in a mitre, and where
+two do, they run out at the face. Errors name an edge or a vertex, and where cuts
+are too long for each other, the bound.
+
+The sharp edges of other models .g2 are rounded where two surfaces meet: both
+are trimmed back from the edge, so that their new edges are about R away from
+the old one, within one per cent, and exactly where the surface is linear across
+the edge and its length across is rational; and a surface of degree 5 across
+leads from the one new edge to the other. It is G2 with both along the whole new
+edges. Edges stay that are G2, and those where the largest angle between the
+normals is less than --min-kink or, as they are meant, greater than --max-kink.
+Where more than two surfaces meet at the end of a rounded edge, a hole is left
+open: the report names it. It also names blends that may be folded, as they are
+where they have not enough room. --open does so with solids, too.
 
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
 allows N steps, about N nanoseconds, for each edge instead of 4000000000.
@@ -46,9 +63,11 @@ allows N steps, about N nanoseconds, for each edge instead of 4000000000.
 examples:
   geometric_continuity round-edges box.g2 --set-back 0.5 -o rounded.g2 \
       --plot rounded.svg
+  geometric_continuity round-edges part.step --set-back 2 --set-back 7=1 \
+      -o rounded.step
   geometric_continuity round-edges model.g2 --set-back 2 --max-kink 60 --json
 
-Exit code: 0 when all blends are proved to be G2 along both edges and not to be
+Exit code: 0 when all blends are proved to be G2 along their edges and not to be
 folded, 1 when one is not (the files are written nevertheless), 2 on bad input.
 )";
 
@@ -150,8 +169,13 @@ int round_edges(const Command_line& line, const std::vector<Surface>& surfaces, 
 }
 
 void describe_round_edges(po::options_description_easy_init add) {
-  add("set-back", po::value<std::string>(), "R > 0, the distance of the new edges from the old ones");
-  add("min-kink", po::value<std::string>(), "edges of a smaller angle stay, in degrees (default 5)");
+  add("set-back", po::value<Arguments>()->composing(),
+      "R > 0, the distance of the new edges from the old ones; of a solid also EDGE=R, for one edge");
+  add("edges", po::value<std::string>(), "of a solid: only these edges, separated by commas");
+  add("profile", po::value<std::string>()->default_value("fair"),
+      "of a solid: fair, or the part of the distance at which a profile turns, in (0, 1): greater ones are tighter");
+  add("open", "trim the surfaces of a solid, too, and leave holes at its corners");
+  add("min-kink", po::value<std::string>(), "edges of a smaller angle stay, in degrees (default 5, of a solid 0)");
   add("max-kink", po::value<std::string>(), "edges of a greater angle are meant and stay, in degrees (default 180)");
   add("json", "print the report as JSON");
   add("max-work", po::value<std::string>(), "the steps of work that are allowed for each edge");
@@ -159,19 +183,42 @@ void describe_round_edges(po::options_description_easy_init add) {
   add("plot", po::value<std::string>(), "draw it with isophotes, .svg");
 }
 
+std::string number_text(std::size_t edge) { return std::to_string(edge); }
+std::string side_text(std::size_t edge) {
+  std::ostringstream os;
+  os << edge / 4 << ' ' << GC::patch_edges[edge % 4];
+  return os.str();
+}
+
 int run_round_edges(const Command_line& line) {
   if (line.files().empty()) throw std::invalid_argument("round-edges: no file is given; see --help");
-  const std::optional<double> set_back = line.length("set-back");
-  if (!set_back) throw std::invalid_argument("round-edges: --set-back R is needed; see --help");
-  const GC::Rounding_of_edges rounding{*set_back, angle(line, "min-kink", 5), angle(line, "max-kink", 180)};
+  if (!line.has("set-back")) throw std::invalid_argument("round-edges: --set-back R is needed; see --help");
+  const double least = angle(line, "min-kink", 5), greatest = angle(line, "max-kink", 180);
   check_shape_output(line);
   const GC::Work_scope each(line.work_limit());
-  return within_work_limit([&] { return input_name(line.files()[0]); },
-                           [&] {
-                             return read_exact_model(line.files()).visit([&](const auto& surfaces) {
-                               return round_edges(line, surfaces, rounding);
-                             });
-                           });
+  const auto name = [&] { return input_name(line.files()[0]); };
+  if (is_solid_file(line.files()[0])) {
+    line.refuse({"open"}, "only with models .g2");
+    if (line.files().size() > 1)
+      throw std::invalid_argument("round-edges: one solid is expected, and there are " +
+                                  std::to_string(line.files().size()) + " files");
+    return within_work_limit(name, [&] { return round_solid(line, read_solid(line.files()[0]), number_text); });
+  }
+  return within_work_limit(name, [&] {
+    return read_exact_model(line.files()).visit([&](const auto& surfaces) {
+      if constexpr (std::is_same_v<typename std::decay_t<decltype(surfaces)>::value_type, Exact_surface>)
+        if (!line.has("open"))
+          if (const std::optional<Solid> solid = solid_of_patches(surfaces))
+            return round_solid(line, *solid, side_text);
+      line.refuse({"edges", "profile"}, "only with solids: closed models of plane faces with straight edges");
+      const std::string given = line.texts("set-back").back();
+      if (line.texts("set-back").size() > 1 || given.find_first_of("=,") != std::string::npos)
+        throw std::invalid_argument("--set-back: " + given +
+                                    ": one distance for all edges is expected, since this is "
+                                    "no closed model of plane faces with straight edges");
+      return round_edges(line, surfaces, {Command_line::positive_length("set-back", given), least, greatest});
+    });
+  });
 }
 
 } // namespace

@@ -9,6 +9,7 @@
 #include "formats/svg/read_svg_path.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,14 +25,14 @@ struct Text_edit {
 struct Path_decimals {
   int most = 0;           // digits behind the point
   std::size_t finest = 0; // how many coordinates have that many
-  std::string refusal;    // why they are not on a grid; empty when they are
+  bool fit = true;        // a grid of these decimals holds each of them
 
   void add(std::string_view data, const GC::Svg_path_places& places);
 };
 
 // Path data as contours on its grid, one subpath after the other: the text stays as it is but for
 // the numbers that must change. The grid is that of the decimals with the most digits behind the
-// point among the coordinates.
+// point among the coordinates, or another one, beside which the nodes may lie.
 class Path_text {
   const std::string_view data_;
   Path_decimals decimals_; // as they will be
@@ -44,6 +45,12 @@ class Path_text {
 
   std::optional<GC::Grid_vector> on_grid(const Drawing_traits::Point& point) const;
   Grid_curve curve(const GC::Svg_segment<Drawing_traits>& segment) const;
+  template <class Curve> Grid_contour contour_of(int decimals, Curve curve) const;
+  Grid_curve arc(const GC::Svg_segment<Drawing_traits>& segment, int decimals) const;
+  std::string_view number(std::size_t index) const;
+
+  // A number as it will be when it changes by so many units.
+  std::string moved_text(std::size_t index, const Drawing_traits::FT& by, const Grid_contour& contour) const;
   void forget();
 
 public:
@@ -56,13 +63,17 @@ public:
   // Reads the next subpath. Returns false at the end.
   bool next();
 
-  // The subpath, without segments of no length, and the same on the grid.
+  // The subpath, without segments of no length, and the same on the grid of the path.
   const Drawing_subpath& subpath() const { return subpath_; }
   Grid_contour contour() const;
 
-  // Returns the edits, in order, that move the handles of the subpath from where they are in one
-  // contour to where they are in another one. The path keeps its grid: the last number with the
-  // most decimals keeps them.
+  // The subpath beside the grid of so many decimals, and how many a coarse one has that holds it.
+  Grid_contour contour_beside_grid(int decimals) const;
+  int coarser_decimals(std::int64_t longest) const;
+
+  // Returns the edits, in order, that move the handles of the subpath, and change its arcs, from
+  // how they are in one contour to how they are in another one. A path on its own grid keeps it:
+  // the last number with the most decimals keeps them.
   std::vector<Text_edit> edits(const Grid_contour& from, const Grid_contour& to);
 };
 

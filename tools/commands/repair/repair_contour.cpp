@@ -4,11 +4,14 @@
 
 #include "commands/repair/repair_contour.h"
 
+#include "commands/repair/decimal_text.h"
+
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <set>
 #include <sstream>
 #include <tuple>
@@ -28,6 +31,28 @@ CGAL::Exact_rational exact(std::int64_t x) {
 CGAL::Exact_rational squared_distance(const Vector& p, const Vector& q) {
   const CGAL::Exact_rational x = exact(p.x - q.x), y = exact(p.y - q.y);
   return CGAL::Exact_rational(x * x + y * y);
+}
+
+// The vector between two points that lie beside the grid by these offsets.
+Grid_offset difference(const Vector& p, const Grid_offset& p_offset, const Vector& q, const Grid_offset& q_offset) {
+  return Grid_offset(exact(q.x - p.x), exact(q.y - p.y)) + (q_offset - p_offset);
+}
+
+CGAL::Exact_rational cross_product(const Grid_offset& u, const Grid_offset& v) {
+  return CGAL::Exact_rational(u.x() * v.y() - u.y() * v.x());
+}
+
+std::optional<GC::Kink_size> kink_size(const Grid_contour& contour, std::size_t join) {
+  const Grid_curve &left = contour.curves[join], &right = contour.curves[contour.next(join)];
+  return contour.is_beside_grid ? segment_kink(exact_bezier(left), exact_bezier(right))
+                                : segment_kink(grid_bezier(left.points), grid_bezier(right.points));
+}
+
+// Nothing where a handle lies at the node.
+std::optional<GC::Enclosure> curvature_jump(const Grid_contour& contour, std::size_t join) {
+  const Grid_curve &left = contour.curves[join], &right = contour.curves[contour.next(join)];
+  return contour.is_beside_grid ? GC::deviation(exact_bezier(left), exact_bezier(right)).curvature_jump
+                                : GC::deviation(grid_bezier(left.points), grid_bezier(right.points)).curvature_jump;
 }
 
 // The harm that moves leave behind; less is better.
@@ -50,6 +75,7 @@ class Contour_mender {
   std::size_t next(std::size_t curve) const { return contour_.next(curve); }
   std::size_t previous(std::size_t curve) const { return (curve == 0 ? contour_.curves.size() : curve) - 1; }
   const Points& points(std::size_t curve) const { return contour_.curves[curve].points; }
+  bool is_line(std::size_t curve) const { return ::is_line(contour_.curves[curve]); }
   std::optional<GC::Visual_class> grade(std::size_t join) const { return ::grade(contour_, join, options_.bound); }
 
   // The joins at both ends of a curve.
@@ -62,21 +88,21 @@ class Contour_mender {
 
   void leave(std::size_t join, const std::string& reason) { result_.unrepaired.push_back({join, reason}); }
 
-  bool is_within(const Vector& from, const Vector& to, const CGAL::Exact_rational& bound) const {
-    return squared_distance(from, to) <= CGAL::Exact_rational(bound * bound);
-  }
-
   struct Move {
     std::size_t curve, point;
     Vector to;
+    Grid_offset offset = Grid_offset(0, 0); // beside the grid
   };
   typedef std::vector<Move> Moves;
 
   // Returns the moves back.
   Moves execute(const Moves& moves) {
     Moves back;
-    for (const Move& m : moves)
-      back.push_back({m.curve, m.point, std::exchange(contour_.curves[m.curve].points[m.point], m.to)});
+    for (const Move& m : moves) {
+      Grid_curve& c = contour_.curves[m.curve];
+      back.push_back({m.curve, m.point, std::exchange(c.points[m.point], m.to), offset(c, m.point)});
+      if (!c.offsets.empty()) c.offsets[m.point] = m.offset;
+    }
     return back;
   }
 
@@ -86,8 +112,13 @@ class Contour_mender {
     double most = 0;
     for (const Move& m : moves) {
       const Vector v = m.to - points(m.curve)[m.point];
-      const double n = static_cast<double>(points(m.curve).size() - 1), weight = std::pow((n - 1) / n, n - 1),
-                   x = static_cast<double>(v.x), y = static_cast<double>(v.y);
+      const double n = static_cast<double>(points(m.curve).size() - 1), weight = std::pow((n - 1) / n, n - 1);
+      double x = static_cast<double>(v.x), y = static_cast<double>(v.y);
+      if (contour_.is_beside_grid) {
+        const Grid_offset d = m.offset - offset(contour_.curves[m.curve], m.point);
+        x += CGAL::to_double(d.x());
+        y += CGAL::to_double(d.y());
+      }
       most = (std::max)(most, weight * weight * (x * x + y * y));
     }
     return most;
@@ -97,12 +128,19 @@ class Contour_mender {
   struct State {
     std::size_t join;
     std::optional<GC::Visual_class> grade;
-    std::optional<GC::Kink_size> size; // of a kink
+    std::optional<GC::Kink_size> size;                 // of a kink
+    std::optional<GC::Enclosure> angle = std::nullopt; // of a kink with an arc
   };
+  Exact_segment drawn_segment(std::size_t curve) const {
+    const Exact_segment segment = grid_segment(contour_.curves[curve]);
+    return contour_.map ? segment.transform(*contour_.map) : segment;
+  }
   State state(std::size_t join) const {
     State s{join, grade(join), std::nullopt};
     if (s.grade == GC::Visual_class::kink && !points(join).empty() && !points(next(join)).empty())
-      s.size = segment_kink(grid_bezier(points(join)), grid_bezier(points(next(join))));
+      s.size = kink_size(contour_, join);
+    else if (s.grade == GC::Visual_class::kink)
+      s.angle = segment_angle(drawn_segment(join), drawn_segment(next(join)));
     return s;
   }
 
@@ -113,10 +151,12 @@ class Contour_mender {
       for (const Move& m : back) {
         const std::size_t n = points(m.curve).size() - 1;
         const bool at_end = m.curve == before.join;
-        const Vector node = points(m.curve)[at_end ? n : 0], now = points(m.curve)[m.point];
+        const Grid_curve& c = contour_.curves[m.curve];
+        const std::size_t node = at_end ? n : 0;
         const bool next_to_node = m.point == (at_end ? n - 1 : 1);
-        const Vector u = m.to - node, v = now - node;
-        if (next_to_node && (cross(u, v) != 0 || dot(u, v) <= 0)) return true;
+        const Grid_offset u = difference(c.points[node], offset(c, node), m.to, m.offset),
+                          v = exact_vector(c, node, m.point);
+        if (next_to_node && (cross_product(u, v) != 0 || u * v <= 0)) return true;
       }
       return false;
     }
@@ -137,11 +177,11 @@ class Contour_mender {
   std::string objection(std::size_t join, const Moves& moves, const CGAL::Exact_rational& bound, Harm& harm) {
     std::set<std::size_t> joins;
     for (const Move& m : moves) {
-      const Vector& from = given_.curves[m.curve].points[m.point];
-      if (!is_within(from, m.to, bound))
-        return "not on this grid: the nearest position, " + contour_.text(m.to) + ", is " +
-               units(GC::sqrt_enclosure(squared_distance(from, m.to))) + " away, and the handle may move by " +
-               bound_text(bound);
+      const Grid_curve& from = given_.curves[m.curve];
+      const Grid_offset move = difference(from.points[m.point], offset(from, m.point), m.to, m.offset);
+      if (const CGAL::Exact_rational squared = move.squared_length(); squared > CGAL::Exact_rational(bound * bound))
+        return "not on this grid: the nearest position, " + contour_.text(m.to, m.offset) + ", is " +
+               units(GC::sqrt_enclosure(squared)) + " away, and the handle may move by " + bound_text(bound);
       for (std::size_t j : joins_of(m.curve)) joins.insert(j);
     }
     harm = {0, 0, change(moves)};
@@ -195,11 +235,11 @@ class Contour_mender {
   // Returns whether the handle of a curve belongs to one node.
   bool is_free(std::size_t curve) const {
     const Grid_curve& c = contour_.curves[curve];
-    return !c.fixed && c.points.size() >= 4 && !is_line(c.points);
+    return !c.fixed && c.points.size() >= 4 && !::is_line(c);
   }
   bool is_free_quadratic(std::size_t curve) const {
     const Grid_curve& c = contour_.curves[curve];
-    return !c.fixed && c.points.size() == 3 && !is_line(c.points) && !may_be_left_out(previous(curve)) &&
+    return !c.fixed && c.points.size() == 3 && !::is_line(c) && !may_be_left_out(previous(curve)) &&
            !may_be_left_out(curve);
   }
 
@@ -211,7 +251,7 @@ class Contour_mender {
     const Grid_curve& c = contour_.curves[curve];
     if (c.arc) return arc_direction(*c.arc, at_end);
     const Points& p = c.points;
-    if (is_line(p)) return p.back() - p.front();
+    if (::is_line(c)) return p.back() - p.front();
     return at_end ? p.back() - p[p.size() - 2] : p[1] - p[0];
   }
 
@@ -229,7 +269,7 @@ class Contour_mender {
       const Vector& tangent = left.arc ? a : b;
       off = GC::sqrt_enclosure(CGAL::Exact_rational(c * c / exact(squared_length(tangent)))).lower;
     } else
-      off = segment_kink(grid_bezier(left.points), grid_bezier(right.points))->handle_offset.lower;
+      off = kink_size(contour_, join)->handle_offset.lower;
     return CGAL::Exact_rational(2 * CGAL::Exact_rational(off) + 1);
   }
 
@@ -237,8 +277,12 @@ class Contour_mender {
     const std::size_t left = join, right = next(join);
     const std::optional<Vector> in = first_difference(left, true), out = first_difference(right, false);
     if (!in || !out) return {join, {}, "no point of the grid lies in the direction of the arc"};
-    const Vector zero{0, 0}, a = *in, b = *out;
-    if (a == zero || b == zero) return {join, {}, "a handle lies at the node"};
+    if (contour_.is_beside_grid) return propose_beside_grid(join, *in, *out);
+    const Vector zero{0, 0};
+    if (*in == zero || *out == zero) return {join, {}, "a handle lies at the node"};
+    // a long vector that does not move, such as a line, may have a short direction
+    const Vector a = is_short(*in) || is_movable(left) ? *in : GC::primitive(*in),
+                 b = is_short(*out) || is_movable(right) ? *out : GC::primitive(*out);
     if (!is_short(a) || !is_short(b)) return {join, {}, "a handle is longer than 2^28 units of the grid"};
     if (dot(a, b) < (std::abs)(cross(a, b))) return {join, {}, "the angle is more than 45 degrees"};
     Proposal proposal{join, {}, "", max_move(join, a, b)};
@@ -280,10 +324,160 @@ class Contour_mender {
 
   Move to_left(std::size_t join, const Vector& difference) const {
     const std::size_t n = points(join).size() - 1;
-    return {join, n - 1, points(join)[n] - difference};
+    return {join, n - 1, points(join)[n] - difference, offset(contour_.curves[join], n)};
   }
   Move to_right(std::size_t join, const Vector& difference) const {
-    return {next(join), 1, points(next(join))[0] + difference};
+    return {next(join), 1, points(next(join))[0] + difference, offset(contour_.curves[next(join)], 0)};
+  }
+
+  // The move to a place beside the grid, which is given by the vector from a node of the curve.
+  Move to_place(std::size_t curve, std::size_t point, std::size_t node, const Grid_offset& from_node) const {
+    const Grid_curve& c = contour_.curves[curve];
+    const auto whole = [](const Grid_fraction& x) { return on_grid(x).value_or(0); };
+    const Vector near = c.points[node] + Vector{whole(from_node.x()), whole(from_node.y())};
+    return {curve, point, near, exact_point(c, node) + from_node - Drawing_traits::Point(exact(near.x), exact(near.y))};
+  }
+
+  // The direction in which a curve ends or starts, which is known, with all of its digits.
+  Grid_offset exact_direction(std::size_t curve, bool at_end) const {
+    const Grid_curve& c = contour_.curves[curve];
+    if (c.arc) {
+      const Vector d = *arc_direction(*c.arc, at_end);
+      return Grid_offset(exact(d.x), exact(d.y));
+    }
+    const std::size_t n = c.points.size() - 1;
+    if (::is_line(c)) return exact_vector(c, 0, n);
+    return at_end ? exact_vector(c, n - 1, n) : exact_vector(c, 0, 1);
+  }
+
+  // The multiple of a whole vector, at least itself, that is nearest to a handle.
+  static Vector nearest(const Grid_offset& handle, const Vector& d) {
+    const Grid_offset direction(exact(d.x), exact(d.y));
+    const std::optional<std::int64_t> k =
+        on_grid(CGAL::Exact_rational(handle * direction / direction.squared_length()));
+    const std::int64_t most = max_grid_coordinate / (std::max)((std::abs)(d.x), (std::abs)(d.y));
+    return (std::min)((std::max)(k.value_or(most), std::int64_t(1)), (std::max)(most, std::int64_t(1))) * d;
+  }
+
+  // The decimal multiple of a direction that is nearest to a handle, in steps that are no longer
+  // than a unit; zero where it would be none.
+  static Grid_offset along(const Grid_offset& handle, const Grid_offset& direction) {
+    const double t = CGAL::to_double(CGAL::Exact_rational(handle * direction / direction.squared_length())),
+                 size = (std::max)(std::abs(CGAL::to_double(direction.x())), std::abs(CGAL::to_double(direction.y())));
+    const int digits = (std::max)(0, static_cast<int>(std::ceil(std::log10(size))));
+    const CGAL::Exact_rational scale = power_of_ten(digits);
+    const double steps = std::round(t * CGAL::to_double(scale));
+    if (!(1 <= steps && steps <= static_cast<double>(max_grid_coordinate))) return Grid_offset(0, 0);
+    return CGAL::Exact_rational(CGAL::Exact_rational(steps) / scale) * direction;
+  }
+
+  // A kink of nodes beside the grid. Both handles come to whole units from the node, or where none
+  // of these are near enough, one to a multiple of the other one.
+  Proposal propose_beside_grid(std::size_t join, const Vector& in, const Vector& out) {
+    const std::size_t left = join, right = next(join), last = points(left).empty() ? 0 : points(left).size() - 1;
+    const Grid_offset u = exact_direction(left, true), v = exact_direction(right, false);
+    if (u == CGAL::NULL_VECTOR || v == CGAL::NULL_VECTOR) return {join, {}, "a handle lies at the node"};
+    const CGAL::Exact_rational sine = cross_product(u, v);
+    if (u * v < (sine < 0 ? CGAL::Exact_rational(-sine) : sine)) return {join, {}, "the angle is more than 45 degrees"};
+    double off = 0;
+    if (contour_.curves[left].arc || contour_.curves[right].arc)
+      off = GC::sqrt_enclosure(CGAL::Exact_rational(sine * sine / (contour_.curves[left].arc ? u : v).squared_length()))
+                .lower;
+    else
+      off = kink_size(contour_, join)->handle_offset.lower;
+    Proposal proposal{
+        join, {}, "", options_.max_move ? *options_.max_move : CGAL::Exact_rational(2 * CGAL::Exact_rational(off) + 1)};
+    const Vector zero{0, 0};
+    const bool are_short = is_short(in) && is_short(out) && in != zero && out != zero;
+    std::vector<Moves> choices, longer;
+    if (is_free(left) && is_free(right)) {
+      if (are_short) {
+        if (points(left).size() == points(right).size())
+          if (std::optional<Moves> moves = symmetric(join, in, out)) choices.push_back(*std::move(moves));
+        if (choices.empty() && dot(in, out) >= (std::abs)(cross(in, out))) {
+          if (const std::optional<GC::Aligned_handles> handles = aligned(in, out, proposal.bound))
+            choices.push_back({to_left(join, handles->left), to_right(join, handles->right)});
+          choices.push_back({to_left(join, GC::align_handle(in, out)), to_right(join, out)});
+          choices.push_back({to_left(join, in), to_right(join, GC::align_handle(out, in))});
+          if (rank(in) < rank(out)) std::swap(choices[choices.size() - 1], choices[choices.size() - 2]);
+        }
+      }
+      // only one of them, to a whole multiple of a short direction of the other one
+      if (const std::optional<Vector> d = primitive_direction(v)) choices.push_back({to_left(join, nearest(u, *d))});
+      if (const std::optional<Vector> d = primitive_direction(u)) choices.push_back({to_right(join, nearest(v, *d))});
+      longer = {{to_place(left, last - 1, last, -along(u, v))}, {to_place(right, 1, 0, along(v, u))}};
+      if (rank(in) < rank(out)) std::swap(longer[0], longer[1]);
+    } else if (is_free(left)) {
+      if (const std::optional<Vector> d = primitive_direction(v)) choices.push_back({to_left(join, nearest(u, *d))});
+      longer.push_back({to_place(left, last - 1, last, -along(u, v))});
+    } else if (is_free(right)) {
+      if (const std::optional<Vector> d = primitive_direction(u)) choices.push_back({to_right(join, nearest(v, *d))});
+      longer.push_back({to_place(right, 1, 0, along(v, u))});
+    }
+    std::string reason;
+    for (const bool of_right : {rank(in) < rank(out), !(rank(in) < rank(out))}) {
+      const std::size_t curve = of_right ? right : left;
+      if (is_free_quadratic(curve)) add_quadratic_beside_grid(join, curve, of_right ? u : v, choices, longer, reason);
+    }
+    if (!contour_.may_add_decimals) {
+      if (choices.empty() && reason.empty() && !longer.empty()) reason = "no unit of this grid lies in the direction";
+      longer.clear();
+    }
+    if (choices.empty() && longer.empty() && !reason.empty()) {
+      proposal.reason = reason;
+      return proposal;
+    }
+    choose(choices, proposal);
+    if (proposal.moves.empty() && !longer.empty()) {
+      const std::string first_reason = std::exchange(proposal.reason, "");
+      choose(longer, proposal);
+      if (proposal.moves.empty() && !choices.empty()) proposal.reason = first_reason;
+    }
+    return proposal;
+  }
+
+  // As add_quadratic(), for nodes beside the grid.
+  void add_quadratic_beside_grid(std::size_t join, std::size_t curve, const Grid_offset& direction,
+                                 std::vector<Moves>& choices, std::vector<Moves>& longer, std::string& reason) const {
+    const bool at_end = curve == join;
+    const std::size_t node = at_end ? 2 : 0;
+    const Grid_curve& c = contour_.curves[curve];
+    const Grid_offset handle = exact_vector(c, node, 1), forward = at_end ? -direction : direction;
+    const std::size_t other_join = at_end ? previous(curve) : curve;
+    const std::vector<std::size_t> joins = joins_of(curve);
+    const bool has_other = std::count(joins.begin(), joins.end(), other_join) != 0 && other_join != join;
+    std::optional<GC::Visual_class> there;
+    if (has_other) there = grade(other_join);
+    const bool bound = has_other && (!there || *there >= GC::Visual_class::g1);
+    if (!bound) {
+      if (const std::optional<Vector> d = primitive_direction(forward))
+        choices.push_back({{curve, 1, c.points[node] + nearest(handle, *d), offset(c, node)}});
+      longer.push_back({to_place(curve, 1, node, along(handle, forward))});
+      if (there != GC::Visual_class::kink) return;
+    }
+    // node + k forward = other + t e, where e is the tangent at the other node
+    Grid_offset e = exact_vector(c, 2 - node, 1);
+    if (!bound) {
+      const std::size_t neighbour = at_end ? previous(curve) : next(curve);
+      if (!first_difference(neighbour, at_end)) return;
+      e = exact_direction(neighbour, at_end);
+    }
+    const CGAL::Exact_rational denominator = cross_product(forward, e);
+    if (denominator == 0) {
+      if (bound) reason = "both nodes of a quadratic bind its handle to parallel lines";
+      return;
+    }
+    const CGAL::Exact_rational k(cross_product(exact_vector(c, node, 2 - node), e) / denominator);
+    const Grid_offset place = k * forward;
+    const Grid_fraction unit = power_of_ten(-contour_.decimals);
+    const Drawing_traits::Point p = exact_point(c, node) + place;
+    const bool is_decimal = contour_.takes_fractions || (decimal_text(Grid_fraction(p.x() * unit)).has_value() &&
+                                                         decimal_text(Grid_fraction(p.y() * unit)).has_value());
+    if (k <= 0 || !is_decimal) {
+      if (bound) reason = "both nodes bind the handle of a quadratic, and the only place for it is no decimal";
+      return;
+    }
+    longer.push_back({to_place(curve, 1, node, place)});
   }
 
   // Handles that are mirror images of each other stay so: on a line of the grid at a right angle to
@@ -384,10 +578,7 @@ class Contour_mender {
             is_free(curve) && !keeps};
   }
 
-  // Nothing where a handle lies at the node.
-  std::optional<GC::Enclosure> jump(std::size_t join) const {
-    return GC::deviation(grid_bezier(points(join)), grid_bezier(points(next(join)))).curvature_jump;
-  }
+  std::optional<GC::Enclosure> jump(std::size_t join) const { return curvature_jump(contour_, join); }
 
   // The sum over all joins of the curves that moves change; of those with an arc there is none. As
   // only what lessens it is accepted, the sum over all joins decreases.
@@ -405,13 +596,14 @@ class Contour_mender {
   // Returns why the curvatures cannot be made to agree better.
   std::string harmonise(std::size_t join) {
     const std::size_t left = join, right = next(join);
-    if (points(left).size() < 3 || points(right).size() < 3 || is_line(points(left)) || is_line(points(right)))
+    if (points(left).size() < 3 || points(right).size() < 3 || is_line(left) || is_line(right))
       return "a line has no curvature";
     const GC::Handle_side a = side(left, true), b = side(right, false);
     const Vector zero{0, 0}, node = points(right).front();
     if (a.handle == zero || b.handle == zero) return "a handle lies at the node";
     if (!a.movable && !b.movable) return "no handle can move without harm to a join that is G2";
     const CGAL::Exact_rational bound = max_change({a.handle, b.handle});
+    if (contour_.is_beside_grid) return harmonise_beside_grid(join, a, b, bound);
     std::optional<GC::Aligned_handles> handles;
     try {
       const double squared = (std::min)(CGAL::to_double(bound * bound), 1e15);
@@ -424,16 +616,52 @@ class Contour_mender {
     std::vector<Move> moves;
     if (a.movable) moves.push_back({left, points(left).size() - 2, node - handles->left});
     if (b.movable) moves.push_back({right, 1, node + handles->right});
+    return accept_if_better(join, moves, bound);
+  }
+
+  // Makes moves that lessen the sum of the jumps. Returns an objection to them.
+  std::string accept_if_better(std::size_t join, const Moves& moves, const CGAL::Exact_rational& bound) {
     const double before = sum_of_jumps(moves);
-    std::vector<Move> back;
-    for (const Move& m : moves) back.push_back({m.curve, m.point, points(m.curve)[m.point]});
     Harm harm;
     const std::string reason = objection(join, moves, bound, harm);
     if (!reason.empty()) return reason;
-    execute(moves);
-    if (sum_of_jumps(moves) < before) return "";
-    execute(back);
-    return ""; // the jumps next to it would grow by more
+    const Moves back = execute(moves);
+    if (!(sum_of_jumps(moves) < before)) execute(back); // the jumps next to it would grow by more
+    return "";
+  }
+
+  // Harmonises handles beside the grid: to short decimal multiples of themselves. Of the handles l
+  // and m with the curvatures p / l^2 and q / m^2 the sum of the lengths stays.
+  std::string harmonise_beside_grid(std::size_t join, const GC::Handle_side& a, const GC::Handle_side& b,
+                                    const CGAL::Exact_rational& bound) {
+    const std::size_t left = join, right = next(join), n = points(left).size() - 1;
+    const Grid_curve &x = contour_.curves[left], &y = contour_.curves[right];
+    const Grid_offset u = exact_vector(x, n - 1, n), v = exact_vector(y, 0, 1);
+    const auto curvature = [](const Grid_offset& handle, const CGAL::Exact_rational& turn, int degree) {
+      const double size = std::sqrt(CGAL::to_double(handle.squared_length()));
+      return (degree - 1.) / degree * CGAL::to_double(turn) / (size * size * size);
+    };
+    const double p = curvature(u, cross_product(exact_vector(x, n - 2, n), u), a.degree),
+                 q = curvature(v, cross_product(v, exact_vector(y, 0, 2)), b.degree),
+                 l = std::sqrt(CGAL::to_double(u.squared_length())), m = std::sqrt(CGAL::to_double(v.squared_length()));
+    if (!(p * q > 0)) return "the curvatures have different signs, or one of them is zero";
+    const double ratio = std::sqrt(q / p), // of the factors of the right and the left handle
+        factor = !a.movable   ? 1
+                 : !b.movable ? 1 / ratio
+                              : (l + m) / (l + ratio * m);
+    // by whole units where the direction has short steps
+    const auto multiple = [](const Grid_offset& handle, double times) {
+      constexpr std::int64_t short_step = 4;
+      const Grid_offset wanted = CGAL::Exact_rational(times) * handle;
+      const std::optional<Vector> d = primitive_direction(handle);
+      if (!d || (std::max)((std::abs)(d->x), (std::abs)(d->y)) > short_step) return along(wanted, handle);
+      const Vector v = nearest(wanted, *d);
+      return Grid_offset(exact(v.x), exact(v.y));
+    };
+    Moves moves;
+    if (a.movable) moves.push_back(to_place(left, n - 1, n, -multiple(u, factor)));
+    if (b.movable) moves.push_back(to_place(right, 1, 0, multiple(v, a.movable ? factor * ratio : ratio)));
+    return accept_if_better(join, moves, bound);
   }
 
   // A tenth of the shorter one of these handles as they were given.
@@ -452,9 +680,9 @@ class Contour_mender {
     const std::size_t shared = next(x.join) == y.join ? y.join : x.join;
     if (x.join == y.join || points(shared).size() != 3 || y.moves.empty() || x.harm < y.harm) return false;
     if (y.harm < x.harm) return true;
-    const auto place_of_handle = [&](const Proposal& p) -> std::optional<Vector> {
+    const auto place_of_handle = [&](const Proposal& p) -> std::optional<std::pair<Vector, Grid_offset>> {
       for (const Move& m : p.moves)
-        if (m.curve == shared) return m.to;
+        if (m.curve == shared) return std::pair(m.to, m.offset);
       return std::nullopt;
     };
     return place_of_handle(x) != place_of_handle(y);
@@ -491,8 +719,9 @@ class Contour_mender {
       leave(p.join, p.reason.empty() ? "the handle would have to move to two places" : p.reason);
     for (std::size_t j = 0; j < contour_.number_of_joins(); ++j)
       if (grade(j) == GC::Visual_class::gap)
-        leave(j,
-              "a gap, as the next curve starts at " + contour_.text(points(next(j)).front()) + ": nodes do not move");
+        leave(j, "a gap, as the next curve starts at " +
+                     contour_.text(points(next(j)).front(), offset(contour_.curves[next(j)], 0)) +
+                     (options_.close ? ", which is farther away than --close" : ": nodes move with --close only"));
   }
 
   void count_undecided() {
@@ -521,8 +750,270 @@ class Contour_mender {
 
   bool is_bezier_join(std::size_t join) const { return !points(join).empty() && !points(next(join)).empty(); }
 
+  // The direction in which a curve ends or starts, rounded; nothing for ellipses whose rotation is
+  // irrational.
+  std::optional<std::complex<double>> rounded_direction(std::size_t curve, bool at_end) const {
+    const Grid_curve& c = contour_.curves[curve];
+    if (!c.arc) {
+      const Grid_offset v = exact_direction(curve, at_end);
+      return std::complex<double>(CGAL::to_double(v.x()), CGAL::to_double(v.y()));
+    }
+    if (!c.written) return std::nullopt;
+    const Arc_frame frame(*c.written);
+    const std::complex<double> chord = frame.from(c.arc->end() - c.arc->start());
+    const double angle = frame.chord_angle(chord) * (c.written->sweep == at_end ? 1 : -1);
+    return frame.to(chord * std::polar(1., angle));
+  }
+
+  // Adds those of one side whose neighbour is smooth with it, where it does not harm the join at
+  // its other end.
+  void add_arc_offers(std::size_t join, bool of_right, std::vector<Arc_offer>& offers) {
+    const std::size_t curve = of_right ? next(join) : join, other = of_right ? join : next(join);
+    const Grid_curve given = contour_.curves[curve];
+    if (!given.arc || !given.written || curve == other) return;
+    const std::optional<std::complex<double>> direction = rounded_direction(other, of_right);
+    if (!direction || *direction == 0.) return;
+    // run through from the node on
+    const Drawing_traits::Point node = of_right ? given.arc->start() : given.arc->end(),
+                                far = of_right ? given.arc->end() : given.arc->start();
+    const Arc_frame frame(*given.written);
+    const std::complex<double> tangent = frame.from(of_right ? *direction : -*direction),
+                               chord = frame.from(far - node);
+    const bool sweep = given.written->sweep == of_right;
+    const double angle = std::arg(chord / tangent) * (sweep ? 1 : -1);
+    if (!(angle > 0)) return;
+    const auto offer = [&](Arc_offer o) {
+      if (!is_smooth_with(join, curve, o.changed)) return false;
+      for (const Arc_offer& x : offers)
+        if (x.curve == o.curve && x.numbers == o.numbers) return true;
+      offers.push_back(std::move(o));
+      return true;
+    };
+    const double radius = std::abs(chord) / (2 * std::sin(angle)),
+                 unit = CGAL::to_double(power_of_ten(-contour_.decimals));
+    if (const std::optional<Grid_fraction> in_coordinates = short_fraction(radius * unit)) {
+      Arc_offer o;
+      o.curve = curve;
+      o.changed = given;
+      GC::Elliptical_arc_parameters<Grid_fraction>& p = *o.changed.written;
+      const Grid_fraction rx = *in_coordinates * power_of_ten(contour_.decimals);
+      p.ry = Grid_fraction(p.ry * rx / p.rx);
+      p.rx = rx;
+      o.numbers = {contour_.text(p.rx), contour_.text(p.ry)};
+      o.is_decimal = is_decimal(p.rx) && is_decimal(p.ry);
+      o.size = std::abs(radius / frame.radius - 1);
+      set_ends(o.changed, given.arc->start(), given.arc->end());
+      offer(std::move(o));
+    }
+    const bool is_free =
+        of_right ? contour_.has_free_end && curve + 1 == contour_.curves.size() : contour_.has_free_start && curve == 0;
+    if (!is_free) return;
+    const auto offer_end = [&](const Drawing_traits::Point& to) {
+      Arc_offer o;
+      o.curve = curve;
+      o.changed = given;
+      o.is_on_grid = is_decimal(to.x(), contour_.decimals) && is_decimal(to.y(), contour_.decimals);
+      o.moves_start = !of_right;
+      o.moves_end = of_right;
+      o.numbers = {contour_.text(to.x()), contour_.text(to.y())};
+      o.is_decimal = is_decimal(to.x(), contour_.most_decimals) && is_decimal(to.y(), contour_.most_decimals);
+      o.size = std::sqrt(CGAL::to_double((to - far).squared_length()));
+      set_ends(o.changed, of_right ? node : to, of_right ? to : node);
+      return offer(std::move(o));
+    };
+    if (const std::optional<Grid_fraction> t = short_fraction(2 * frame.radius * std::sin(angle) / std::abs(chord)))
+      offer_end(node + *t * (far - node));
+    // the nearest point of the grid on the ellipse
+    const std::complex<double> centre =
+        tangent / std::abs(tangent) * std::polar(frame.radius, sweep ? quarter : -quarter);
+    const std::optional<std::int64_t> x = on_grid(far.x()), y = on_grid(far.y());
+    const int widest = static_cast<int>((std::min)(100., (std::max)(3., 0.1 * frame.radius)));
+    std::vector<Vector> near;
+    for (int i = -widest; i <= widest && x && y; ++i)
+      for (int j = -widest; j <= widest; ++j) {
+        const Grid_offset v = Drawing_traits::Point(exact(*x + i), exact(*y + j)) - node;
+        const double off = std::abs(frame.from(v) - centre) / frame.radius - 1;
+        if (std::abs(off) < 1e-9) near.push_back({i, j});
+      }
+    std::stable_sort(near.begin(), near.end(),
+                     [](const Vector& u, const Vector& v) { return squared_length(u) < squared_length(v); });
+    for (const Vector& v : near)
+      if (offer_end(Drawing_traits::Point(exact(*x + v.x), exact(*y + v.y)))) break;
+  }
+
+  static constexpr double quarter = 1.5707963267948966;
+
+  // Lengths and angles of an ellipse, rounded, in a frame in which it is a circle.
+  struct Arc_frame {
+    double radius;
+    std::complex<double> turn;
+    double stretch; // of the second axis
+    bool large;
+
+    explicit Arc_frame(const GC::Elliptical_arc_parameters<Grid_fraction>& p)
+        : radius(std::abs(CGAL::to_double(p.rx))), turn(std::polar(1., CGAL::to_double(p.rotation) * quarter / 90)),
+          stretch(radius / std::abs(CGAL::to_double(p.ry))), large(p.large) {}
+
+    std::complex<double> from(const std::complex<double>& v) const {
+      const std::complex<double> w = v / turn;
+      return {w.real(), w.imag() * stretch};
+    }
+    std::complex<double> from(const Grid_offset& v) const {
+      return from(std::complex<double>(CGAL::to_double(v.x()), CGAL::to_double(v.y())));
+    }
+    std::complex<double> to(const std::complex<double>& v) const {
+      return turn * std::complex<double>(v.real(), v.imag() / stretch);
+    }
+    // Between the chord and the tangents at its ends.
+    double chord_angle(const std::complex<double>& chord) const {
+      const double angle = std::asin((std::min)(1., std::abs(chord) / (2 * radius)));
+      return large ? 2 * quarter - angle : angle;
+    }
+  };
+
+  // The first convergent of a continued fraction that is as near to a positive number as rounding
+  // can tell; what it stands for is proved later.
+  static std::optional<Grid_fraction> short_fraction(double x) {
+    constexpr double nearness = 1e-12, largest = 1e6;
+    if (!(x > 0 && x < 1e12)) return std::nullopt;
+    double p0 = 1, q0 = 0, p1 = std::floor(x), q1 = 1, rest = x - p1;
+    while (std::abs(p1 / q1 - x) > nearness * x) {
+      if (!(rest > 0)) return std::nullopt;
+      const double a = std::floor(1 / rest);
+      rest = 1 / rest - a;
+      const double p = a * p1 + p0, q = a * q1 + q0;
+      if (!(q <= largest)) return std::nullopt;
+      p0 = std::exchange(p1, p);
+      q0 = std::exchange(q1, q);
+    }
+    return Grid_fraction(Grid_fraction(p1) / Grid_fraction(q1));
+  }
+
+  bool is_decimal(const Grid_fraction& x, int most_decimals = 6) const {
+    return decimal_text(Grid_fraction(x * power_of_ten(-contour_.decimals)), most_decimals).has_value();
+  }
+
+  // Makes the arc of a curve anew, as it is written.
+  static void set_ends(Grid_curve& curve, const Drawing_traits::Point& start, const Drawing_traits::Point& end) {
+    curve.arc.reset();
+    try {
+      if (start != end)
+        curve.arc = std::make_shared<const Exact_segment>(
+            Exact_segment{GC::Elliptical_arc<Drawing_traits>(start, end, *curve.written)});
+    } catch (const GC::Error&) { // sizes that differ too much
+    }
+  }
+
+  // Returns whether a join is smooth, and no other harmed, with another arc.
+  bool is_smooth_with(std::size_t join, std::size_t curve, const Grid_curve& arc) {
+    if (!arc.arc) return false;
+    std::vector<State> before;
+    for (const std::size_t j : joins_of(curve))
+      if (j != join) before.push_back(state(j));
+    const Grid_curve given = std::exchange(contour_.curves[curve], arc);
+    bool smooth = grade(join) >= GC::Visual_class::g1;
+    for (const State& x : before) {
+      const State after = state(x.join);
+      smooth = smooth && x.grade && !is_harmed(x, after, {}) &&
+               (x.grade != GC::Visual_class::kink || after.grade != GC::Visual_class::kink || is_no_larger(x, after));
+    }
+    contour_.curves[curve] = given;
+    return smooth;
+  }
+
+  // Returns whether a kink of an arc did not grow; known only where it has not changed.
+  static bool is_no_larger(const State& before, const State& after) {
+    return before.angle && after.angle && after.angle->upper <= before.angle->lower;
+  }
+
+  // The points to which both ends of a gap may move: those nearest to its middle, and the ends.
+  std::vector<Drawing_traits::Point> meeting_points(const Drawing_traits::Point& p,
+                                                    const Drawing_traits::Point& q) const {
+    const Drawing_traits::Point middle = CGAL::midpoint(p, q);
+    if (contour_.is_beside_grid) return {middle, p, q};
+    std::vector<Drawing_traits::Point> result;
+    const auto below = [](const Grid_fraction& x) { return std::floor(CGAL::to_double(x)); }; // of a half
+    const double x = below(middle.x()), y = below(middle.y());
+    for (const double i : {0., 1.})
+      for (const double j : {0., 1.})
+        if ((i == 0 || x != middle.x()) && (j == 0 || y != middle.y())) result.emplace_back(x + i, y + j);
+    result.push_back(p);
+    result.push_back(q);
+    return result;
+  }
+
+  // The moves of an end of a curve to a point, with the handle that belongs to it.
+  Moves moves_of_end(std::size_t curve, bool at_end, const Drawing_traits::Point& to) const {
+    const Grid_curve& c = contour_.curves[curve];
+    const std::size_t n = c.points.size() - 1, node = at_end ? n : 0, handle = at_end ? n - 1 : 1;
+    const Grid_offset v = to - exact_point(c, node);
+    if (v == CGAL::NULL_VECTOR) return {};
+    Moves moves{to_place(curve, node, node, v)};
+    if (is_free(curve)) moves.push_back(to_place(curve, handle, handle, v));
+    return moves;
+  }
+
+  void close_gap(std::size_t join) {
+    const std::size_t left = join, right = next(join);
+    const Grid_curve &x = contour_.curves[left], &y = contour_.curves[right];
+    const Drawing_traits::Point p = exact_point(x, x.points.size() - 1), q = exact_point(y, 0);
+    std::set<std::size_t> joins;
+    for (const std::size_t curve : {left, right})
+      for (const std::size_t j : joins_of(curve)) joins.insert(j);
+    joins.erase(join);
+    std::vector<State> before;
+    for (const std::size_t j : joins) before.push_back(state(j));
+    typedef std::tuple<std::size_t, CGAL::Exact_rational, CGAL::Exact_rational> Cost; // harm, the moves
+    std::optional<Cost> least;
+    Moves best;
+    for (const Drawing_traits::Point& to : meeting_points(p, q)) {
+      Moves moves = moves_of_end(left, true, to);
+      for (Move& m : moves_of_end(right, false, to)) moves.push_back(std::move(m));
+      const Moves back = execute(moves);
+      std::size_t harm = grade(join) >= GC::Visual_class::g1 ? 0 : 1;
+      for (const State& s : before) harm += is_harmed(s, state(s.join), back);
+      execute({back.rbegin(), back.rend()});
+      const CGAL::Exact_rational a = (to - p).squared_length(), b = (to - q).squared_length();
+      const Cost cost(harm, (std::max)(a, b), (std::min)(a, b));
+      if (least && !(cost < *least)) continue;
+      least = cost;
+      best = std::move(moves);
+    }
+    execute(best);
+  }
+
 public:
   Contour_mender(Grid_contour& contour, const Repair_options& options) : contour_(contour), options_(options) {}
+
+  // Closes the gaps that are no wider than this.
+  std::vector<Closed_gap> close_gaps(const CGAL::Exact_rational& widest) {
+    std::vector<Closed_gap> closed;
+    const CGAL::Exact_rational bound = widest * power_of_ten(contour_.decimals);
+    for (std::size_t j = 0; j < contour_.number_of_joins(); ++j) {
+      if (!is_bezier_join(j) || grade(j) != GC::Visual_class::gap) continue;
+      const Grid_curve &x = contour_.curves[j], &y = contour_.curves[next(j)];
+      const CGAL::Exact_rational squared = (exact_point(y, 0) - exact_point(x, x.points.size() - 1)).squared_length();
+      if (squared > CGAL::Exact_rational(bound * bound)) continue;
+      close_gap(j);
+      const CGAL::Exact_rational unit = power_of_ten(-contour_.decimals);
+      closed.push_back({j, GC::sqrt_enclosure(CGAL::Exact_rational(squared * unit * unit))});
+    }
+    return closed;
+  }
+
+  // Returns how an arc at a kink would be smooth with its neighbour: with other radii of the same
+  // ratio, or with another end where that is free. All are proved; first those of radii.
+  std::vector<Arc_offer> arc_offers(std::size_t join) {
+    std::vector<Arc_offer> offers;
+    for (const bool of_right : {true, false}) add_arc_offers(join, of_right, offers);
+    std::stable_sort(offers.begin(), offers.end(), [](const Arc_offer& x, const Arc_offer& y) {
+      const auto rank = [](const Arc_offer& o) {
+        return std::tuple(!o.is_decimal, o.moves_start || o.moves_end, !o.is_on_grid, o.size);
+      };
+      return rank(x) < rank(y);
+    });
+    return offers;
+  }
 
   // Makes the kinks smooth.
   Contour_repair mend() {
@@ -539,15 +1030,18 @@ public:
 };
 
 bool same_points(const Grid_contour& x, const Grid_contour& y) {
-  return std::equal(x.curves.begin(), x.curves.end(), y.curves.begin(), y.curves.end(),
-                    [](const Grid_curve& c, const Grid_curve& d) { return c.points == d.points; });
+  return std::equal(
+      x.curves.begin(), x.curves.end(), y.curves.begin(), y.curves.end(),
+      [](const Grid_curve& c, const Grid_curve& d) { return c.points == d.points && c.offsets == d.offsets; });
 }
 
 bool moves_within(const Grid_contour& from, const Grid_contour& to, const CGAL::Exact_rational& bound) {
   const CGAL::Exact_rational squared = CGAL::Exact_rational(bound * bound);
   for (std::size_t i = 0; i < from.curves.size(); ++i)
-    for (std::size_t k = 0; k < from.curves[i].points.size(); ++k)
-      if (squared < squared_distance(from.curves[i].points[k], to.curves[i].points[k])) return false;
+    for (std::size_t k = 0; k < from.curves[i].points.size(); ++k) {
+      const Grid_curve &x = from.curves[i], &y = to.curves[i];
+      if (squared < difference(x.points[k], offset(x, k), y.points[k], offset(y, k)).squared_length()) return false;
+    }
   return true;
 }
 
@@ -568,11 +1062,8 @@ std::vector<Curvature_jump> harmonised(Grid_contour& contour, const Repair_optio
     if (options.max_move && !moves_within(contour, again, *options.max_move)) break;
     result = again;
     for (Curvature_jump& x : jumps) {
-      const std::size_t next = result.next(x.join);
-      x.after = grade(result, x.join, options.bound) == GC::Visual_class::g2
-                    ? GC::Enclosure{0, 0}
-                    : *GC::deviation(grid_bezier(result.curves[x.join].points), grid_bezier(result.curves[next].points))
-                           .curvature_jump;
+      x.after = grade(result, x.join, options.bound) == GC::Visual_class::g2 ? GC::Enclosure{0, 0}
+                                                                             : *curvature_jump(result, x.join);
     }
   }
   for (Curvature_jump& x : jumps) {
@@ -582,9 +1073,56 @@ std::vector<Curvature_jump> harmonised(Grid_contour& contour, const Repair_optio
   return jumps;
 }
 
+// Changes arcs of joins that were not repaired, where that is asked for and can be written, and
+// notes what there is for the others.
+void offer_arcs(Grid_contour& contour, const Repair_options& options, Contour_repair& result) {
+  bool changed = false;
+  for (Unrepaired_join& x : result.unrepaired) {
+    if (grade(contour, x.join, options.bound) != GC::Visual_class::kink) continue;
+    x.offers = Contour_mender(contour, options).arc_offers(x.join);
+    if (!options.change_arcs || x.offers.empty() || !x.offers.front().is_decimal) continue;
+    contour.curves[x.offers.front().curve] = x.offers.front().changed;
+    changed = true;
+  }
+  if (!changed) return;
+  Contour_repair again = Contour_mender(contour, options).mend();
+  for (Unrepaired_join& x : again.unrepaired) x.offers = Contour_mender(contour, options).arc_offers(x.join);
+  again.closed = std::move(result.closed);
+  result = std::move(again);
+}
+
+// Adds what has changed of an arc.
+void add_changes(const Grid_contour& contour, std::size_t i, const Grid_curve& given,
+                 std::vector<Arc_change>& changes) {
+  const Grid_curve& curve = contour.curves[i];
+  if (!curve.arc || curve.arc == given.arc) return;
+  const auto radii = [&](const Grid_curve& c) {
+    std::vector<std::string> r{contour.text(c.written->rx), contour.text(c.written->ry)};
+    if (r[0] == r[1]) r.pop_back();
+    return r;
+  };
+  const auto point = [&](const Drawing_traits::Point& p) {
+    return std::vector<std::string>{contour.text(p.x()), contour.text(p.y())};
+  };
+  if (radii(given) != radii(curve)) changes.push_back({i, "radius", radii(given), radii(curve)});
+  if (given.arc->start() != curve.arc->start())
+    changes.push_back({i, "start", point(given.arc->start()), point(curve.arc->start())});
+  if (given.arc->end() != curve.arc->end())
+    changes.push_back({i, "end", point(given.arc->end()), point(curve.arc->end())});
+}
+
 } // namespace
 
-GC::Enclosure Handle_move::distance() const { return GC::sqrt_enclosure(squared_distance(from, to)); }
+std::string Arc_offer::text() const {
+  if (moves_start || moves_end)
+    return std::string(moves_start ? "the start (" : "the end (") + numbers[0] + ", " + numbers[1] + ')';
+  return numbers[0] == numbers[1] ? "the radius " + numbers[0] : "the radii " + numbers[0] + ", " + numbers[1];
+}
+
+GC::Enclosure Handle_move::distance() const {
+  if (offset_from == offset_to) return GC::sqrt_enclosure(squared_distance(from, to));
+  return GC::sqrt_enclosure(difference(from, offset_from, to, offset_to).squared_length());
+}
 
 std::string rounded_up(double x) {
   std::ostringstream os;
@@ -602,18 +1140,24 @@ std::string units(const GC::Enclosure& distance) {
 
 Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
   const Grid_contour given = contour;
+  std::vector<Closed_gap> closed;
+  if (options.close) closed = Contour_mender(contour, options).close_gaps(*options.close);
+  const Grid_contour met = contour;
   Contour_repair result = Contour_mender(contour, options).mend();
+  result.closed = std::move(closed);
   // A repair that was impossible before may be possible now; a given limit holds for all rounds
   // together.
-  for (bool more = !same_points(contour, given) && !result.unrepaired.empty(); more;) {
+  for (bool more = !same_points(contour, met) && !result.unrepaired.empty(); more;) {
     Grid_contour again = contour;
     Contour_repair next = Contour_mender(again, options).mend();
     more = next.unrepaired.size() < result.unrepaired.size() &&
-           (!options.max_move || moves_within(given, again, *options.max_move));
+           (!options.max_move || moves_within(met, again, *options.max_move));
     if (!more) break;
     contour = std::move(again);
+    next.closed = std::move(result.closed);
     result = std::move(next);
   }
+  if (!result.unrepaired.empty()) offer_arcs(contour, options, result);
   if (options.harmonise) {
     result.jumps = harmonised(contour, options);
     const auto is_mended = [&](const Unrepaired_join& x) { // as other handles have moved
@@ -623,11 +1167,13 @@ Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
     left.erase(std::remove_if(left.begin(), left.end(), is_mended), left.end());
   }
   std::set<std::size_t> touched;
+  for (std::size_t i = 0; i < contour.curves.size(); ++i) add_changes(contour, i, given.curves[i], result.arcs);
   for (std::size_t i = 0; i < contour.curves.size(); ++i)
     for (std::size_t k = 0; k < contour.curves[i].points.size(); ++k) {
       const GC::Grid_vector &from = given.curves[i].points[k], &to = contour.curves[i].points[k];
-      if (from == to) continue;
-      result.moves.push_back({i, k, from, to});
+      const Grid_offset offset_from = offset(given.curves[i], k), offset_to = offset(contour.curves[i], k);
+      if (from == to && offset_from == offset_to) continue;
+      result.moves.push_back({i, k, from, to, offset_from, offset_to});
       touched.insert(i);
       touched.insert(i == 0 ? contour.curves.size() - 1 : i - 1);
     }
@@ -636,4 +1182,37 @@ Contour_repair repair(Grid_contour& contour, const Repair_options& options) {
         grade(contour, j, options.bound) == GC::Visual_class::g1)
       result.lost.push_back(j);
   return result;
+}
+
+std::int64_t longest_beside_grid(const Repair_options& options) {
+  return options.harmonise ? GC::max_harmonised_coordinate / 2 : GC::max_handle_coordinate / 2;
+}
+
+std::string needs_coarser_grid(const Grid_contour& contour, const Repair_options& options) {
+  const auto is_longer = [](const Vector& v, std::int64_t bound) {
+    return (std::max)((std::abs)(v.x), (std::abs)(v.y)) > bound;
+  };
+  for (std::size_t j = 0; j < contour.number_of_joins(); ++j) {
+    const std::optional<GC::Visual_class> grade = ::grade(contour, j, options.bound);
+    const bool harmonises = options.harmonise && grade == GC::Visual_class::g1;
+    if (grade != GC::Visual_class::kink && !harmonises) continue;
+    for (const bool at_end : {true, false}) {
+      const Grid_curve& c = contour.curves[at_end ? j : contour.next(j)];
+      if (c.points.empty()) continue;
+      const std::size_t n = c.points.size() - 1;
+      if (is_line(c)) {
+        if (!harmonises && is_longer(GC::primitive(c.points[n] - c.points[0]), GC::max_handle_coordinate))
+          return "the direction of a line is longer than 2^28 units";
+        continue;
+      }
+      const auto vector = [&](std::size_t k) {
+        return at_end ? c.points[n] - c.points[n - k] : c.points[k] - c.points[0];
+      };
+      if (is_longer(vector(1), GC::max_handle_coordinate)) return "a handle is longer than 2^28 units";
+      if (harmonises &&
+          (is_longer(vector(1), GC::max_harmonised_coordinate) || is_longer(vector(2), GC::max_harmonised_coordinate)))
+        return "a handle is longer than 2^25 units, too long for curvatures";
+    }
+  }
+  return "";
 }

@@ -70,9 +70,19 @@ std::optional<Drawing_transform> skewing_map(const Drawing_element& element, Pat
 // Returns whether a curve is read as it was computed. One that has become straight by a handle at
 // its node is read as a line.
 bool is_read_as(const Grid_curve& read, const Grid_curve& computed) {
-  return read.points == computed.points ||
-         (read.points.size() == 2 && is_line(computed.points) && read.points.front() == computed.points.front() &&
-          read.points.back() == computed.points.back());
+  if (read.arc && computed.arc)
+    return read.arc->start() == computed.arc->start() && read.arc->end() == computed.arc->end() &&
+           read.written->rx == computed.written->rx && read.written->ry == computed.written->ry;
+  if (read.points.empty() || computed.points.empty()) return false;
+  if (read.points.size() == computed.points.size()) {
+    if (computed.offsets.empty()) return read.points == computed.points;
+    for (std::size_t k = 0; k < computed.points.size(); ++k)
+      if (exact_point(read, k) != exact_point(computed, k)) return false;
+    return true;
+  }
+  const std::size_t last = computed.points.size() - 1;
+  return read.points.size() == 2 && is_line(computed) && exact_point(read, 0) == exact_point(computed, 0) &&
+         exact_point(read, 1) == exact_point(computed, last);
 }
 
 [[noreturn]] void refuse_to_write(const std::string& place) {
@@ -176,7 +186,6 @@ public:
     if (!error.empty()) return report_.add_uncovered(element.text(), members(element), error + "; it is left as it is");
     decimals.add(path.value, places);
     if (!has_kinks && !options_.harmonise && refusal.empty()) return;
-    if (refusal.empty()) refusal = decimals.refusal;
     if (!refusal.empty()) return report_.add_unread(element.text(), members(element), refusal);
     const std::optional<Drawing_transform> map = skewing_map(element, path.role);
     const std::vector<Text_edit> edits = repair(element, path, map, decimals);
@@ -205,6 +214,10 @@ private:
     std::vector<Text_edit> all;
     std::vector<std::pair<std::size_t, Grid_contour>> changed; // with the number of the subpath
     Path_text text(path.value, path.place, decimals, map, element.is_filled);
+    const std::string coarse = reason_for_coarser_grid(element, path, map, decimals);
+    const bool has_rounding =
+                   (!coarse.empty() || options_.change_arcs) && this->has_rounding(element, path, map, decimals),
+               may_add_decimals = !coarse.empty() && !has_rounding, adds_ends = !has_rounding;
     for (std::size_t number = 1; text.next(); ++number) {
       bool has_kinks = options_.harmonise;
       const std::string place = element.text() + ", subpath " + std::to_string(number),
@@ -220,20 +233,22 @@ private:
                             "a segment that is rounding lies between the curves; the kink can be mended without it");
                     });
       if (!has_kinks) continue;
-      const Grid_contour given = text.contour();
-      const auto unknown = std::find_if(given.curves.begin(), given.curves.end(),
-                                        [](const Grid_curve& c) { return c.points.empty() && !c.arc; });
+      Grid_contour given = contour_of(text, !coarse.empty());
+      given.may_add_decimals = may_add_decimals;
+      given.most_decimals = given.decimals + (adds_ends ? 2 : 0);
+      const auto unknown = std::find_if(given.curves.begin(), given.curves.end(), is_unknown);
       if (unknown != given.curves.end()) {
         report_.add_unread(place, place_members, unknown->reason);
         continue;
       }
       Grid_contour contour = given;
       Contour_repair done = ::repair(contour, options_);
+      if (given.is_beside_grid && done.is_of_use()) report_.add_grid(place, place_members, given.unit(), coarse);
       done.undecided.clear(); // all joins of the drawing are counted in the end
       const auto& segments = text.subpath().segments;
       report_.add(place, place_members, contour, done,
                   [&](std::size_t curve) { return "command " + std::to_string(segments[curve].command); });
-      if (done.moves.empty()) continue;
+      if (done.moves.empty() && done.arcs.empty()) continue;
       for (Text_edit& edit : text.edits(given, contour)) all.push_back(std::move(edit));
       changed.emplace_back(number, std::move(contour));
     }
@@ -250,6 +265,45 @@ private:
     return all;
   }
 
+  static bool is_unknown(const Grid_curve& curve) { return curve.points.empty() && !curve.arc; }
+
+  // Returns whether a path has segments that are rounding, by the number of its decimals: no number
+  // may get more.
+  static bool has_rounding(const Drawing_element& element, const Path_data& path,
+                           const std::optional<Drawing_transform>& map, const Path_decimals& decimals) {
+    Path_text text(path.value, path.place, decimals, map, element.is_filled);
+    const Drawing_element drawn = mapped(element, map);
+    while (text.next()) {
+      const Drawing_subpath subpath = map ? text.subpath().transform(*map) : text.subpath();
+      if (Subpath_joins(drawn, subpath).rounding() != 0) return true;
+    }
+    return false;
+  }
+
+  // Returns why all subpaths of a path need coarser grids than that of its decimals; empty where
+  // they do not, or where a grid is asked for.
+  std::string reason_for_coarser_grid(const Drawing_element& element, const Path_data& path,
+                                      const std::optional<Drawing_transform>& map,
+                                      const Path_decimals& decimals) const {
+    if (options_.grid_decimals) return "";
+    if (!decimals.fit) return "its numbers have more digits than a grid of their last decimal";
+    Path_text text(path.value, path.place, decimals, map, element.is_filled);
+    while (text.next()) {
+      const Grid_contour own = text.contour();
+      if (std::any_of(own.curves.begin(), own.curves.end(), is_unknown))
+        return "a coordinate is too large for its decimals";
+      if (const std::string reason = needs_coarser_grid(own, options_); !reason.empty()) return reason;
+    }
+    return "";
+  }
+
+  // The subpath on the grid that is asked for, on that of its decimals or on a coarser one.
+  Grid_contour contour_of(const Path_text& text, bool coarse) const {
+    if (!coarse && !options_.grid_decimals) return text.contour();
+    return text.contour_beside_grid(options_.grid_decimals ? *options_.grid_decimals
+                                                           : text.coarser_decimals(longest_beside_grid(options_)));
+  }
+
   // Returns whether what is written draws what was computed.
   static void check(const std::string& written, const std::string& place, const Path_decimals& decimals, bool is_filled,
                     const std::vector<std::pair<std::size_t, Grid_contour>>& changed) {
@@ -257,7 +311,10 @@ private:
     auto expected = changed.begin();
     for (std::size_t number = 1; text.next(); ++number)
       if (expected != changed.end() && expected->first == number) {
-        const std::vector<Grid_curve> read = text.contour().curves, &computed = expected->second.curves;
+        const Grid_contour& contour = expected->second;
+        const std::vector<Grid_curve>
+            read = (contour.is_beside_grid ? text.contour_beside_grid(contour.decimals) : text.contour()).curves,
+            &computed = contour.curves;
         if (!std::equal(read.begin(), read.end(), computed.begin(), computed.end(), is_read_as)) refuse_to_write(place);
         ++expected;
       }

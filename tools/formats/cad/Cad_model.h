@@ -84,6 +84,29 @@ struct Cad_mesh {
   std::string reason = {}; // why it cannot be drawn; empty if it can
 };
 
+// A curve of no face, such as an edge of a wire.
+struct Cad_curve_edge {
+  std::string kind = {};                     // what it is, e.g. "circle"
+  std::string id = {};                       // of its entity, e.g. "#123"; empty if it has none
+  std::string reason = {};                   // why its joins cannot be decided; empty if they can
+  std::vector<GC::Cad_point<3>> points = {}; // on it, in its direction; rounded
+};
+
+// A place where two curves of no face meet, or one comes back to its start, or may bend at a knot.
+struct Cad_join {
+  std::array<std::size_t, 2> curves; // by their numbers
+  std::array<GC::Edge_end, 2> ends;  // the first one ends there, and the second one starts
+  bool is_knot = false;
+};
+
+// The curves of no face, in the order of the file.
+struct Cad_wires {
+  std::vector<Cad_curve_edge> curves;
+  std::vector<Cad_join> joins;                      // in the order of their first curves
+  std::vector<GC::Cad_point<3>> free_ends;          // where no other curve is
+  std::vector<std::vector<std::size_t>> branchings; // of curves of which three ends or more meet
+};
+
 struct Cad_model {
   std::vector<std::string> faces; // what their surfaces are, e.g. "cylinder"
   std::vector<Cad_edge> edges;
@@ -99,8 +122,8 @@ struct Cad_model {
   // the names of the placed parts, if there are several and a part is placed again or has a
   // name
   std::vector<std::string> instances;
-  std::size_t shapes = 0;      // the different parts among them
-  std::size_t loose_edges = 0; // that belong to no face, such as those of a wire
+  std::size_t shapes = 0; // the different parts among them
+  Cad_wires wires;
 };
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_CAD_CAD_MODEL_H

@@ -75,19 +75,21 @@ std::string_view content(const std::string& answer, std::uint64_t memory) {
   throw std::runtime_error(std::string(text));
 }
 
-// Reads a file in a process of its own. Throws std::runtime_error with the reason, without the name
-// of the file.
-Cad_model read_apart(const std::string& file, const Cad_reading& reading) {
-  const std::uint64_t memory = memory_for(file);
-  Byte_writer request;
-  request(reading);
-  const std::string answer = ::answer({reader_program(), file, hexadecimal(request.bytes()), std::to_string(memory)},
-                                      reading.time_limit, memory);
-  Cad_model model;
-  Byte_reader bytes(content(answer, memory));
-  bytes(model);
-  if (!bytes.is_at_end()) throw std::runtime_error("damaged bytes of a model");
-  return model;
+// Reads what the process answers that reads a file in this way. Throws std::runtime_error with the
+// name of the file and the reason.
+template <class Answer> Answer read_apart(const std::string& file, const std::string& reading, double seconds) {
+  Input(file).beginning(1); // tells why it cannot be read
+  try {
+    const std::uint64_t memory = memory_for(file);
+    const std::string answer = ::answer({reader_program(), file, reading, std::to_string(memory)}, seconds, memory);
+    Answer result;
+    Byte_reader bytes(content(answer, memory));
+    bytes(result);
+    if (!bytes.is_at_end()) throw std::runtime_error("damaged bytes of a model");
+    return result;
+  } catch (const std::runtime_error& e) {
+    throw std::runtime_error(file + ": " + e.what());
+  }
 }
 
 } // namespace
@@ -100,15 +102,16 @@ bool are_cad_files(const Arguments& files) {
 }
 
 Cad_model read_cad(const std::string& file, const Cad_reading& reading) {
-  Input(file).beginning(1); // tells why it cannot be read
-  try {
-    return read_apart(file, reading);
-  } catch (const std::runtime_error& e) {
-    throw std::runtime_error(file + ": " + e.what());
-  }
+  Byte_writer request;
+  request(reading);
+  return read_apart<Cad_model>(file, hexadecimal(request.bytes()), reading.time_limit);
 }
 
-void make_cad_model(const std::string& shapes, const std::string& model) {
-  const std::uint64_t memory = memory_for(shapes);
-  content(answer({reader_program(), shapes, model, std::to_string(memory)}, 600, memory), memory);
+Planar_solid read_planar_solid(const std::string& file) {
+  return read_apart<Planar_solid>(file, "solid", Cad_reading().time_limit);
+}
+
+void make_cad_model(const std::string& given, const std::string& model) {
+  const std::uint64_t memory = memory_for(given);
+  content(answer({reader_program(), given, model, std::to_string(memory)}, 600, memory), memory);
 }

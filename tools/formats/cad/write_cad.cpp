@@ -4,6 +4,7 @@
 
 #include "formats/cad/write_cad.h"
 
+#include "formats/cad/model_bytes.h"
 #include "formats/cad/read_cad.h"
 
 #include <cerrno>
@@ -34,15 +35,30 @@ public:
   std::string file(const std::string& name) const { return name_ + '/' + name; }
 };
 
+// Writes the model that the other process makes of what write(os) writes to a file of this ending.
+template <class Write>
+void write_apart(std::ostream& os, const char* given_ending, const std::string& ending, const Write& write) {
+  const Temporary_folder folder;
+  const std::string given = folder.file(std::string("model") + given_ending), model = folder.file("model" + ending);
+  {
+    std::ofstream file(given, std::ios::binary);
+    write(file);
+    if (!file.flush()) throw std::runtime_error(given + ": " + std::generic_category().message(errno));
+  }
+  make_cad_model(given, model);
+  os << std::ifstream(model, std::ios::binary).rdbuf();
+}
+
 } // namespace
 
 void write_cad(std::ostream& os, const std::vector<Spline_numbers>& shapes, const std::string& ending) {
-  const Temporary_folder folder;
-  const std::string given = folder.file("model.shapes"), model = folder.file("model" + ending);
-  {
-    std::ofstream file(given);
+  write_apart(os, ".shapes", ending, [&](std::ostream& file) {
     for (const Spline_numbers& shape : shapes) shape.write(file);
-  }
-  make_cad_model(given, model);
-  os << std::ifstream(model).rdbuf();
+  });
+}
+
+void write_cad(std::ostream& os, const Shell_model& shell, const std::string& ending) {
+  Byte_writer bytes;
+  bytes(shell);
+  write_apart(os, ".shell", ending, [&](std::ostream& file) { file << bytes.bytes(); });
 }

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+#include "files/Unpacked_bytes.h"
 #include "files/input.h"
-#include "formats/svg/Unpacked_bytes.h"
 #include "formats/svg/svg_drawing.h"
 
 #include <algorithm>

@@ -15,6 +15,8 @@ for (const curve of curves) {
 }
 const items = data.joins.map((j) => ({ ...j, left: curves[j.left], right: curves[j.right] }));
 const model = data.model ? new Model(data.model) : null;
+const roads = data.roads ? new Roads(data.roads) : null;
+const overview = { zoom: 1, shift: [0, 0] }; // of the roads
 const camera = { azimuth: -Math.PI / 3, elevation: 0.4, zoom: 1 };
 let zoom = 1;
 
@@ -40,6 +42,10 @@ function drawItem(canvas, item, view) {
     const near = model.edges.map((_, i) => i).filter((i) => model.edges[i].patches.some((p) => edge.patches.includes(p)));
     drawModel(canvas, model, { camera: { ...camera, zoom: 1 }, frame: model.frameAround(edge), patches: edge.patches, edges: near,
       chosen: item.edge, fill: true, zoom: view.zoom });
+  } else if (roads) {
+    const isLarge = canvas.clientHeight > 320;
+    drawRoads(canvas, roads, { centre: item.xy, reach: 60, zoom: view.zoom, shift: view.shift, item, items: isLarge ? items : [],
+      profiles: isLarge ? 90 : 0 });
   } else {
     const group = groups.get(item.left.group);
     drawJoin(canvas, item, { ...view, down: data.down, curves: group.curves,
@@ -49,10 +55,15 @@ function drawItem(canvas, item, view) {
 
 let redrawing = false;
 function showModel() {
-  if (!model || redrawing) return;
+  if (!(model || roads) || redrawing) return;
   redrawing = true;
   requestAnimationFrame(() => {
     redrawing = false;
+    if (roads) {
+      drawRoads(byId('model').querySelector('canvas'), roads, { ...overview, item: list.item, items: items.filter((i) => !['G1', 'G2'].includes(i.grade)),
+        fill: byId('fill').checked });
+      return;
+    }
     drawModel(byId('model').querySelector('canvas'), model, { camera, frame: model.frame, patches: model.all,
       chosen: list.item ? list.item.edge : -1, fill: byId('fill').checked });
   });
@@ -147,6 +158,31 @@ if (model) {
   const grades = new Set(model.edges.map((e) => e.grade));
   byId('legend').append(...[...gradeNames, 'boundary', 'collapsed'].filter((g) => grades.has(g)).map((g) => element('span', 'grade ' + g, g)));
   turnWith(canvas, camera, () => { showModel(); list.redraw(); });
+  byId('fill').addEventListener('change', showModel);
+  new ResizeObserver(showModel).observe(canvas);
+}
+
+if (roads) {
+  const section = byId('model'), canvas = section.querySelector('canvas');
+  section.hidden = false;
+  section.setAttribute('aria-label', 'The roads');
+  canvas.setAttribute('aria-label', 'The roads in plan with their lanes; the wheel zooms, the mouse moves them');
+  byId('fill').parentElement.lastChild.textContent = ' lanes';
+  document.querySelector('main').classList.add('with-model');
+  canvas.addEventListener('wheel', (e) => {
+    e.preventDefault();
+    const next = Math.max(0.5, Math.min(1e5, overview.zoom * Math.exp(-0.0015 * e.deltaY))), factor = next / overview.zoom;
+    const from = [e.offsetX - canvas.clientWidth / 2, e.offsetY - canvas.clientHeight / 2]; // which keeps its place
+    overview.shift = overview.shift.map((x, i) => from[i] + factor * (x - from[i]));
+    overview.zoom = next;
+    showModel();
+  }, { passive: false });
+  canvas.addEventListener('pointerdown', (e) => canvas.setPointerCapture(e.pointerId));
+  canvas.addEventListener('pointermove', (e) => {
+    if (!canvas.hasPointerCapture(e.pointerId)) return;
+    overview.shift = [overview.shift[0] + e.movementX, overview.shift[1] + e.movementY];
+    showModel();
+  });
   byId('fill').addEventListener('change', showModel);
   new ResizeObserver(showModel).observe(canvas);
 }

@@ -52,8 +52,9 @@ template <class Traits> struct Fair_spline : Composite_bezier_curve<Traits, 5> {
   std::vector<int> rounded;
   /// In the plane the numbers of the pieces that were not proved to have as few inflections as
   /// their side of the polygon: one where the polygon turns to different sides at its ends, or else
-  /// none. All others are proved by `sign_pattern()` and Descartes' rule. Empty in other
-  /// dimensions, where nothing is asked.
+  /// none. All others are proved by Descartes' rule and isolated roots. Where a small turn is
+  /// between turns to different sides, the inflection may be on either side of its point. Empty in
+  /// other dimensions, where nothing is asked.
   std::vector<int> waves;
 
   /// From the curve, what rounding has done and where there are waves.
@@ -342,21 +343,27 @@ std::optional<Bezier_curve<Traits, 5>> quintic_with_handles(const Jet& start, co
   return Bezier_curve<Traits, 5>(points.begin(), points.end());
 }
 
-// Returns whether a piece in the plane is proved to have at most so many inflections, by the signs
-// of d1 x d2: of its coefficients, or of itself, between its roots.
-template <class Traits, int Degree>
-bool has_inflections_at_most(const Bezier_curve<Traits, Degree>& piece, int inflections) {
+// The inflections of a piece in the plane, and the signs of its curvature beside its ends.
+struct Inflections {
+  int number, first, last;
+};
+
+// Returns them by the signs of d1 x d2: of its coefficients where these are as few as are wanted,
+// or else of itself, between its roots.
+template <class Traits, int Degree> Inflections inflections_of(const Bezier_curve<Traits, Degree>& piece, int wanted) {
   typedef typename Traits::FT FT;
   typedef std::conditional_t<std::is_floating_point_v<FT>, typename Exact_field<FT>::type, FT> Exact;
   std::array<std::array<Exact, 5>, 2> first;
   for (int k = 0; k < 2; ++k)
     for (int i = 0; i < 5; ++i) first[k][i] = Exact(piece.coordinates(i + 1)[k]) - Exact(piece.coordinates(i)[k]);
-  const auto changes_of = [&](const auto& bend, const auto& least) {
-    int changes = 0, last = 0;
+  const auto changes_of = [](const auto& bend) {
+    Inflections changes{0, 0, 0};
     for (int i = 0; i <= bend.degree(); ++i) {
-      const int sign = least < bend[i] ? 1 : bend[i] < -least ? -1 : 0;
-      if (sign != 0 && last != 0 && sign != last) ++changes;
-      if (sign != 0) last = sign;
+      const int sign = 0 < bend[i] ? 1 : bend[i] < 0 ? -1 : 0;
+      if (sign == 0) continue;
+      if (changes.last == -sign) ++changes.number;
+      if (changes.first == 0) changes.first = sign;
+      changes.last = sign;
     }
     return changes;
   };
@@ -381,16 +388,34 @@ bool has_inflections_at_most(const Bezier_curve<Traits, Degree>& piece, int infl
   const Bernstein_polynomial<double> near = bend_of(rounded[0], rounded[1]);
   bool is_sure = true;
   for (int i = 0; i <= near.degree(); ++i) is_sure = is_sure && std::abs(near[i]) > 1e-13 * largest * largest;
-  if (is_sure && changes_of(near, 0.) <= inflections) return true;
+  if (is_sure)
+    if (const Inflections changes = changes_of(near); changes.number <= wanted) return changes;
   const Bernstein_polynomial<Exact> bend = bend_of(first[0], first[1]);
-  if (changes_of(bend, Exact(0)) <= inflections) return true;
-  if (inflections == 0) return sign_pattern(bend) != Sign_pattern::mixed;
-  int changes = 0;
+  Inflections changes = changes_of(bend);
+  if (changes.number <= wanted) return changes;
+  changes.number = 0;
   for (const auto& root : isolate_roots(bend)) {
     const bool at_an_end = root.begin == root.end && (root.begin == 0 || root.end == 1);
-    if (!at_an_end && root.multiplicity % 2 == 1) ++changes;
+    if (!at_an_end && root.multiplicity % 2 == 1) ++changes.number;
   }
-  return changes <= inflections;
+  return changes;
+}
+
+// The numbers of the pieces with more inflections than the polygon asks for. The inflection of a
+// point between turns to different sides may be on a piece beside it.
+inline std::vector<int> pieces_with_waves(const Fair_turns& turns, const std::vector<Inflections>& pieces) {
+  const int n = static_cast<int>(pieces.size());
+  const auto is_moved = [&](int point, int piece, int other) {
+    const Inflections &a = pieces[piece], &b = pieces[other];
+    return turns.is_inflection(point) && a.number == 1 && turns.inflections(piece) == 0 && b.number == 0 &&
+           (piece == point ? a.first * b.last : a.last * b.first) > 0;
+  };
+  std::vector<int> waves;
+  for (int i = 0; i < n; ++i)
+    if (pieces[i].number > turns.inflections(i) && !is_moved(i, i, (i + n - 1) % n) &&
+        !is_moved(turns.after(i), i, (i + 1) % n))
+      waves.push_back(i);
+  return waves;
 }
 
 // The pieces from each jet to the next one.
@@ -403,7 +428,7 @@ Fair_spline<Traits> pieces_between(const Fair_points<Traits>& p, const std::vect
   std::vector<typename Traits::Point> points;
   std::vector<FT> knots(1, FT(0));
   std::vector<char> is_rounded(p.number(), 0);
-  std::vector<int> waves;
+  std::vector<Inflections> inflections; // in the plane
   std::optional<Fair_turns> turns;
   if (p.points[0].dimension() == 2) turns.emplace(joints, p.closed);
   for (int i = 0; i < p.pieces(); ++i) {
@@ -420,7 +445,7 @@ Fair_spline<Traits> pieces_between(const Fair_points<Traits>& p, const std::vect
         if (!piece) is_rounded[i] = is_rounded[j] = 1;
       }
     if (!piece) piece = blend(Curve_jet<Traits>(start), Curve_jet<Traits>(end), Fair());
-    if (turns && !has_inflections_at_most(*piece, turns->inflections(i))) waves.push_back(i);
+    if (turns) inflections.push_back(inflections_of(*piece, turns->inflections(i)));
     points.insert(points.end(), piece->begin() + (i == 0 ? 0 : 1), piece->end());
     knots.push_back(FT(i + 1));
   }
@@ -428,7 +453,7 @@ Fair_spline<Traits> pieces_between(const Fair_points<Traits>& p, const std::vect
   for (int i = p.closed ? 0 : 1; i < p.pieces(); ++i)
     if (is_rounded[i]) rounded.push_back(i);
   return Fair_spline<Traits>(Composite_bezier_curve<Traits, 5>(points, std::move(knots)), moved, std::move(rounded),
-                             std::move(waves));
+                             turns ? pieces_with_waves(*turns, inflections) : std::vector<int>());
 }
 
 } // namespace internal

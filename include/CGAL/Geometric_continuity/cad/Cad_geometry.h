@@ -155,6 +155,14 @@ struct Edge_curve {
 };
 
 /// \ingroup PkgGeometricContinuityCadEdges
+/// An end of an edge that is a curve in space, such as one of a wire, or a side of a knot inside.
+struct Edge_end {
+  Edge_curve curve;
+  double parameter;      ///< of the end
+  bool reversed = false; ///< whether the edge runs against its parameter
+};
+
+/// \ingroup PkgGeometricContinuityCadEdges
 /// A parameter line on which the formula of a surface changes, so that it may have a crease there.
 struct Surface_knot_line {
   bool constant_u; ///< the knot is one of `u`, and `v` varies on the line; otherwise the reverse
@@ -211,6 +219,20 @@ inline std::array<Spline_parameter, 2> spline_parameters(const Cad_surface& surf
 }
 
 } // namespace internal
+
+/// \ingroup PkgGeometricContinuityCadEdges
+/// Returns the knots inside of the domain of a curve where it need not be `order` times
+/// continuously differentiable: of a multiplicity greater than the degree minus `order`, of offsets
+/// one less.
+/// \pre the numbers of the spline fit
+inline std::vector<double> curve_knots(const Cad_curve<3>& curve, int order) {
+  std::vector<double> knots;
+  const internal::Spline_parameter x = internal::spline_parameter(curve);
+  x.for_each_inner_knot([&](double knot, int multiplicity) {
+    if (multiplicity > x.degree - order - x.offsets) knots.push_back(knot);
+  });
+  return knots;
+}
 
 /// \ingroup PkgGeometricContinuityCadEdges
 /// Returns the lines inside of the domain of a surface where it need not be `order` times

@@ -12,8 +12,10 @@
 #include <CGAL/Geometric_continuity/cad/internal/Foot_finder.h>
 #include <CGAL/Geometric_continuity/cad/internal/Surface_pole.h>
 #include <CGAL/Geometric_continuity/cad/internal/exact_analytic_edge.h>
+#include <CGAL/Geometric_continuity/cad/internal/exact_plane_edge.h>
 #include <CGAL/Geometric_continuity/cad/internal/exact_spline_edge.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
+#include <CGAL/Geometric_continuity/joins/Join_deviation.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
@@ -32,7 +34,8 @@
 
 /// \file cad_edge_continuity.h
 /// The edges of CAD models: two faces along curves in their parameter planes. The exact order is
-/// decided, and the distance of the faces from it is enclosed, on whole edges.
+/// decided, and the distance of the faces from it is enclosed, on whole edges. The joins of edges
+/// that no face has, those of wires, are enclosed, too.
 ///
 /// Where a file gives an edge in space only, its curve in the parameter plane of a face is that of
 /// its foot points: the points of the surface that are next to it. One that a system has computed
@@ -53,6 +56,8 @@ namespace Geometric_continuity {
 /// Decided are
 /// - two spline surfaces, rational or not, on each of which the edge is a parameter line, boundary
 ///   or not, or a part of it, run through linearly: as for whole edges;
+/// - a plane, or a spline surface that is a parallelogram, in which the edge is a spline, and a
+///   polynomial spline surface on which it is a parameter line, where they are \f$ G^2 \f$;
 /// - two elementary surfaces, extrusions or surfaces of revolution with lines or ellipses as
 ///   profiles, where the curves in the parameter planes are lines, or splines that are, on planes
 ///   also ellipses. Then points and derivatives are sums of terms \f$ c\,t^n e^{i (w + f t)} \f$
@@ -82,6 +87,8 @@ inline std::optional<Edge_continuity<Exact_field<double>::type>> edge_continuity
   }
   try {
     if (const auto verdict = internal::exact_spline_edge(a, b, first, last)) return verdict;
+    if (const auto verdict = internal::exact_plane_edge(a, b, first, last)) return verdict;
+    if (const auto verdict = internal::exact_plane_edge(b, a, first, last)) return verdict;
     return internal::exact_analytic_edge(a, b, first, last);
   } catch (const Error& e) {
     if (e.code() != Error_code::work_limit) throw;
@@ -457,6 +464,99 @@ inline std::optional<Foot_comparison> compare_at_feet(const Edge_side& a, const 
                largest = (std::max)({magnitude(x.curvature), magnitude(y.curvature), flat_curvature});
   const double jump = least > 0 ? (Interval(least) / Interval(largest)).inf() : 0;
   return Foot_comparison{distances, length_below(x.point, y.point), angle, jump};
+}
+
+/// \ingroup PkgGeometricContinuityCadEdges
+/// How far the join of two edges of a wire is from being continuous: guaranteed enclosures.
+struct Wire_enclosure {
+  /// Gap, angle and jump of the curvature vector, without the torsion. The angle and the jump are
+  /// empty where a tangent cannot be told from zero. A curvature below
+  /// `Edge_precision::flat_curvature` counts as flat.
+  Join_deviation deviation;
+  /// The relative jumps \f$ |y - x| / \max(|x|, |y|) \f$ of the first and of the second
+  /// derivative with respect to the parameters of the curves, in [0, 2]; 0 when both are zero. A
+  /// second derivative also counts as at least \f$ \varepsilon |c'|^2 \f$, with
+  /// \f$ \varepsilon \f$ for the curvature that is flat.
+  std::array<Enclosure, 2> derivative_jumps;
+  Cad_point<3> point; ///< where the first edge ends, rounded
+};
+
+namespace internal {
+
+inline Enclosure root_of(const Interval& square) {
+  return {root_below((std::max)(0., square.inf())), root_above((std::max)(0., square.sup()))};
+}
+
+inline Interval square_of_distance(const Interval_vector<3>& x, const Interval_vector<3>& y) {
+  Interval sum = 0;
+  for (int i = 0; i < 3; ++i) sum += square(x[i] - y[i]);
+  return sum;
+}
+
+// The length of a vector.
+inline Interval length(const Interval_vector<3>& x) { return CGAL::sqrt(square_of_distance(x, Interval_vector<3>())); }
+
+// |y - x| / max(|x|, |y|, least).
+inline Enclosure relative_jump(const Interval_vector<3>& x, const Interval_vector<3>& y, const Interval& least) {
+  const Interval difference = CGAL::sqrt(square_of_distance(x, y)), a = length(x), b = length(y),
+                 divisor((std::max)({a.inf(), b.inf(), least.inf()}), (std::max)({a.sup(), b.sup(), least.sup()}));
+  if (difference.sup() == 0) return {0, 0};
+  if (!(divisor.inf() > 0)) return {0, 2};
+  const Interval jump = difference / divisor;
+  return {(std::min)((std::max)(0., jump.inf()), 2.), (std::min)(jump.sup(), 2.)};
+}
+
+// The tangent and the curvature vector of a curve from its derivatives; nothing where the first one
+// cannot be told from zero.
+inline std::optional<std::array<Interval_vector<3>, 2>>
+tangent_and_curvature(const std::array<Interval_vector<3>, 3>& jet) {
+  const Interval speed = length(jet[1]);
+  if (!(speed.inf() > 0)) return std::nullopt;
+  std::array<Interval_vector<3>, 2> result;
+  Interval along = 0;
+  for (int i = 0; i < 3; ++i) {
+    result[0][i] = jet[1][i] / speed;
+    along += jet[2][i] * result[0][i];
+  }
+  for (int i = 0; i < 3; ++i) result[1][i] = (jet[2][i] - along * result[0][i]) / square(speed);
+  return result;
+}
+
+// The point and two derivatives in the direction in which an edge runs, where it ends or starts.
+inline std::array<Interval_vector<3>, 3> jet_at(const Edge_end& end, bool is_end) {
+  auto jet = Placed_curve(end.curve).jet(end.parameter, is_end != end.reversed ? -1 : 1);
+  if (end.reversed)
+    for (Interval& x : jet[1]) x = -x;
+  return jet;
+}
+
+} // namespace internal
+
+/// \ingroup PkgGeometricContinuityCadEdges
+/// Encloses how far the join of two edges in space is from being continuous, where `left` ends and
+/// `right` starts. The numbers that describe the curves are taken exactly; all is computed by
+/// interval arithmetic. At a knot of a spline each edge is the piece on its side.
+/// \throws Error `not_finite`, `wrong_number_of_points`, `knot_multiplicity`, `zero_weight`,
+///   `singular_frame` for numbers that do not fit; `parameter_outside_domain` for an end outside of
+///   the domain of a spline
+inline Wire_enclosure wire_enclosure(const Edge_end& left, const Edge_end& right,
+                                     double flat_curvature = Edge_precision().flat_curvature) {
+  using namespace internal;
+  for (const Edge_end* end : {&left, &right}) check_finite({end->parameter}, "the end of an edge");
+  const Protect_FPU_rounding<true> rounding_upwards;
+  const auto x = jet_at(left, true), y = jet_at(right, false);
+  Wire_enclosure result{{root_of(square_of_distance(x[0], y[0])), {}, {}, {}}, {}, {}};
+  const Interval flat(flat_curvature), a = length(x[1]), b = length(y[1]),
+                                       speed((std::max)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup()));
+  result.derivative_jumps = {relative_jump(x[1], y[1], Interval(0)), relative_jump(x[2], y[2], flat * square(speed))};
+  for (std::size_t i = 0; i < 3; ++i) result.point[i] = middle(x[0][i]);
+  const auto of_left = tangent_and_curvature(x), of_right = tangent_and_curvature(y);
+  if (!of_left || !of_right) return result;
+  const Interval chord = square_of_distance((*of_left)[0], (*of_right)[0]);
+  result.deviation.tangent_angle =
+      Enclosure{angle_of_chord_square(chord.inf()).lower, angle_of_chord_square(chord.sup()).upper};
+  result.deviation.curvature_jump = relative_jump((*of_left)[1], (*of_right)[1], flat);
+  return result;
 }
 
 } // namespace Geometric_continuity

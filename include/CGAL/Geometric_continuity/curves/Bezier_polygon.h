@@ -95,6 +95,13 @@ public:
   /// Returns the domain [a, b].
   std::pair<FT, FT> domain() const { return {a_, b_}; }
 
+#ifndef CGAL_NO_DEPRECATED_CODE
+  /// \cond SKIP_IN_MANUAL
+  [[deprecated("call domain().first")]] FT start_parameter() const { return domain().first; }
+  [[deprecated("call domain().second")]] FT end_parameter() const { return domain().second; }
+  /// \endcond
+#endif
+
   /// Returns the `i`-th coordinate as a polynomial of degree `m` of the local parameter
   /// \f$ t = (u-a)/(b-a) \f$.
   /// \pre `0 <= i < dimension()`

@@ -161,6 +161,13 @@ public:
   /// Returns the domain \f$ [u_p, u_n] \f$.
   std::pair<FT, FT> domain() const { return knots_.domain(); }
 
+#ifndef CGAL_NO_DEPRECATED_CODE
+  /// \cond SKIP_IN_MANUAL
+  [[deprecated("call domain().first")]] FT start_parameter() const { return domain().first; }
+  [[deprecated("call domain().second")]] FT end_parameter() const { return domain().second; }
+  /// \endcond
+#endif
+
   /// Returns the coordinates of the curve as a function of the parameter.
   Function function() const {
     std::vector<Coordinates> rows;

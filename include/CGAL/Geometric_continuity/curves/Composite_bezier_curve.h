@@ -86,6 +86,13 @@ public:
   /// Returns the domain \f$ [u_0, u_{k+1}] \f$.
   std::pair<FT, FT> domain() const { return {knots_.front(), knots_.back()}; }
 
+#ifndef CGAL_NO_DEPRECATED_CODE
+  /// \cond SKIP_IN_MANUAL
+  [[deprecated("call domain().first")]] FT start_parameter() const { return domain().first; }
+  [[deprecated("call domain().second")]] FT end_parameter() const { return domain().second; }
+  /// \endcond
+#endif
+
   /// Returns the length \f$ \lambda_\ell \f$ of the parameter interval of the `l`-th segment.
   /// \pre `0 <= l < number_of_segments()`
   FT lambda(int l) const { return FT(knots_[l + 1] - knots_[l]); }

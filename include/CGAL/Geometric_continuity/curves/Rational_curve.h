@@ -183,6 +183,13 @@ public:
   int dimension() const { return shape_.dimension(); }
   std::pair<FT, FT> domain() const { return shape_.domain(); } ///< Returns the domain.
 
+#ifndef CGAL_NO_DEPRECATED_CODE
+  /// \cond SKIP_IN_MANUAL
+  [[deprecated("call domain().first")]] FT start_parameter() const { return domain().first; }
+  [[deprecated("call domain().second")]] FT end_parameter() const { return domain().second; }
+  /// \endcond
+#endif
+
   /// Returns the control points, in order.
   const typename Shape::template Per_point<Point>& control_points() const { return shape_.control_points(); }
   /// Returns the control point \f$ b_i \f$. \pre there is one

@@ -137,18 +137,59 @@ template <int N> class Corner_finder {
     return before && after ? turns(-1. * *before, *after) : otherwise;
   }
 
+  // Tells whether a segment is a step: short, and between two others that do not turn, or at an
+  // end.
+  bool is_step(int k) const {
+    const int n = static_cast<int>(p_.size()) - 1;
+    const auto at = [&](int j) -> const Vector& { return p_[j < 0 ? j + n : j > n ? j - n : j]; };
+    const Vector step = at(k + 1) - at(k);
+    if (dot(step, step) > 9 * tolerance_ * tolerance_) return false;
+    if (!closed_ && (k < 1 || n <= k + 1)) return true;
+    return !turns(at(k) - at(k - 1), at(k + 2) - at(k + 1));
+  }
+  bool is_at_step(int k) const { return is_step(k == 0 ? static_cast<int>(p_.size()) - 2 : k - 1) || is_step(k); }
+
+  // The cosine of the turn at a vertex, seen from a distance; 2 where it is not seen.
+  double cosine_of_turn(int k, double radius) const {
+    const std::optional<Vector> before = way_out(k, -1, radius, true), after = way_out(k, 1, radius, true);
+    if (!before || !after) return 2;
+    return -dot(*before, *after) / std::sqrt(dot(*before, *before) * dot(*after, *after));
+  }
+
 public:
   Corner_finder(const std::vector<Vector>& p, double cosine, double tolerance, bool closed)
       : p_(p), cosine_(cosine), tolerance_(tolerance), closed_(closed) {}
 
   // At the vertex itself, and seen from as far as the tolerance lets it be seen: from two
   // tolerances away, and from four or from the end before: the steps of a staircase that is near a
-  // smooth curve are not corners.
+  // smooth curve are not corners. A vertex of a step must be seen from four tolerances away, and
+  // from eight or from the end before: long steps are near a smooth curve, too.
   bool operator()(int k) const {
     Work_meter::pause();
     const int n = static_cast<int>(p_.size()) - 1, before = k == 0 ? n - 1 : k - 1, after = k + 1;
-    return turns(p_[k] - p_[before], p_[after] - p_[k]) && turns_within(k, 2 * tolerance_, false) &&
-           turns_within(k, 4 * tolerance_, true);
+    if (!turns(p_[k] - p_[before], p_[after] - p_[k]) || !turns_within(k, 2 * tolerance_, false)) return false;
+    const bool is_step = is_at_step(k);
+    return turns_within(k, 4 * tolerance_, !is_step) && (!is_step || turns_within(k, 8 * tolerance_, true));
+  }
+
+  // Takes corners at steps out that are next to a sharper one, within six tolerances.
+  void thin_out(std::vector<char>& corners) const {
+    const int n = static_cast<int>(p_.size()) - 1;
+    std::vector<int> found;
+    for (int k = 0; k < n; ++k)
+      if (corners[k] && is_at_step(k)) found.push_back(k);
+    const auto are_near = [&](int j, int k) {
+      const Vector d = p_[k] - p_[j];
+      return dot(d, d) <= 36 * tolerance_ * tolerance_;
+    };
+    const int all = static_cast<int>(found.size());
+    for (int i = 0; i < all && all > 1; ++i) {
+      const int k = found[i], next = found[i + 1 == all ? 0 : i + 1];
+      if ((i + 1 == all && !closed_) || !corners[k] || !are_near(k, next)) continue;
+      const bool is_first_sharper = cosine_of_turn(k, 8 * tolerance_) <= cosine_of_turn(next, 8 * tolerance_);
+      corners[is_first_sharper ? next : k] = 0;
+      if (is_first_sharper) found[i + 1 == all ? 0 : i + 1] = k;
+    }
   }
 };
 
@@ -223,6 +264,7 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
   const int n = static_cast<int>(p.size()) - 1;
   polyline.stop.assign(p.size(), 0);
   for (int k = polyline.periodic ? 0 : 1; k < n; ++k) polyline.stop[k] = is_corner(k);
+  is_corner.thin_out(polyline.stop);
   if (polyline.periodic) {
     const std::ptrdiff_t first = std::find(polyline.stop.begin(), polyline.stop.end() - 1, 1) - polyline.stop.begin();
     polyline.periodic = first == n;

@@ -140,6 +140,44 @@ Order_within order_within(const Left& left, const Right& right, const Join_toler
 }
 
 /// \ingroup PkgGeometricContinuityContinuity
+/// Returns the relative jump \f$ |y^{(k)} - x^{(k)}| / \max(|x^{(k)}|, |y^{(k)}|) \f$ of the
+/// derivative of order `k` with respect to the parameters of the curves at a join, in [0, 2]; 0
+/// when both are zero.
+/// \tparam Left, Right models of `ParametricCurve` with one traits class
+/// \throws Error `dimension_mismatch`, `not_finite`, `negative_count` unless `k` is positive
+template <class Left, class Right, class = std::void_t<typename Left::Traits, typename Right::Traits>>
+Enclosure derivative_jump(const Left& left, const Right& right, int k) {
+  typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
+  constexpr int N = dimension_v<typename Left::Traits>;
+  if (k < 1) throw Error(Error_code::negative_count, "derivative_jump: the order is not positive");
+  const auto x = end_jet<Field>(left, k)[k], y = start_jet<Field>(right, k)[k];
+  if (x.dimension() != y.dimension()) throw Error(Error_code::dimension_mismatch, "derivative_jump");
+  const Coordinate_vector<Field, N> difference = y - x;
+  const Field a = dot(x, x), b = dot(y, y), largest = (std::max)(a, b);
+  return largest == Field(0) ? Enclosure{0, 0} : sqrt_enclosure(Field(dot(difference, difference) / largest));
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// Decides if a join is \f$ C^k \f$ within a tolerance, `k` from 0 to 2: the gap is within it, the
+/// `derivative_jump()` of the first derivatives is at most the angle in radians, by which they may
+/// turn at most then, and that of the second ones at most the bound of the curvature. A join that
+/// is exactly \f$ C^k \f$ is so with each tolerance.
+/// \throws Error as `order_within()`; `jet_order_too_low` for a higher order
+template <class Left, class Right, class = std::void_t<typename Left::Traits, typename Right::Traits>>
+Verdict is_c_within(const Left& left, const Right& right, int k, const Join_tolerance& tolerance) {
+  for (const Bound& bound : {tolerance.tangent_angle, tolerance.curvature_jump, tolerance.gap})
+    internal::check_bound(bound);
+  if (k < 0) throw Error(Error_code::negative_count, "is_c_within: order");
+  if (k > 2) throw Error(Error_code::jet_order_too_low, "is_c_within: orders 0 to 2 are decided");
+  typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
+  const auto gap = start_jet<Field>(right, 0)[0] - end_jet<Field>(left, 0)[0];
+  Verdict verdict = at_most(sqrt_enclosure(Field(dot(gap, gap))), tolerance.gap);
+  if (k > 0) verdict = verdict && at_most(derivative_jump(left, right, 1), tolerance.tangent_angle);
+  if (k > 1) verdict = verdict && at_most(derivative_jump(left, right, 2), tolerance.curvature_jump);
+  return verdict;
+}
+
+/// \ingroup PkgGeometricContinuityContinuity
 /// Decides which order a join has within one number: it is the tolerance for each of the quantities
 /// of `Join_deviation`, in their units. The angle in radians and the relative jump of the curvature
 /// do not depend on the unit of length, as the others do.

@@ -496,6 +496,17 @@ public:
   /// Returns the number of joins.
   std::size_t joins() const { return joins_; }
 
+  /// \cond SKIP_IN_MANUAL
+  // The orders of all joins are not counted: this refuses to return them.
+  template <class Number> operator std::vector<Number>() const {
+    static_assert(!std::is_same_v<Number, Number>, "chain_joins(curves) has one Join_continuity for each join, with "
+                                                   ".g_order; chain_continuity(curves) counts them; "
+                                                   "failing_joins(curves, is_g2_join) has the numbers of those that "
+                                                   "fail");
+    return {};
+  }
+  /// \endcond
+
   /// Returns for each order that occurs the number of joins of exactly this order; -1 stands for a
   /// gap. Joins of the highest order that was asked for may be smoother than that.
   std::map<int, std::size_t> counts(Continuity_kind kind) const {

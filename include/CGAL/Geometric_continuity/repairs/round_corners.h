@@ -186,6 +186,32 @@ auto blend_of_parts(const Left& left, const Right& right, const Strategy& strate
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
+/// Returns how far from the corner of two curves, of which the tangents turn by \f$ \theta \f$, a
+/// circle of the given radius touches both tangents: \f$ r \tan(\theta/2) \f$. It is exact where
+/// the kernel is and the tangent of half the angle is rational, and rounded otherwise.
+/// \throws Error `zero_tangent` when a first derivative is zero at the corner, and when the curves
+///   turn back; `dimension_mismatch`
+template <class Left, class Right>
+typename Left::FT corner_distance(const Left& left, const Right& right,
+                                  const internal::Convertible_number<typename Left::FT>& radius) {
+  typedef typename Left::FT FT;
+  if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, "corner_distance");
+  const auto u = end_jet<FT>(left, 1)[1], v = start_jet<FT>(right, 1)[1];
+  if (is_zero(u)) throw Error(Error_code::zero_tangent, "corner_distance: end of the left curve");
+  if (is_zero(v)) throw Error(Error_code::zero_tangent, "corner_distance: start of the right curve");
+  // with s = |u| |v| and c = u . v: tan^2(theta/2) = (s - c) / (s + c)
+  const FT c = dot(u, v), square = FT(dot(u, u) * dot(v, v)), sine_squared = FT(square - c * c);
+  if (c < FT(0) && sine_squared == FT(0))
+    throw Error(Error_code::zero_tangent, "corner_distance: the curves turn back at the corner");
+  if constexpr (internal::has_rational_roots<FT>()) {
+    const std::optional<FT> s = rational_square_root(square), sine = rational_square_root(sine_squared);
+    if (s && sine) return FT(radius.value * *sine / (*s + c));
+  }
+  const double x = CGAL::to_double(sine_squared / square), y = CGAL::to_double(c) / std::sqrt(CGAL::to_double(square));
+  return FT(CGAL::to_double(radius.value) * std::sqrt(x) / (1 + y));
+}
+
+/// \ingroup PkgGeometricContinuityExtensions
 /// Rounds the corner in which the curve `left` ends and the curve `right` starts: cuts the parts of
 /// both off that are nearer to it than `distance`, along the curve, and puts a blend into the gap.
 /// The corner may be a join of any kind, even a smooth one. Segmented curves and B-splines are
@@ -232,6 +258,12 @@ auto round_corner(const Left& left, const Right& right, const internal::Converti
   const auto gamma = internal::blend_of_parts(left_part, right_part, strategy, place);
   return Rounded_corner<Left, Right, std::decay_t<decltype(gamma)>>{left_part, gamma, right_part, left_cut, right_cut};
 }
+
+/// \ingroup PkgGeometricContinuityExtensions
+/// Is given to `round_corners()` in place of a distance: each corner is cut at the distance in
+/// which a circle of this radius touches both tangents, see `corner_distance()`.
+template <class FT> struct Corner_radius { FT radius; };
+template <class FT> Corner_radius(FT) -> Corner_radius<FT>;
 
 /// \ingroup PkgGeometricContinuityExtensions
 /// Where a corner of a chain was, and what has become of it.
@@ -321,6 +353,74 @@ void add_bezier_pieces(const Rational_bspline_curve<Traits>& curve,
   for (const Rational_bezier_curve<Traits>& piece : curve.bezier_pieces()) pieces.push_back(piece);
 }
 
+// As round_corners() rounds: distance(left, right) is that of a corner, zero where none is rounded.
+template <class ForwardIterator, class Distance, class Strategy>
+Rounded_chain<Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type>>
+rounded_chain(ForwardIterator first, ForwardIterator last, const Distance& distance, Closure closure, int order,
+              const Strategy& strategy) {
+  typedef Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type> Curve;
+  typedef typename Curve::FT FT;
+  const bool closed = closure == Closure::closed;
+  const auto place = [](std::size_t i) { return "round_corners: join after curve " + std::to_string(i); };
+
+  std::vector<Curve> given;
+  std::vector<bool> is_corner; // the join after the curve
+  const auto add_join = [&](const auto& join) {
+    if (join.c_order < 0) throw Error(Error_code::curves_do_not_meet, place(is_corner.size()));
+    is_corner.push_back(join.g_order < order);
+  };
+  for (ForwardIterator c = first; c != last; ++c) {
+    add_bezier_pieces(*c, given);
+    for (const auto& join : inner_joins(*c, order)) add_join(join);
+    const ForwardIterator next = std::next(c);
+    if (next != last)
+      add_join(continuity(*c, *next, order));
+    else if (closed)
+      add_join(continuity(*c, *first, order));
+    else
+      is_corner.push_back(false);
+  }
+  const std::size_t n = given.size();
+  std::vector<FT> distances(n, FT(0));
+  for (std::size_t i = 0; i < n; ++i) {
+    if (is_corner[i]) distances[i] = distance(given[i], given[(i + 1) % n]);
+    is_corner[i] = FT(0) < distances[i];
+  }
+  const auto longest = [&](std::size_t i) -> FT { // distance of a corner from its cut on this curve
+    const FT part(is_corner[i] && is_corner[(i + n - 1) % n] ? 0.375 : 0.75);
+    return FT(part * Corner_side<Curve>(given[i], Curve_end::start).length());
+  };
+
+  Rounded_chain<Curve> result;
+  std::vector<FT> starts, ends; // of what remains of the curves
+  for (const Curve& c : given) {
+    starts.push_back(c.domain().first);
+    ends.push_back(c.domain().second);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!is_corner[i]) continue;
+    const std::size_t next = (i + 1) % n;
+    const FT d = (std::min)({distances[i], longest(i), longest(next)});
+    ends[i] = cut_parameter(given[i], Curve_end::end, d, place(i));
+    starts[next] = cut_parameter(given[next], Curve_end::start, d, place(i));
+    result.corners.push_back({i, d, ends[i], starts[next], 0});
+  }
+
+  std::vector<Curve> parts;
+  for (std::size_t i = 0; i < n; ++i) parts.push_back(part_between(given[i], starts[i], ends[i]));
+  auto corner = result.corners.begin();
+  for (std::size_t i = 0; i < n; ++i) {
+    result.curves.push_back(parts[i]);
+    if (!is_corner[i]) continue;
+    corner->blend = result.curves.size();
+    ++corner;
+    for_each_piece(blend_of_parts(parts[i], parts[(i + 1) % n], strategy, place(i)),
+                   [&](const auto& piece) { result.curves.emplace_back(piece); });
+    std::prev(corner)->pieces = result.curves.size() - std::prev(corner)->blend;
+  }
+  return result;
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityExtensions
@@ -357,64 +457,31 @@ Rounded_chain<internal::Bezier_piece<typename std::iterator_traits<ForwardIterat
     ForwardIterator first, ForwardIterator last,
     const internal::Convertible_number<typename std::iterator_traits<ForwardIterator>::value_type::FT>& distance,
     Closure closure, int order = 2, const Strategy& strategy = Strategy()) {
-  typedef internal::Bezier_piece<typename std::iterator_traits<ForwardIterator>::value_type> Curve;
-  typedef typename Curve::FT FT;
-  const bool closed = closure == Closure::closed;
+  typedef typename std::iterator_traits<ForwardIterator>::value_type::FT FT;
   internal::check_distance(distance.value, "round_corners");
   internal::check_count(order, "round_corners: order");
-  const auto place = [](std::size_t i) { return "round_corners: join after curve " + std::to_string(i); };
+  const auto same = [&](const auto&, const auto&) -> FT { return distance.value; };
+  return internal::rounded_chain(first, last, same, closure, order, strategy);
+}
 
-  std::vector<Curve> given;
-  std::vector<bool> is_corner; // the join after the curve
-  const auto add_join = [&](const auto& join) {
-    if (join.c_order < 0) throw Error(Error_code::curves_do_not_meet, place(is_corner.size()));
-    is_corner.push_back(join.g_order < order);
+/// \ingroup PkgGeometricContinuityExtensions
+/// Rounds the corners of a chain of curves as by circles of a radius: those whose tangents turn, by
+/// more than \f$ 10^{-9} \f$, at the distance of each where such a circle touches both tangents, or
+/// nearer on short curves.
+/// \throws Error as with a distance, and as `corner_distance()`
+template <class ForwardIterator, class Number, class Strategy = Fair>
+auto round_corners(ForwardIterator first, ForwardIterator last, const Corner_radius<Number>& radius, Closure closure,
+                   int order = 2, const Strategy& strategy = Strategy()) {
+  typedef typename std::iterator_traits<ForwardIterator>::value_type::FT FT;
+  const internal::Convertible_number<FT> r(radius.radius);
+  internal::check_distance(r.value, "round_corners");
+  internal::check_count(order, "round_corners: order");
+  const FT least = FT(r.value * FT(0.5e-9));
+  const auto touching = [&](const auto& left, const auto& right) -> FT {
+    const FT d = corner_distance(left, right, r.value);
+    return d < least ? FT(0) : d;
   };
-  for (ForwardIterator c = first; c != last; ++c) {
-    internal::add_bezier_pieces(*c, given);
-    for (const auto& join : internal::inner_joins(*c, order)) add_join(join);
-    const ForwardIterator next = std::next(c);
-    if (next != last)
-      add_join(continuity(*c, *next, order));
-    else if (closed)
-      add_join(continuity(*c, *first, order));
-    else
-      is_corner.push_back(false);
-  }
-  const std::size_t n = given.size();
-  const auto longest = [&](std::size_t i) -> FT { // distance of a corner from its cut on this curve
-    const FT part(is_corner[i] && is_corner[(i + n - 1) % n] ? 0.375 : 0.75);
-    return FT(part * internal::Corner_side<Curve>(given[i], Curve_end::start).length());
-  };
-
-  Rounded_chain<Curve> result;
-  std::vector<FT> starts, ends; // of what remains of the curves
-  for (const Curve& c : given) {
-    starts.push_back(c.domain().first);
-    ends.push_back(c.domain().second);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!is_corner[i]) continue;
-    const std::size_t next = (i + 1) % n;
-    const FT d = (std::min)({distance.value, longest(i), longest(next)});
-    ends[i] = internal::cut_parameter(given[i], Curve_end::end, d, place(i));
-    starts[next] = internal::cut_parameter(given[next], Curve_end::start, d, place(i));
-    result.corners.push_back({i, d, ends[i], starts[next], 0});
-  }
-
-  std::vector<Curve> parts;
-  for (std::size_t i = 0; i < n; ++i) parts.push_back(internal::part_between(given[i], starts[i], ends[i]));
-  auto corner = result.corners.begin();
-  for (std::size_t i = 0; i < n; ++i) {
-    result.curves.push_back(parts[i]);
-    if (!is_corner[i]) continue;
-    corner->blend = result.curves.size();
-    ++corner;
-    internal::for_each_piece(internal::blend_of_parts(parts[i], parts[(i + 1) % n], strategy, place(i)),
-                             [&](const auto& piece) { result.curves.emplace_back(piece); });
-    std::prev(corner)->pieces = result.curves.size() - std::prev(corner)->blend;
-  }
-  return result;
+  return internal::rounded_chain(first, last, touching, closure, order, strategy);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
@@ -427,6 +494,20 @@ auto round_corners(
   return round_corners(std::begin(chain), std::end(chain), distance, closure, order, strategy);
 }
 
+namespace internal {
+
+// The sides of a polygon or a polyline.
+template <class Point>
+std::vector<Bezier_curve<Traits_of<Point>>> sides_of(const std::vector<Point>& points, Closure closure) {
+  if (points.size() < 2) throw Error(Error_code::wrong_number_of_points, "round_corners: fewer than two points");
+  std::vector<Bezier_curve<Traits_of<Point>>> sides;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) sides.emplace_back(points[i], points[i + 1]);
+  if (closure == Closure::closed && points.front() != points.back()) sides.emplace_back(points.back(), points.front());
+  return sides;
+}
+
+} // namespace internal
+
 /// \ingroup PkgGeometricContinuityConstruction
 /// Rounds all corners of the polygon or the polyline with these vertices, points of a \cgal kernel,
 /// over whose traits class (`Traits_of`) the result is.
@@ -436,11 +517,20 @@ Rounded_chain<Bezier_curve<Traits_of<Point>>>
 round_corners(const std::vector<Point>& points,
               const internal::Convertible_number<typename Traits_of<Point>::FT>& distance, Closure closure,
               int order = 2, const Strategy& strategy = Strategy()) {
-  if (points.size() < 2) throw Error(Error_code::wrong_number_of_points, "round_corners: fewer than two points");
-  std::vector<Bezier_curve<Traits_of<Point>>> sides;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) sides.emplace_back(points[i], points[i + 1]);
-  if (closure == Closure::closed && points.front() != points.back()) sides.emplace_back(points.back(), points.front());
-  return round_corners(sides, distance, closure, order, strategy);
+  return round_corners(internal::sides_of(points, closure), distance, closure, order, strategy);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Rounds all corners of the curves of a range, or of the polygon or the polyline with a vector of
+/// points, as by circles of a radius.
+/// \throws Error as for a distance, and as `corner_distance()`
+template <class Range, class Number, class Strategy = Fair>
+auto round_corners(const Range& chain, const Corner_radius<Number>& radius, Closure closure, int order = 2,
+                   const Strategy& strategy = Strategy()) {
+  if constexpr (internal::Has_traits<std::decay_t<decltype(*std::begin(chain))>>::value)
+    return round_corners(std::begin(chain), std::end(chain), radius, closure, order, strategy);
+  else
+    return round_corners(internal::sides_of(chain, closure), radius, closure, order, strategy);
 }
 
 namespace internal {
@@ -460,7 +550,8 @@ template <class Curve_or_point> Closure closure_of(const std::vector<Curve_or_po
 
 /// \ingroup PkgGeometricContinuityConstruction
 /// Rounds all corners of a vector of curves, or of the polygon or the polyline with a vector of
-/// points: it is closed where it ends in the point where it starts, and open otherwise.
+/// points, at a distance or as by circles of a `Corner_radius`: it is closed where it ends in the
+/// point where it starts, and open otherwise.
 /// \throws Error as the functions that take a `Closure`
 template <class Curve_or_point, class Number>
 auto round_corners(const std::vector<Curve_or_point>& chain, const Number& distance)
@@ -469,7 +560,8 @@ auto round_corners(const std::vector<Curve_or_point>& chain, const Number& dista
 }
 
 /// \ingroup PkgGeometricContinuityConstruction
-/// Rounds all corners of a `CGAL::Polygon_2`, which is closed.
+/// Rounds all corners of a `CGAL::Polygon_2`, which is closed, at a distance or as by circles of a
+/// `Corner_radius`.
 /// \throws Error as for a vector of points
 template <class Kernel, class Container, class Number>
 Rounded_chain<Bezier_curve<Traits_2<Kernel>>> round_corners(const CGAL::Polygon_2<Kernel, Container>& polygon,

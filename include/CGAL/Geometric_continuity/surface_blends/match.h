@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -300,6 +301,48 @@ public:
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityConstruction
+/// Returns the edges of two surfaces whose ends are nearest to each other, by the sum of the
+/// squares of both distances: the common edge where there is one.
+/// \throws Error `several_common_edges` with the names of two pairs when these are equally near;
+///   `dimension_mismatch`
+template <class Surface_a, class Surface_b>
+std::pair<Patch_edge, Patch_edge> nearest_edges(const Surface_a& a, const Surface_b& b) {
+  typedef internal::Blended_surfaces<Surface_a, Surface_b> Kind;
+  typedef typename Kind::FT FT;
+  std::pair<Patch_edge, Patch_edge> nearest, other;
+  std::optional<FT> least;
+  bool is_tie = false;
+  const auto point = [](const auto& x) {
+    if constexpr (Kind::is_rational)
+      return affine_point(x);
+    else
+      return x;
+  };
+  for (const Patch_edge edge_a : patch_edges)
+    for (const Patch_edge edge_b : patch_edges) {
+      const auto ends = Kind::ends(a, edge_a, b, edge_b, Edge_direction::same);
+      const auto square = [](const auto& x) -> FT { return dot(x, x); };
+      const auto p = point(ends.first.edge.front()), q = point(ends.first.edge.back()),
+                 r = point(ends.second.edge.front()), s = point(ends.second.edge.back());
+      const FT distance = (std::min)(FT(square(p - r) + square(q - s)), FT(square(p - s) + square(q - r)));
+      if (least && *least < distance) continue;
+      is_tie = least && *least == distance;
+      if (is_tie)
+        other = {edge_a, edge_b};
+      else
+        nearest = {edge_a, edge_b};
+      least = distance;
+    }
+  const auto names = [](const std::pair<Patch_edge, Patch_edge>& pair) {
+    return to_string(pair.first) + ',' + to_string(pair.second);
+  };
+  if (is_tie)
+    throw Error(Error_code::several_common_edges,
+                "match: the edges " + names(nearest) + " and " + names(other) + " are equally near; name them");
+  return nearest;
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
 /// Returns the shape of a match of which the derivatives across the edge differ little from those
 /// of the second surface: one order after the other by least squares at 17 points of the edge,
 /// rounded to 12 binary digits. Where the second surface turns back, \f$ \beta \f$ is the quotient
@@ -350,6 +393,15 @@ Blend_surface<Surface_a, Surface_b> match(const Surface_a& a, Patch_edge edge_a,
   const internal::Surface_match<Surface_a, Surface_b> match(a, edge_a, b, edge_b, order,
                                                             nearer_direction(a, edge_a, b, edge_b));
   return match(match.nearest_shape(), edge_b);
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the second surface matched to the first one along their `nearest_edges()`.
+/// \throws Error as the function with edges, and `several_common_edges`
+template <class Surface_a, class Surface_b>
+Blend_surface<Surface_a, Surface_b> match(const Surface_a& a, const Surface_b& b, int order = 2) {
+  const auto [edge_a, edge_b] = nearest_edges(a, b);
+  return match(a, edge_a, b, edge_b, order);
 }
 
 } // namespace Geometric_continuity

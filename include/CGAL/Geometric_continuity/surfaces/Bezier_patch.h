@@ -39,7 +39,15 @@ enum class Patch_edge {
   u0, ///< `u = a`, parametrised by `v`
   u1, ///< `u = b`, parametrised by `v`
   v0, ///< `v = c`, parametrised by `u`
-  v1  ///< `v = d`, parametrised by `u`
+  v1, ///< `v = d`, parametrised by `u`
+#ifndef CGAL_NO_DEPRECATED_CODE
+  /// \cond SKIP_IN_MANUAL
+  U_MIN [[deprecated("the edge is Patch_edge::u0")]] = u0,
+  U_MAX [[deprecated("the edge is Patch_edge::u1")]] = u1,
+  V_MIN [[deprecated("the edge is Patch_edge::v0")]] = v0,
+  V_MAX [[deprecated("the edge is Patch_edge::v1")]] = v1
+/// \endcond
+#endif
 };
 
 /// \ingroup PkgGeometricContinuitySurfaces

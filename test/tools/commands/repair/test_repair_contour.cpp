@@ -8,6 +8,7 @@
 #define BOOST_TEST_MODULE repair_contour
 #include "support/test.h"
 
+#include "commands/repair/chain_direction.h"
 #include "commands/repair/repair_contour.h"
 
 typedef GC::Grid_vector Vector;
@@ -212,4 +213,91 @@ BOOST_AUTO_TEST_CASE(kinks_that_harmonising_mends_are_not_left) {
   const Contour_repair done = repair(c, {bound, std::nullopt, true});
   BOOST_CHECK(grade(c, 1, bound) >= GC::Visual_class::g1);
   BOOST_CHECK(done.unrepaired.empty());
+}
+
+// Numbers of 17 digits: handles that may get more decimals are mended wherever one of them is free,
+// nodes stay, and what is mended stays as it is.
+BOOST_AUTO_TEST_CASE(beside_the_grid) {
+  std::mt19937 random = seeded(30);
+  std::uniform_real_distribution<double> noise(-1e-3, 1e-3), any(-1, 1);
+  std::size_t kinks = 0;
+  for (int i = 0; i < 60; ++i) {
+    typedef Drawing_traits::Point Point;
+    std::vector<std::vector<Point>> curves;
+    double x = any(random), y = any(random), angle = 3 * any(random);
+    const auto point = [](double u, double v) { return Point(Grid_fraction(u), Grid_fraction(v)); };
+    for (int k = 0; k < 6; ++k) {
+      std::vector<Point> p{point(x, y)};
+      const auto step = [&](double turn) {
+        x += std::cos(angle + turn);
+        y += std::sin(angle + turn);
+        p.push_back(point(x, y));
+      };
+      const double turn = any(random) / 2;
+      step(k == 0 ? 0 : noise(random));
+      if (k != 3) { // a line
+        step(turn / 2);
+        step(turn);
+        angle += turn;
+      }
+      curves.push_back(p);
+    }
+    Grid_contour given;
+    given.decimals = coarser_decimals({curves.front().front(), curves.back().back()}, longest_beside_grid({bound}));
+    given.is_beside_grid = given.may_add_decimals = true;
+    for (const auto& p : curves) given.curves.push_back(curve_beside_grid(p, given.decimals));
+    Grid_contour repaired = given;
+    const Contour_repair done = repair(repaired, {bound});
+    BOOST_CHECK(done.unrepaired.empty());
+    for (std::size_t j = 0; j < given.number_of_joins(); ++j) {
+      kinks += grade(given, j, bound) == GC::Visual_class::kink;
+      BOOST_CHECK(grade(repaired, j, bound) >= GC::Visual_class::g1);
+    }
+    for (std::size_t c = 0; c < curves.size(); ++c)
+      for (const std::size_t k : {std::size_t(0), curves[c].size() - 1}) {
+        const Point p = exact_point(repaired.curves[c], k), q = curves[c][k];
+        const Grid_fraction unit = power_of_ten(given.decimals);
+        BOOST_CHECK(p.x() == q.x() * unit && p.y() == q.y() * unit);
+      }
+    for (const Handle_move& m : done.moves) BOOST_CHECK(m.point == 1 || m.point == 2);
+    BOOST_CHECK(repair(repaired, {bound}).moves.empty());
+  }
+  BOOST_TEST(kinks > 200u);
+}
+
+// The fewest reversals that leave the fewest gaps, compared with all of them.
+BOOST_AUTO_TEST_CASE(fewest_reversals) {
+  std::mt19937 random = seeded(31);
+  for (int i = 0; i < 300; ++i) {
+    const std::size_t n = 1 + random() % 7;
+    const bool closed = random() % 2 != 0;
+    const auto node = [&] { return Drawing_traits::Point(static_cast<int>(random() % 3), 0); };
+    std::vector<Curve_ends> curves;
+    for (std::size_t k = 0; k < n; ++k) curves.push_back({node(), node()});
+    const auto gaps = [&](unsigned reversed) {
+      std::size_t count = 0;
+      for (std::size_t k = 0; k + 1 < n || (closed && k < n); ++k) {
+        const std::size_t next = (k + 1) % n;
+        count += curves[k][(reversed >> k & 1) != 0 ? 0 : 1] != curves[next][(reversed >> next & 1) != 0 ? 1 : 0];
+      }
+      return count;
+    };
+    std::pair<std::size_t, std::size_t> least(gaps(0), 0);
+    for (unsigned r = 0; r < 1u << n; ++r) {
+      std::size_t count = 0;
+      for (std::size_t k = 0; k < n; ++k) count += r >> k & 1;
+      least = (std::min)(least, std::pair(gaps(r), count));
+    }
+    const Chain_reversal found = find_reversal(curves, closed, 0);
+    unsigned reversed = 0;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < n; ++k)
+      if (found.curves[k]) {
+        reversed |= 1u << k;
+        ++count;
+      }
+    BOOST_TEST(found.gaps_before == gaps(0));
+    BOOST_TEST(found.gaps_after == gaps(reversed));
+    BOOST_CHECK(std::pair(found.gaps_after, count) == least);
+  }
 }

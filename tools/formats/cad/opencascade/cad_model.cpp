@@ -7,8 +7,10 @@
 #include "formats/cad/opencascade/cad_surface.h"
 #include "formats/cad/opencascade/draw_apart.h"
 #include "formats/cad/opencascade/open_boundaries.h"
+#include "formats/cad/opencascade/placement.h"
 #include "formats/cad/opencascade/read_model.h"
 #include "formats/cad/opencascade/spline_numbers.h"
+#include "formats/cad/opencascade/wires.h"
 
 #include <CGAL/Geometric_continuity/cad/Cad_geometry.h>
 
@@ -64,15 +66,6 @@ struct Edge_use {
   std::optional<Plane_curve> curve;
   std::string reason = "no curve in the parameter plane"; // if there is none
 };
-
-GC::Cad_placement placement(const TopLoc_Location& location) {
-  const gp_Trsf& transformation = location.Transformation();
-  GC::Cad_placement result;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 4; ++j)
-      result[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = transformation.Value(i + 1, j + 1);
-  return result;
-}
 
 // Returns the common beginning of both placements: the placement of the part, and of the parts that
 // it belongs to. The list of a placement ends with them.
@@ -308,10 +301,7 @@ class Model_builder {
   void add_edge(std::size_t number) {
     const TopoDS_Edge edge = this->edge(number);
     const std::vector<Edge_use>& uses = uses_[number];
-    if (uses.empty()) { // a wire without face
-      ++model_.loose_edges;
-      return;
-    }
+    if (uses.empty()) return; // one of a wire
     TopoDS_Vertex first, last;
     TopExp::Vertices(edge, first, last);
     Cad_edge e;
@@ -460,5 +450,7 @@ public:
 } // namespace
 
 Cad_model cad_model(const TopoDS_Shape& shape, const Cad_reading& reading) {
-  return Model_builder(shape).build(reading);
+  Cad_model model = Model_builder(shape).build(reading);
+  model.wires = wires(edges_without_face(shape), reading.gap, reading.order);
+  return model;
 }

@@ -4,8 +4,10 @@
 
 #include "formats/cad/Cad_answer.h"
 #include "formats/cad/model_bytes.h"
+#include "formats/cad/opencascade/planar_solid.h"
 #include "formats/cad/opencascade/read_model.h"
 #include "formats/cad/opencascade/write_model.h"
+#include "formats/cad/opencascade/write_shell.h"
 
 #include <Standard_Failure.hxx>
 #include <Standard_OutOfMemory.hxx>
@@ -15,6 +17,7 @@
 #include <fstream>
 #include <iostream>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -78,6 +81,20 @@ Cad_model read(const std::string& name, const Cad_reading& reading) {
   return model;
 }
 
+bool has_ending(std::string_view name, std::string_view ending) {
+  return name.size() > ending.size() && name.substr(name.size() - ending.size()) == ending;
+}
+
+Shell_model read_shell(const std::string& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  const std::string bytes = text.str();
+  Byte_reader reader(bytes);
+  Shell_model shell;
+  reader(shell);
+  return shell;
+}
+
 // Writes the answer, and ends the process without giving back what it holds.
 [[noreturn]] void answer(int descriptor, Cad_answer answer, std::string_view text) {
   write(descriptor, cad_build);
@@ -97,16 +114,23 @@ int main(int argc, char** argv) {
   end_with_parent();
   limit_memory(std::strtoull(argv[3], nullptr, 10));
   try {
-    const std::string_view file = argv[1], shapes = ".shapes";
-    if (file.size() > shapes.size() && file.substr(file.size() - shapes.size()) == shapes) {
+    if (has_ending(argv[1], ".shapes")) {
       write_model(argv[1], argv[2]);
       answer(descriptor, Cad_answer::model, "");
+    }
+    if (has_ending(argv[1], ".shell")) {
+      write_shell(read_shell(argv[1]), argv[2]);
+      answer(descriptor, Cad_answer::model, "");
+    }
+    Byte_writer bytes;
+    if (argv[2] == std::string_view("solid")) {
+      bytes(planar_solid(read_shape(argv[1], Cad_reading())));
+      answer(descriptor, Cad_answer::model, bytes.bytes());
     }
     Cad_reading reading;
     const std::string request = from_hexadecimal(argv[2]);
     Byte_reader bytes_of_request(request);
     bytes_of_request(reading);
-    Byte_writer bytes;
     bytes(read(argv[1], reading));
     answer(descriptor, Cad_answer::model, bytes.bytes());
   } catch (const Standard_OutOfMemory&) {

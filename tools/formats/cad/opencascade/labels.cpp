@@ -4,6 +4,8 @@
 
 #include "formats/cad/opencascade/labels.h"
 
+#include "formats/cad/opencascade/wires.h"
+
 #include <IGESData_IGESEntity.hxx>
 #include <IGESGraph_Color.hxx>
 #include <Interface_InterfaceModel.hxx>
@@ -65,7 +67,11 @@ class Label_reader {
       return;
     }
     const TopoDS_Shape shape = shape_of(entity);
-    if (shape.IsNull() || shape.ShapeType() != TopAbs_FACE) return;
+    if (shape.IsNull()) return;
+    // a curve, and not the vertex or the parameter line that lead to the same edge
+    if (shape.ShapeType() == TopAbs_EDGE)
+      result_.edges.emplace(shape.TShape().get(), text(model_->StringLabel(entity)));
+    if (shape.ShapeType() != TopAbs_FACE) return;
     Cad_label& label = result_.faces[shape.TShape().get()];
     label.id = text(model_->StringLabel(entity));
     if (const auto* item = dynamic_cast<const StepRepr_RepresentationItem*>(entity.get()))
@@ -190,4 +196,8 @@ void add_labels(const TopoDS_Shape& shape, const Shape_labels& labels, Cad_model
     model.labels.push_back(label == labels.faces.end() ? Cad_label() : label->second);
   }
   Part_finder(labels).label(shape, faces, model);
+  const std::vector<TopoDS_Edge> edges = edges_without_face(shape);
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (const auto id = labels.edges.find(edges[i].TShape().get()); id != labels.edges.end())
+      model.wires.curves[i].id = id->second;
 }

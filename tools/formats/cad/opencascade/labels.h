@@ -16,10 +16,11 @@
 #include <utility>
 #include <vector>
 
-// The labels that a file gives faces, wherever they are placed, and the names of the parts of an
-// assembly.
+// The labels that a file gives faces, wherever they are placed, the ids of its edges, and the names
+// of the parts of an assembly.
 struct Shape_labels {
   std::map<const TopoDS_TShape*, Cad_label> faces;
+  std::map<const TopoDS_TShape*, std::string> edges;
   // as they are placed in what they are parts of
   std::vector<std::pair<TopoDS_Shape, std::string>> parts;
 };

@@ -5,24 +5,15 @@
 #include "formats/cad/opencascade/write_model.h"
 
 #include "formats/cad/Spline_numbers.h"
-#include "formats/cad/cad_file.h"
+#include "formats/cad/opencascade/Distinct_knots.h"
+#include "formats/cad/opencascade/write_shape.h"
 
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
-#include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
 #include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
-#include <IFSelect_ReturnStatus.hxx>
-#include <Interface_FloatWriter.hxx>
-#include <Interface_Static.hxx>
-#include <STEPControl_Writer.hxx>
-#include <StepAP214.hxx>
-#include <StepAP214_Protocol.hxx>
-#include <StepData_StepModel.hxx>
-#include <StepData_StepWriter.hxx>
-#include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
@@ -42,36 +33,10 @@
 
 namespace {
 
-// The different knots, and how often each is repeated.
-struct Distinct_knots {
-  std::vector<double> values;
-  std::vector<int> multiplicities;
-
-  explicit Distinct_knots(const Spline_numbers::Direction& direction) {
-    for (const double x : direction.knots) {
-      if (!values.empty() && values.back() == x)
-        ++multiplicities.back();
-      else {
-        values.push_back(x);
-        multiplicities.push_back(1);
-      }
-    }
-    for (std::size_t i = 1; i + 1 < values.size(); ++i)
-      if (multiplicities[i] > direction.degree)
-        throw std::runtime_error("a CAD model holds no spline that may jump at a knot");
-  }
-  TColStd_Array1OfReal knots() const {
-    return TColStd_Array1OfReal(values.front(), 1, static_cast<int>(values.size()));
-  }
-  TColStd_Array1OfInteger counts() const {
-    return TColStd_Array1OfInteger(multiplicities.front(), 1, static_cast<int>(multiplicities.size()));
-  }
-};
-
 gp_Pnt point(const std::array<double, 4>& p) { return gp_Pnt(p[0], p[1], p[2]); }
 
 opencascade::handle<Geom_BSplineCurve> curve(const Spline_numbers& shape) {
-  const Distinct_knots u(shape.directions[0]);
+  const Distinct_knots u(shape.directions[0].degree, shape.directions[0].knots);
   const int n = shape.directions[0].points;
   TColgp_Array1OfPnt points(1, n);
   TColStd_Array1OfReal weights(1, n);
@@ -84,7 +49,8 @@ opencascade::handle<Geom_BSplineCurve> curve(const Spline_numbers& shape) {
 }
 
 opencascade::handle<Geom_BSplineSurface> surface(const Spline_numbers& shape) {
-  const Distinct_knots u(shape.directions[0]), v(shape.directions[1]);
+  const Spline_numbers::Direction &along_u = shape.directions[0], &along_v = shape.directions[1];
+  const Distinct_knots u(along_u.degree, along_u.knots), v(along_v.degree, along_v.knots);
   const int m = shape.directions[0].points, n = shape.directions[1].points;
   TColgp_Array2OfPnt points(1, m, 1, n);
   TColStd_Array2OfReal weights(1, m, 1, n);
@@ -152,21 +118,5 @@ void write_model(const std::string& shapes_file, const std::string& model_file) 
     else
       model.add(curve(shape));
   }
-  const TopoDS_Compound result = model.result();
-  bool written = false;
-  if (cad_format(model_file) == Cad_format::brep)
-    written = BRepTools::Write(result, model_file.c_str());
-  else {
-    STEPControl_Writer writer;
-    Interface_Static::SetCVal("write.step.unit", "MM");
-    Interface_Static::SetIVal("write.surfacecurve.mode", 0); // no curves in parameter space
-    if (writer.Transfer(result, STEPControl_AsIs) == IFSelect_RetDone) {
-      StepData_StepWriter text(writer.Model());
-      text.FloatWriter().SetFormat("%.16E"); // so that the same doubles are read
-      text.SendModel(StepAP214::Protocol());
-      std::ofstream os(model_file);
-      written = text.Print(os);
-    }
-  }
-  if (!written) throw std::runtime_error("OpenCASCADE cannot write the model");
+  write_shape(model.result(), model_file, false);
 }

@@ -98,8 +98,9 @@ class Fair_turns {
   typedef Coordinate_vector<double, 2> Vector;
   std::vector<int> sign_; // at each point, 0 at the ends of an open polygon as well
   std::vector<double> angle_;
-  std::vector<char> line_, free_; // pieces
-  std::vector<int> bend_;         // of each piece: its sign where it may have no inflection, or else 0
+  std::vector<char> line_, free_;           // pieces
+  std::vector<int> bend_;                   // of each piece: its sign where it may have no inflection, or else 0
+  static constexpr double small_turn = 0.3; // as a part of the turns beside it
 
 public:
   static double cross(const Vector& u, const Vector& v) { return u[0] * v[1] - u[1] * v[0]; }
@@ -125,6 +126,7 @@ public:
       sign_[i] = c > 1e-12 * size ? 1 : c < -1e-12 * size ? -1 : 0;
       back[i] = sign_[i] == 0 && dot(u, v) < 0;
     }
+    let_inflections_be_at_points();
     for (int i = 0; i < n; ++i) { // on a line with both neighbours, which do not turn to different sides
       if (sign_[i] != 0 || back[i] || (!closed && (i == 0 || i == n - 1))) continue;
       const int before = (i + n - 1) % n, after = (i + 1) % n;
@@ -139,20 +141,36 @@ public:
     }
   }
 
+  // Between turns to different sides the inflection may be on either side of a point, so the sign
+  // of its turn is not asked for where it is small: within the narrow angle of its chords the
+  // tangent would have to be nearly the chord, and the rest of the turn would be a corner.
+  void let_inflections_be_at_points() {
+    const int n = static_cast<int>(sign_.size());
+    const std::vector<int> sign = sign_;
+    for (int i = 0; i < n; ++i) {
+      const int before = (i + n - 1) % n, after = (i + 1) % n;
+      if (sign[before] * sign[after] < 0 &&
+          std::abs(angle_[i]) < small_turn * (std::min)(std::abs(angle_[before]), std::abs(angle_[after])))
+        sign_[i] = 0;
+    }
+  }
+
   int sign(int i) const { return sign_[i]; }
   int bend(int piece) const { return bend_[piece]; }
   // Frees a piece from all conditions.
   void release(int piece) { free_[piece] = 1; }
   bool is_free(int piece) const { return free_[piece] != 0; }
   // The sum of the turns at both ends of a piece.
-  double angle(int piece) const {
-    return std::abs(angle_[piece]) + std::abs(angle_[(piece + 1) % static_cast<int>(angle_.size())]);
+  double angle(int piece) const { return std::abs(angle_[piece]) + std::abs(angle_[after(piece)]); }
+  // Returns whether a point is between turns to different sides, and its own does not matter.
+  bool is_inflection(int i) const {
+    const int n = static_cast<int>(sign_.size());
+    return sign_[i] == 0 && sign_[(i + n - 1) % n] * sign_[(i + 1) % n] < 0;
   }
+  int after(int i) const { return (i + 1) % static_cast<int>(sign_.size()); }
   bool is_line(int piece) const { return line_[piece] != 0; }
   // The number of inflections that a piece may have.
-  int inflections(int piece) const {
-    return sign_[piece] * sign_[(piece + 1) % static_cast<int>(sign_.size())] < 0 ? 1 : 0;
-  }
+  int inflections(int piece) const { return sign_[piece] * sign_[after(piece)] < 0 ? 1 : 0; }
 };
 
 template <int M> class Fair_joints {
@@ -162,7 +180,7 @@ template <int M> class Fair_joints {
   typedef typename Family::Unknowns Shape; // of a piece
   static constexpr int nodes = 12, most_steps = 16;
   static constexpr double tolerance = 1e-3;
-  static constexpr double corner_weight = 0.1; // of a corner of a control polygon that hardly turns
+  static constexpr double corner_weight = 0.001; // of a corner of a control polygon that hardly turns
 
   // The free numbers of a joint: the angle by which the tangent turns, and the change of the
   // curvature in units of 1/h, for each normal.
@@ -471,19 +489,21 @@ private:
         joint.curvature = Vector(2);
         return;
       }
-      if (has_no_curvature(i)) joint.curvature = Vector(2);
-      const int s = sign(i);
+      const bool inflects = has_no_curvature(i);
+      if (inflects) joint.curvature = Vector(2);
+      const int s = inflects ? turns_->bend(before_(i)) : sign(i);
       if (s == 0) return;
       if (!joint.given) {
         // the angle from the chord before, and that of both chords
         const Vector u = before ? direction(before_(i)) : direction(i), v = after ? direction(i) : u;
-        const double whole = s * std::atan2(Fair_turns::cross(u, v), dot(u, v)),
-                     low = !before  ? -1.4
-                           : !after ? 1e-3
-                                    : 0.02 * whole,
-                     high = !before  ? -1e-3
-                            : !after ? 1.4
-                                     : 0.98 * whole;
+        const double whole = s * std::atan2(Fair_turns::cross(u, v), dot(u, v));
+        double low = before ? 0.02 * whole : -1.4, high = after ? 0.98 * whole : 1.4;
+        if (!before) high = -1e-3;
+        if (!after) low = 1e-3;
+        if (inflects) { // on one side of both chords
+          low = (std::max)(0., whole) + 0.02 * (std::min)(turns_->angle(before_(i)), turns_->angle(i));
+          high = 1.4;
+        }
         double angle = s * std::atan2(Fair_turns::cross(u, joint.tangent), dot(u, joint.tangent));
         if (!(low <= angle && angle <= high)) {
           angle = s * (std::min)((std::max)(angle, low), high);
@@ -493,6 +513,7 @@ private:
           joint.curvature = (s * size) * frame(joint.tangent)[0];
         }
       }
+      if (inflects) return;
       soften(i);
     } else
       (void)i;
@@ -504,6 +525,14 @@ private:
       return has_before(i) && has_after(i) && turns_->sign(i) == 0 && turns_->bend(before_(i)) * turns_->bend(i) < 0;
     else
       return i < 0;
+  }
+
+  // In the plane, where a piece may have no inflection.
+  bool bends(int piece) const {
+    if constexpr (M == 2)
+      return turns_->bend(piece) != 0;
+    else
+      return piece < 0;
   }
 
   // The numbers of a joint that do not change.
@@ -678,6 +707,12 @@ private:
         const double most = k % 2 == 0 ? 0.5 : 4, bound = k % 2 == 0 ? 1.5 : 30;
         change = (std::min)((std::max)(change, -most), most);
         p.next[k] = (std::min)((std::max)(p.x[k] + change, (std::min)(p.x[k], -bound)), (std::max)(p.x[k], bound));
+        // where there is no inflection the control polygon does not turn back at its second point
+        if (k % 2 == 1 && bends(i)) {
+          const Vector& bend = moved[k == 1 ? i : j].curvature;
+          const double turn = p.length * std::exp(p.next[k - 1]) * std::sqrt(dot(bend, bend)), least = -3.5 - turn;
+          p.next[k] = k == 1 ? (std::max)(p.next[k], least) : (std::min)(p.next[k], -least);
+        }
       }
     }
     return moved;

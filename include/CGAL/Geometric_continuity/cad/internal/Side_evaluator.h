@@ -161,6 +161,18 @@ public:
     const Cad_curve_jet<3> jet = cad_curve_jet(*given_.curve, Interval(t), 1);
     return {placed_(jet.c[0], true), placed_(jet.c[1], false)};
   }
+
+  // The point and two derivatives at a parameter, at a knot those below (`side` < 0) or above
+  // (`side` > 0). \throws Error `parameter_outside_domain`
+  std::array<Interval_vector<3>, 3> jet(double t, int side) const {
+    const Cad_curve<3>& curve = *given_.curve;
+    cad_domain(curve).check(t, "the end of an edge");
+    const Interval at(t);
+    const Cad_curve_jet<3> jet = cad_curve_jet(curve, at, 2, intersected_pieces(curve, at, side).front());
+    Interval_vector<3> second = jet.c[2];
+    for (Interval& x : second) x *= 2;
+    return {placed_(jet.c[0], true), placed_(jet.c[1], false), placed_(second, false)};
+  }
 };
 
 // An `Edge_side` whose numbers have been checked.

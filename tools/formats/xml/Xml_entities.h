@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_XML_ENTITIES_H
-#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_XML_ENTITIES_H
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_XML_XML_ENTITIES_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_XML_XML_ENTITIES_H
 
 #include <CGAL/Geometric_continuity/IO/text.h>
 
@@ -78,4 +78,4 @@ public:
   void declare_external(const std::string& name) { depths_.emplace(name, -1); }
 };
 
-#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_SVG_XML_ENTITIES_H
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_XML_XML_ENTITIES_H

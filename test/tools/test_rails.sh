@@ -1,0 +1,144 @@
+#!/usr/bin/env bash
+# verify of alignments in IFC 4.3 and LandXML: what files claim about their joins, and numbers that
+# follow from others.
+. "$(dirname "$0")/functions.sh"
+
+# ifc FILE ENTITIES: a file with these entities
+ifc() {
+  printf '%s\n' "ISO-10303-21;" "HEADER;" "FILE_DESCRIPTION((''),'2;1');" "FILE_NAME('','',(''),(''),'','','');" \
+    "FILE_SCHEMA(('IFC4X3_ADD2'));" "ENDSEC;" "DATA;" "$2" "ENDSEC;" "END-ISO-10303-21;" >"$1"
+}
+# placed ID X Y DX DY: a placement
+placed() { echo "#$1=IFCAXIS2PLACEMENT2D(#${1}1,#${1}2); #${1}1=IFCCARTESIANPOINT(($2,$3)); #${1}2=IFCDIRECTION(($4,$5));"; }
+# segment ID CLAIM PLACEMENT LENGTH CURVE
+segment() { echo "#$1=IFCCURVESEGMENT(.$2.,#$3,IFCLENGTHMEASURE(0.),IFCLENGTHMEASURE($4),#$5);"; }
+same=CONTSAMEGRADIENTSAMECURVATURE
+start="#1=IFCGEOMETRICREPRESENTATIONCONTEXT(\$,'Model',3,1.E-5,#2,\$);
+$(placed 2 0. 0. 1. 0.) #3=IFCLINE(#21,#4); #4=IFCVECTOR(#22,1.);"
+
+# a line, a clothoid and an arc: two claims of one curvature hold, that of the arc before the last
+# line is false
+plan="$start
+#5=IFCCLOTHOID(#2,200.); #6=IFCCIRCLE(#2,400.);
+$(segment 10 $same 2 100. 3)
+$(segment 11 $same 30 100. 5) $(placed 30 100. 0. 1. 0.)
+$(segment 12 $same 31 50. 6) $(placed 31 199.843862987 4.161 0.992197667229329 0.124674733385228)
+$(segment 13 DISCONTINUOUS 32 0. 3) $(placed 32 248.9355533 13.475 0.968912421710645 0.247403959254523)
+#20=IFCCOMPOSITECURVE((#10,#11,#12,#13),.F.);"
+ifc plan.ifc "$plan"
+run 1 verify plan.ifc && says out "IFCCOMPOSITECURVE #20, #10 - #11 (line 11): horizontal $same, gap 0, kink 0 rad, curvature jump 0" \
+  "#11 - #12 (line 12): horizontal $same, gap 0.001019, kink " "not one position" "not one position, not one curvature" \
+  "horizontal claims: 3 of one position, 2 false; 3 of one direction, 0 false; 3 of one curvature, 1 false" "2 of them not what is claimed"
+run 1 verify --gap 0.01 plan.ifc && says out "3 of one position, 0 false" "3 of one curvature, 1 false"
+run 0 verify --gap 0.01 --require G1 plan.ifc && lacks out "of one curvature"
+run 0 verify --gap 0.01 --curvature 0.0025 plan.ifc
+run 1 verify --gap 0.01 --curvature 0.00249 plan.ifc
+run 1 verify --json plan.ifc && says out '"kind":"horizontal","curve":"IFCCOMPOSITECURVE #20","place":"#10 - #11"' '"same_point":true' \
+  '"curvature":{"claims":3,"false":1,"undecided":0}'
+run 1 verify --sarif plan.ifc && says out '"startLine":12' '"gap"'
+sed 's/\.CONTSAMEGRADIENTSAMECURVATURE\./.DISCONTINUOUS./' plan.ifc >silent.ifc
+run 0 verify silent.ifc && lacks out "claims:" # nothing is claimed
+
+# headings just above and below pi: the official rule takes the difference for a full turn
+ifc wrap.ifc "$start $(segment 10 CONTSAMEGRADIENT 30 10. 3) $(placed 30 0. 0. -1. 1.E-13)
+$(segment 11 DISCONTINUOUS 31 0. 3) $(placed 31 -10. 0. -1. -1.E-13) #20=IFCCOMPOSITECURVE((#10,#11),.F.);"
+run 0 verify wrap.ifc && says out "kink 2e-13 rad"
+
+# a parabola in the profile, over its parameter and over its length; the claim of one curvature is
+# false; an arc by its angle
+parabola="$start #5=IFCPOLYNOMIALCURVE(#2,(0.,1.),(0.,0.,0.001),\$);
+$(segment 10 $same 2 100. 3)
+#11=IFCCURVESEGMENT(.CONTSAMEGRADIENT.,#30,IFCPARAMETERVALUE(0.),IFCPARAMETERVALUE(100.),#5); $(placed 30 100. 0. 1. 0.)
+$(segment 12 DISCONTINUOUS 31 0. 3) $(placed 31 200. 10. 1. 0.2)"
+ifc profile.ifc "$parabola #20=IFCGRADIENTCURVE((#10,#11,#12),.F.,#21,\$);"
+run 1 verify profile.ifc && says out "vertical $same, gap 0, kink 0 rad, curvature jump 0.002 - not one curvature" \
+  "#11 - #12" "gap 0, kink 0 rad" "2 of one direction, 0 false; 1 of one curvature, 1 false"
+ifc length.ifc "$(sed 's/IFCPARAMETERVALUE(100.)/IFCLENGTHMEASURE(100.662718)/' <<<"$parabola") #20=IFCGRADIENTCURVE((#10,#11,#12),.F.,#21,\$);"
+run 1 verify --curvature 1 --gap 0.000001 length.ifc
+run 0 verify --curvature 1 --gap 0.0001 length.ifc
+ifc degrees.ifc "$start #5=IFCCIRCLE(#2,100.); #40=IFCUNITASSIGNMENT((#41)); #41=IFCCONVERSIONBASEDUNIT(#42,.PLANEANGLEUNIT.,'DEGREE',#43);
+#43=IFCMEASUREWITHUNIT(IFCPLANEANGLEMEASURE(0.0174532925199433),#44);
+#10=IFCCURVESEGMENT(.CONTSAMEGRADIENT.,#2,IFCPARAMETERVALUE(0.),IFCPARAMETERVALUE(-90.),#5);
+$(segment 11 DISCONTINUOUS 31 0. 3) $(placed 31 100. -100. 0. -1.) #20=IFCCOMPOSITECURVE((#10,#11),.F.);"
+run 0 verify degrees.ifc
+
+# cant: a clothoid is a linear change over its length
+ifc cant.ifc "$start #5=IFCCLOTHOID(#2,70.7106692672674);
+$(segment 10 CONTSAMEGRADIENT 30 49.999993741124 5) #30=IFCAXIS2PLACEMENT3D(#301,\$,#302); #301=IFCCARTESIANPOINT((400.,0.,0.));
+#302=IFCDIRECTION((9.99950003737172E-1,9.99950128908449E-3,0.));
+$(segment 11 DISCONTINUOUS 31 10. 3) #31=IFCAXIS2PLACEMENT3D(#311,\$,#312); #311=IFCCARTESIANPOINT((449.999993741124,5.E-1,0.));
+#312=IFCDIRECTION((1.,0.,0.)); #20=IFCSEGMENTEDREFERENCECURVE((#10,#11),.F.,#21,\$);"
+run 1 verify cant.ifc && says out "cant CONTSAMEGRADIENT, gap " "kink 0.01 rad" "not one direction" "1 of one position, 0 false"
+
+# the design: transitions, a profile, cant; which need not claim anything
+nested() { echo "#$1=IFCRELNESTS('',\$,\$,\$,#$2,($3));"; }
+design() { echo "#$1=IFCALIGNMENTSEGMENT('',\$,\$,\$,\$,\$,\$,#$2);"; }
+ifc design.ifc "$start #50=IFCALIGNMENTHORIZONTAL('',\$,\$,\$,\$,\$,\$); $(nested 51 50 '#52,#53,#54') $(design 52 62) $(design 53 63) $(design 54 64)
+#62=IFCALIGNMENTHORIZONTALSEGMENT(\$,\$,#21,0.,0.,0.,100.,\$,.LINE.);
+#63=IFCALIGNMENTHORIZONTALSEGMENT(\$,\$,#73,0.,0.,400.,100.,\$,.CLOTHOID.); #73=IFCCARTESIANPOINT((100.,0.));
+#64=IFCALIGNMENTHORIZONTALSEGMENT(\$,\$,#74,0.125,400.,400.,50.,\$,.CIRCULARARC.); #74=IFCCARTESIANPOINT((199.843862987,4.162018));
+#80=IFCALIGNMENTVERTICAL('',\$,\$,\$,\$,\$,\$);
+$(nested 81 80 '#82,#83,#84') $(design 82 92) $(design 83 93) $(design 84 94)
+#92=IFCALIGNMENTVERTICALSEGMENT(\$,\$,0.,100.,10.,0.01,0.01,\$,.CONSTANTGRADIENT.);
+#93=IFCALIGNMENTVERTICALSEGMENT(\$,\$,100.,50.,11.,0.01,-0.01,\$,.PARABOLICARC.);
+#94=IFCALIGNMENTVERTICALSEGMENT(\$,\$,150.,50.,11.,-0.01,0.,\$,.CIRCULARARC.);"
+run 1 verify --gap 0.00001 design.ifc && says out "design horizontal, gap 0, kink 0 rad, curvature jump 0" "design vertical, gap 0, kink 0 rad, curvature jump 0.0003999" \
+  "not covered: a vertical segment of the type CIRCULARARC"
+run 1 verify --allow-uncovered --require G2 --gap 0.00001 design.ifc && says out "not one curvature"
+run 0 verify --allow-uncovered --gap 0.00001 design.ifc
+sed 's/\.CLOTHOID\./.BLOSSCURVE./' design.ifc >bloss.ifc
+run 1 verify --allow-uncovered --gap 0.01 bloss.ifc && says out "gap 0.4165" # another curve, another end
+
+# what is not covered, and what is refused
+ifc other.ifc "$start #5=IFCBSPLINECURVE(); $(segment 10 CONTINUOUS 2 1. 5) $(segment 11 DISCONTINUOUS 2 0. 3) #20=IFCCOMPOSITECURVE((#10,#11),.F.);"
+run 2 verify other.ifc && says out "not covered: a segment of IFCBSPLINECURVE"
+sed 's/IFCLENGTHMEASURE(100.)/IFCLENGTHMEASURE(NAN)/' plan.ifc >nan.ifc && refused "nan.ifc:11: IFCCURVESEGMENT: " verify nan.ifc
+sed 's/#31,IFCL/#99,IFCL/' plan.ifc >lost.ifc && refused "lost.ifc:13: #99 is referred to, and does not exist" verify lost.ifc
+head -12 plan.ifc >cut.ifc && refused "the file ends before END-ISO-10303-21;" verify cut.ifc
+ifc twice.ifc "$plan #20=IFCLINE(#21,#4);" && refused "#20 is given twice" verify twice.ifc
+printf 'ISO-10303-21;DATA;#1=A(%s);ENDSEC;END-ISO-10303-21;' "$(printf '(%.0s' {1..70})$(printf ')%.0s' {1..70})" >deep.ifc
+refused "the schema '' is none of IFC" verify deep.ifc
+sed 's/IFCCIRCLE(#2,400.)/IFCCIRCLE(#2,1.E-9)/' plan.ifc >wild.ifc && run 1 verify wild.ifc && says out "turns by more than 20000 radians"
+refused "alignments (.ifc, LandXML) and other files cannot be verified together" verify plan.ifc "$S"
+refused "not for alignments" verify --closed plan.ifc
+refused "of alignments G0, G1 and G2 are decided" verify --require G3 plan.ifc
+
+# LandXML: the same point, direction, angle and constant twice; 1.037e-6 between two directions
+landxml() {
+  cat <<END
+<?xml version="1.0"?>
+<LandXML xmlns="http://www.landxml.org/schema/LandXML-1.2" version="1.2">
+<Units><Metric angularUnit="$1" directionUnit="$1"/></Units>
+<Alignments><Alignment name="Track A"><CoordGeom>
+<Line dir="$2" length="50"><Start>100 200</Start><End>143.87912809452 223.97127693021</End></Line>
+<Spiral length="40" radiusStart="INF" radiusEnd="400" rot="cw" spiType="clothoid" theta="$5" constant="126.491106406735" dirStart="$2" dirEnd="$3">
+<Start>143.87912809452 223.97127693021</Start><End>178.6540958044 243.7284553493</End></Spiral>
+<Curve rot="cw" radius="400" length="20" dirStart="$4"><Start>178.6540958044 243.7284553493</Start><End>195.4361823 254.6040356</End></Curve>
+</CoordGeom></Alignment></Alignments></LandXML>
+END
+}
+landxml radians 0.5 0.55 0.550001037 0.05 >track.xml
+run 0 verify track.xml && says out "Alignment Track A, Line 1 - Spiral 2 (line 5): horizontal, gap 0, kink 0 rad, curvature jump 0" \
+  "Spiral 2 - Curve 3 (line 6): horizontal, gap 0, kink 1.037e-06 rad" "theta, theta off by 0" "constant, constant off by 1.7" "3 declared end"
+run 1 verify --kink 0.000001 track.xml && says out "not one direction"
+run 0 verify --kink 0.000001037 track.xml
+run 0 verify --require G2 track.xml
+sed 's/radius="400"/radius="399"/' track.xml >radius.xml
+run 1 verify --gap 1 --require G2 radius.xml && says out "curvature jump 6.266e-06 - not one curvature"
+landxml "decimal degrees" 28.64788975654116 31.51267873219528 31.512738147638 2.864788975654116 >degrees.xml
+run 0 verify degrees.xml && says out "horizontal, gap 0, kink 1.037e-06 rad"
+sed 's/theta="0.05"/theta="0.06"/; s/constant="126/constant="127/' track.xml >wrong.xml
+run 1 verify wrong.xml && says out "theta off by 0.01 - not one theta" "constant off by 1 - not one constant"
+sed 's/rot="cw"/rot="ccw"/' track.xml >turned.xml && run 1 verify turned.xml && says out "declared end, gap 1.33"
+sed 's/clothoid/radioid/' track.xml >radioid.xml && run 1 verify radioid.xml && says out "not covered: a spiral of the type 'radioid'"
+sed 's,<Start>178.6540958044 243.7284553493</Start>,<Start pntRef="7"/>,' track.xml >elsewhere.xml
+run 1 verify elsewhere.xml && says out "not covered: an element without start or end" "points without coordinates, of which there are 1"
+sed 's/>143.879/>x143.879/' track.xml >bad.xml && refused "bad.xml:5: no number: 'x143.87912809452'" verify bad.xml
+sed 's/radians/gon/g' track.xml >unit.xml && refused "the unit of angles 'gon'" verify unit.xml
+
+# numbers beyond those of floating-point numbers
+sed 's/constant="[0-9.]*"/constant="1e400"/' track.xml >huge.xml
+run 1 verify huge.xml && says out "not covered: a number beyond those of floating-point numbers"
+sed 's/100.,0./1.E400,0./' plan.ifc >huge.ifc && run 1 verify huge.ifc && says out "gap above 1.798e+308" "not one position"
+sed 's/0.,0.,0.001/0.,1.E300,0.001/; s/IFCPARAMETERVALUE(100.)/IFCLENGTHMEASURE(100.)/' profile.ifc >steep.ifc
+run 1 verify --max-work 1000000 steep.ifc && says out "more than 1000000 steps of work"

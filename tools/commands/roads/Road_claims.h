@@ -1,0 +1,297 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_ROADS_ROAD_CLAIMS_H
+#define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_ROADS_ROAD_CLAIMS_H
+
+#include "commands/roads/alignment_words.h"
+#include "commands/roads/verify_roads.h"
+#include "reports/finding.h"
+#include "reports/words.h"
+
+#include <CGAL/Geometric_continuity/models/Road_network.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+// All that is said of one join of a road network, in text, JSON and findings: one class for all
+// kinds, so that a report and a page say the same.
+struct Road_claim {
+  std::string kind;    // "plan", "length", "elevation", ...
+  std::string road;    // its id
+  std::string place;   // e.g. `road 12, s = 90`
+  std::string spot;    // e.g. "plan, s = 90"
+  std::string verdict; // in words
+  std::string json;    // members of an object
+  long long line = 0;
+  Given given{Claim::met, "join"};
+  Finding_rule rule = Finding_rule::gap;
+  std::string fault; // what is not as it must be, in words; empty where all is
+  std::optional<Measure> measure = {};
+  // how large its defects are, in guaranteed bounds
+  std::optional<GC::Enclosure> gap = {}, kink = {}, jump = {};
+};
+
+namespace road_words {
+
+// The shortest decimal of the floating-point number that is nearest to a rational one.
+inline std::string decimal(const GC::Road_number& x) {
+  const GC::Enclosure e = GC::enclosure(x);
+  const bool is_lower = GC::Road_number(x - GC::Road_number(e.lower)) < GC::Road_number(GC::Road_number(e.upper) - x);
+  std::ostringstream os;
+  GC::write_number(os, is_lower ? e.lower : e.upper);
+  return os.str();
+}
+
+inline GC::Enclosure absolute(const GC::Road_number& x) { return GC::enclosure(GC::Road_number(CGAL::abs(x))); }
+
+inline const char* end(GC::Road_end end) { return end == GC::Road_end::start ? "start" : "end"; }
+inline std::string contact(const GC::Road_contact& c) {
+  return "road " + c.road->id + ", " + (c.at ? "s = " + decimal(*c.at) : std::string(end(c.end)));
+}
+
+} // namespace road_words
+
+// Makes claims of what road_joins() finds.
+class Road_claims {
+  const Road_demand& demand_;
+
+  // The class of a claim that must hold.
+  static Given given(GC::Verdict verdict, const char* reason = "the tolerance lies inside of the bounds") {
+    switch (verdict) {
+    case GC::Verdict::proved: break;
+    case GC::Verdict::refuted: return {Claim::not_met, "join"};
+    case GC::Verdict::undecided: return {Claim::undecided, "join", reason};
+    }
+    return {Claim::met, "join"};
+  }
+  static GC::Verdict verdict(bool holds) { return holds ? GC::Verdict::proved : GC::Verdict::refuted; }
+
+  static void place(Road_claim& claim, const GC::Road& road, const GC::Road_number& s, const std::string& more = {}) {
+    const std::string at = "s = " + road_words::decimal(s) + more;
+    claim.road = road.id;
+    claim.place = "road " + road.id + ", " + at;
+    claim.spot = claim.kind + ", " + at;
+    claim.json = "\"kind\":\"" + claim.kind + "\",\"road\":" + json_text(road.id) + ",\"s\":" + road_words::decimal(s);
+  }
+  static void place(Road_claim& claim, const GC::Road_contact& from, const GC::Road_contact& to,
+                    const std::string& lane = {}, const std::string& to_lane = {}) {
+    using namespace road_words;
+    claim.road = from.road->id;
+    claim.place = contact(from) + lane + " - " + contact(to) + to_lane;
+    claim.spot = claim.kind + ", " + claim.place;
+    claim.json = "\"kind\":\"" + claim.kind + "\",\"road\":" + json_text(from.road->id) + ",\"end\":\"" +
+                 end(from.end) + '"' + (from.at ? ",\"at\":" + decimal(*from.at) : "") +
+                 ",\"to_road\":" + json_text(to.road->id) + ",\"to_end\":\"" + end(to.end) + '"' +
+                 (to.at ? ",\"to_at\":" + decimal(*to.at) : "");
+  }
+
+  static const char* order_name(const GC::Alignment_join& join) {
+    static constexpr const char* names[] = {"gap", "G0", "G1", "G2"};
+    const std::optional<int> order = join.order();
+    return order ? names[*order + 1] : "undecided";
+  }
+
+  static void add_join(Road_claim& claim, const GC::Alignment_join& join) {
+    using namespace road_words;
+    claim.json += members(join) + ",\"order\":\"" + order_name(join) + '"';
+    claim.verdict = std::string(order_name(join)) + ", gap " + size(join.gap, " m") + ", kink " +
+                    (join.same_heading ? "none" : size(join.kink, " rad")) + ", curvature " +
+                    (!join.jump            ? "not defined"
+                     : join.same_curvature ? "equal"
+                                           : "jump " + size(*join.jump, "/m"));
+    claim.gap = join.gap;
+    claim.kink = join.kink;
+    claim.jump = join.jump;
+  }
+
+public:
+  explicit Road_claims(const Road_demand& demand) : demand_(demand) {}
+
+  const GC::Alignment_tolerance& tolerance() const { return demand_.tolerance; }
+
+  Road_claim operator()(const GC::Road_plan_join& x) const {
+    Road_claim claim;
+    claim.kind = "plan";
+    place(claim, x.road, x.after.s);
+    claim.json += ",\"s_error\":" + road_words::decimal(x.s_error);
+    claim.line = x.after.line;
+    add_join(claim, x.join);
+    if (x.other_reading) {
+      Road_claim other;
+      add_join(other, *x.other_reading);
+      claim.json += ",\"other_reading\":{" + other.json.substr(1) + '}';
+      claim.verdict += "; if pRange were arcLength: " + other.verdict;
+    }
+    const GC::Verdict orders[] = {x.join.g0, x.join.g0 && x.join.g1, x.join.g0 && x.join.g1 && x.join.g2};
+    claim.given = given(orders[demand_.order],
+                        x.join.jump ? "the tolerance lies inside of the bounds" : "a curvature is not defined");
+    if (claim.given.claim != Claim::not_met) return claim;
+    if (x.join.g0 == GC::Verdict::refuted) {
+      claim.rule = Finding_rule::gap;
+      claim.measure = Measure{"gap", x.join.gap};
+    } else if (x.join.g1 == GC::Verdict::refuted) {
+      claim.rule = Finding_rule::kink;
+      claim.measure = Measure{"angle_degrees", GC::in_degrees(x.join.kink)};
+    } else {
+      claim.rule = Finding_rule::curvature;
+      claim.measure = Measure{"curvature_difference", *x.join.jump};
+    }
+    claim.fault = "not G" + std::to_string(demand_.order);
+    return claim;
+  }
+
+  Road_claim operator()(const GC::Road_length_check& x) const {
+    using namespace road_words;
+    Road_claim claim;
+    claim.kind = "length";
+    place(claim, x.road, x.geometry.s);
+    claim.line = x.geometry.line;
+    std::vector<std::string> notes;
+    if (x.geometry.range == GC::Road_parameter_range::missing) notes.push_back(json_text("pRange missing"));
+    if (x.is_near_stop) notes.push_back(json_text("near stop"));
+    claim.json +=
+        ",\"error\":" + road_words::json(x.error) + ",\"within\":" + flag(x.within) + ",\"note\":" + json_array(notes);
+    claim.verdict = "arc length differs by " + size(x.error, " m") + " from the length that is declared";
+    if (x.other_reading) {
+      claim.json += ",\"other_reading\":{\"error\":" + road_words::json(x.other_reading->first) +
+                    ",\"within\":" + flag(x.other_reading->second) + '}';
+      claim.verdict += "; by " + size(x.other_reading->first, " m") + " if pRange were arcLength";
+    }
+    if (x.is_near_stop) claim.verdict += "; the speed at an end is nearly 0, so that its direction may be noise";
+    claim.given = given(x.within);
+    claim.rule = Finding_rule::length;
+    claim.measure = Measure{"length_difference", x.error};
+    if (x.within == GC::Verdict::refuted) claim.fault = "a wrong length";
+    claim.gap = x.error;
+    return claim;
+  }
+
+  Road_claim operator()(const GC::Road_profile_join& x) const {
+    using namespace road_words;
+    static constexpr const char* names[] = {"elevation", "superelevation", "laneOffset", "width", "border"};
+    Road_claim claim;
+    claim.kind = names[static_cast<int>(x.kind)];
+    place(claim, x.road, x.s, x.lane == nullptr ? "" : ", lane " + std::to_string(x.lane->id));
+    if (x.lane != nullptr) claim.json += ",\"lane\":" + std::to_string(x.lane->id);
+    claim.line = x.line;
+    const auto list = [](const auto& flags) {
+      std::vector<std::string> texts;
+      for (const bool f : flags) texts.push_back(flag(f));
+      return json_array(texts);
+    };
+    claim.json += ",\"jump\":" + decimal(x.jump.value) + ",\"slope_jump\":" + decimal(x.jump.slope) +
+                  ",\"second_jump\":" + decimal(x.jump.second) + ",\"equal\":" + list(x.equal) +
+                  ",\"within\":" + list(x.within) + (x.is_compensated ? ",\"at_section\":true" : "");
+    const bool is_angle = x.kind == GC::Road_profile_kind::superelevation;
+    const GC::Enclosure step = absolute(x.jump.value), slope = absolute(x.jump.slope);
+    claim.verdict = (x.equal[0] ? std::string("no step") : "step " + size(step, is_angle ? " rad" : " m")) +
+                    (x.equal[1] ? ", no kink" : ", slope jump " + size(slope, is_angle ? "/m" : "")) +
+                    (x.is_compensated ? ", where a lane section starts" : "");
+    claim.gap = step;
+    // linear changes of widths and of the superelevation are meant
+    const bool asks_slope = x.kind == GC::Road_profile_kind::elevation && demand_.order > 0;
+    const bool is_smooth = !asks_slope || x.within[1];
+    if (x.kind == GC::Road_profile_kind::elevation) claim.kink = slope;
+    claim.given = given(verdict(x.is_compensated || (x.within[0] && is_smooth)));
+    if (claim.given.claim == Claim::met) return claim;
+    claim.rule = x.within[0] ? Finding_rule::kink : Finding_rule::gap;
+    claim.fault = x.within[0] ? "a kink" : "a step";
+    claim.measure = x.within[0] ? Measure{"slope_jump", slope} : Measure{"step", step};
+    return claim;
+  }
+
+  Road_claim operator()(const GC::Road_section_join& x) const {
+    using namespace road_words;
+    Road_claim claim;
+    claim.kind = x.is_named_back ? "section lane back" : "section lane";
+    place(claim, x.road, x.s, ", lane " + std::to_string(x.lane.id) + " to " + std::to_string(x.to.id));
+    claim.line = x.to.line;
+    const GC::Road_number jump = x.jump();
+    claim.json += ",\"lane\":" + std::to_string(x.lane.id) + ",\"to\":" + std::to_string(x.to.id) +
+                  ",\"borders\":" + std::to_string((x.left ? 1 : 0) + (x.right ? 1 : 0)) +
+                  ",\"jump\":" + (x.is_known ? decimal(jump) : "null") +
+                  ",\"equal\":" + (x.is_known ? flag(x.equal) : "null") +
+                  ",\"within\":" + (x.is_known ? flag(x.within) : "null");
+    if (!x.is_known) {
+      claim.verdict = "not decided, a lane inside of it is missing";
+      claim.given = {Claim::not_covered, "section lane", "a lane inside of it is missing"};
+      return claim;
+    }
+    claim.gap = absolute(jump);
+    claim.verdict = x.equal ? "borders equal" : "borders apart by " + size(*claim.gap, " m");
+    claim.given = given(verdict(x.within));
+    claim.measure = Measure{"gap", *claim.gap};
+    if (!x.within) claim.fault = "lanes apart";
+    return claim;
+  }
+
+  Road_claim operator()(const GC::Road_link_join& x) const {
+    using namespace road_words;
+    Road_claim claim;
+    claim.kind = "link";
+    place(claim, x.from, x.to);
+    claim.line = x.line;
+    add_join(claim, x.join);
+    if (!x.has_lanes && x.join.g0 == GC::Verdict::refuted)
+      claim.given = {Claim::not_covered, "link", "no lanes are linked, and the reference lines do not meet"};
+    claim.json += ",\"lanes\":" + flag(x.has_lanes) + ",\"step\":" + decimal(x.step) +
+                  ",\"grade_jump\":" + decimal(x.grade_jump) + ",\"returned\":" + flag(x.is_returned);
+    claim.verdict = "reference lines " + claim.verdict;
+    if (!CGAL::is_zero(x.step)) claim.verdict += ", step " + size(absolute(x.step), " m");
+    if (!x.is_returned) claim.verdict += ", not returned";
+    if (claim.given.claim == Claim::not_covered) claim.verdict += ", no lanes are linked";
+    return claim;
+  }
+
+  Road_claim operator()(const GC::Road_lane_join& x) const {
+    using namespace road_words;
+    Road_claim claim;
+    claim.kind = x.is_in_junction ? "junction lane" : x.is_named_back ? "road lane back" : "road lane";
+    place(claim, x.from, x.to, ", lane " + std::to_string(x.lane.id), ", lane " + std::to_string(x.to_lane.id));
+    claim.line = x.line;
+    const auto list = [](const std::vector<GC::Enclosure>& sizes) {
+      std::vector<std::string> texts;
+      for (const GC::Enclosure& e : sizes) texts.push_back(road_words::json(e));
+      return json_array(texts);
+    };
+    claim.json += ",\"lane\":" + std::to_string(x.lane.id) + ",\"to\":" + std::to_string(x.to_lane.id) +
+                  ",\"gaps\":" + list(x.gaps) + ",\"steps\":" + list(x.steps) + ",\"within\":" + flag(x.within) +
+                  ",\"within_z\":" + (x.within_height ? flag(*x.within_height) : "null") +
+                  (x.has_overlap ? ",\"overlap\":true" : "");
+    const auto largest = [](const std::vector<GC::Enclosure>& sizes) {
+      GC::Enclosure most{0, 0};
+      for (const GC::Enclosure& e : sizes) most = {(std::max)(most.lower, e.lower), (std::max)(most.upper, e.upper)};
+      return most;
+    };
+    const GC::Enclosure gap = largest(x.gaps), step = largest(x.steps);
+    claim.gap = gap;
+    claim.verdict = "borders apart by " + size(gap, " m") +
+                    (!x.within_height  ? ", heights not decided"
+                     : step.upper == 0 ? ""
+                                       : ", in height by " + size(step, " m"));
+    if (x.has_overlap) claim.verdict += ", lanes overlap there";
+    claim.given = given(x.within_height ? x.within && *x.within_height : x.within);
+    if (claim.given.claim != Claim::not_met) return claim;
+    claim.fault = x.within == GC::Verdict::refuted ? "lanes apart" : "a step";
+    claim.measure = x.within == GC::Verdict::refuted ? Measure{"gap", gap} : Measure{"step", step};
+    if (x.within != GC::Verdict::refuted) claim.gap = step;
+    return claim;
+  }
+};
+
+// The place of a remark, e.g. `road 12, successor`.
+inline std::string remark_place(const GC::Road_remark& x) {
+  std::string text = x.road == nullptr ? "" : "road " + x.road->id;
+  if (!x.place.empty()) text += (text.empty() ? "" : ", ") + x.place;
+  return text;
+}
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_ROADS_ROAD_CLAIMS_H

@@ -1,0 +1,382 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#include "formats/landxml/read_landxml.h"
+
+#include "files/input.h"
+#include "formats/xml/Xml_reader.h"
+
+#include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/IO/text.h>
+#include <CGAL/Geometric_continuity/curves/Clothoid_segment.h>
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+typedef CGAL::Exact_rational Q;
+
+// The frame has x to the north and y to the east: there directions that are measured clockwise from
+// the north are angles from the x-axis, and what turns clockwise has a positive curvature.
+struct Element {
+  std::string type; // Line, Curve, Spiral
+  long long line = 0;
+  std::map<std::string, std::string> attributes;
+  std::map<std::string, std::vector<Q>> points; // Start, End, Center, PI
+};
+
+// How angles are written.
+enum class Angle_unit { radians, degrees, grads, degrees_minutes };
+
+// pi with an error below 10^-64.
+const Q& long_pi() {
+  static const Q pi = GC::parse_number<Q>("3.141592653589793238462643383279502884197169399375105820974944592308");
+  return pi;
+}
+
+class Landxml_reader : Xml_reader {
+  Rail_file result_;
+  std::vector<std::string> open_; // local names
+  std::string alignment_, text_;
+  std::vector<Element> elements_;
+  std::set<std::string> skipped_;
+  Angle_unit directions_ = Angle_unit::radians, angles_ = Angle_unit::radians;
+  std::size_t alignments_ = 0, profiles_ = 0, references_ = 0;
+
+  static std::string local(const std::string& name) {
+    const std::size_t blank = name.rfind(' ');
+    return blank == std::string::npos ? name : name.substr(blank + 1);
+  }
+  bool is_element() const { return open_.size() >= 2 && open_[open_.size() - 2] == "CoordGeom"; }
+
+  Angle_unit unit(const std::string& text) const {
+    if (text == "radians") return Angle_unit::radians;
+    if (text == "decimal degrees") return Angle_unit::degrees;
+    if (text == "grads") return Angle_unit::grads;
+    if (text == "decimal dd.mm.ss") return Angle_unit::degrees_minutes;
+    refuse("the unit of angles " + GC::quoted_token(text) +
+           " is none of radians, decimal degrees, grads, decimal dd.mm.ss");
+  }
+
+  void start(const std::string& name, const char** attributes) override {
+    open_.push_back(local(name));
+    if (open_.size() == 1 && open_[0] != "LandXML")
+      refuse("the root element is " + GC::quoted_token(open_[0]) + ", not LandXML");
+    const std::string& type = open_.back();
+    std::map<std::string, std::string> given;
+    for (; *attributes != nullptr; attributes += 2) given[local(attributes[0])] = attributes[1];
+    if (type == "Metric" || type == "Imperial") {
+      if (given.count("angularUnit") != 0) angles_ = unit(given["angularUnit"]);
+      directions_ = given.count("directionUnit") != 0 ? unit(given["directionUnit"]) : angles_;
+    }
+    if (type == "Alignment") {
+      ++alignments_;
+      alignment_ = given.count("name") != 0 ? given["name"] : std::to_string(alignments_);
+    }
+    if (type == "ProfAlign") ++profiles_;
+    if (is_element()) {
+      if (type == "Line" || type == "Curve" || type == "Spiral")
+        elements_.push_back({type, line(), std::move(given), {}});
+      else if (type != "Feature") {
+        skipped_.insert(type);
+        elements_.push_back({type, line(), {}, {}});
+      }
+    }
+    text_.clear();
+  }
+  void text(std::string_view text) override { text_ += text; }
+  void end() override {
+    const std::string type = open_.back();
+    const bool in_element = open_.size() >= 3 && open_[open_.size() - 3] == "CoordGeom";
+    if (in_element && !elements_.empty() && (type == "Start" || type == "End" || type == "Center" || type == "PI")) {
+      if (text_.find_first_not_of(" \t\r\n") != std::string::npos)
+        elements_.back().points[type] = point();
+      else
+        ++references_;
+    }
+    open_.pop_back();
+    if (type == "CoordGeom") finish();
+  }
+
+  Q number(const std::string& token) const {
+    try {
+      return GC::parse_number<Q>(token);
+    } catch (const GC::Error&) {
+      refuse("no number: " + GC::quoted_token(token));
+    }
+  }
+  std::vector<Q> point() const {
+    std::istringstream words(text_);
+    std::vector<Q> x;
+    for (std::string word; words >> word;) x.push_back(number(word));
+    if (x.size() < 2 || x.size() > 3) refuse("a point has two or three numbers, not " + std::to_string(x.size()));
+    return x;
+  }
+
+  // ---- what elements say
+
+  // An angle in radians. `rounded` becomes true where pi is needed.
+  Q angle(const std::string& text, Angle_unit unit, bool& rounded) const {
+    Q x = number(text);
+    if (unit == Angle_unit::radians) return x;
+    rounded = true;
+    if (unit == Angle_unit::grads) return Q(x * long_pi() / 200);
+    if (unit == Angle_unit::degrees_minutes) {
+      if (!(std::fabs(CGAL::to_double(x)) < 1e9)) refuse("an angle beyond 10^9 degrees");
+      const bool negative = x < 0;
+      if (negative) x = Q(-x);
+      const auto whole = [](const Q& y) {
+        Q n(std::floor(CGAL::to_double(y)));
+        if (y < n) n = Q(n - 1);
+        if (!(y < Q(n + 1))) n = Q(n + 1);
+        return n;
+      };
+      const Q degrees = whole(x), hundredths = Q((x - degrees) * 100), minutes = whole(hundredths),
+              seconds = Q((hundredths - minutes) * 100);
+      x = Q(degrees + minutes / 60 + seconds / 3600);
+      if (negative) x = Q(-x);
+    }
+    return Q(x * long_pi() / 180);
+  }
+
+  struct Piece {
+    std::optional<GC::Enclosed_point> start, end; // as they are declared
+    std::optional<GC::Heading> start_heading, end_heading;
+    std::optional<GC::Alignment_end> computed_end;
+    std::optional<Q> k0, k1;
+    bool rounded = false;
+    std::string not_covered;
+  };
+
+  std::optional<std::string> attribute(const Element& e, const char* name) const {
+    const auto found = e.attributes.find(name);
+    if (found == e.attributes.end()) return std::nullopt;
+    return found->second;
+  }
+  std::optional<Q> curvature(const Element& e, const char* name, const Q& sign) const {
+    const auto text = attribute(e, name);
+    if (!text) return std::nullopt;
+    if (*text == "INF" || *text == "inf" || *text == "Infinity") return Q(0);
+    const Q radius = number(*text);
+    if (radius == 0) return std::nullopt;
+    return Q(sign / radius);
+  }
+  static std::optional<GC::Heading> between(const std::vector<Q>* p, const std::vector<Q>* q) {
+    if (p == nullptr || q == nullptr) return std::nullopt;
+    const Q dx = Q((*q)[0] - (*p)[0]), dy = Q((*q)[1] - (*p)[1]);
+    if (dx == 0 && dy == 0) return std::nullopt;
+    return GC::Heading(Q(0), dx, dy);
+  }
+
+  Piece piece(const Element& e) {
+    Piece p;
+    const auto at = [&](const char* name) -> const std::vector<Q>* {
+      const auto found = e.points.find(name);
+      return found == e.points.end() ? nullptr : &found->second;
+    };
+    const std::vector<Q>*start = at("Start"), *end = at("End"), *centre = at("Center"), *apex = at("PI");
+    if (start != nullptr) p.start = GC::Enclosed_point((*start)[0], (*start)[1]);
+    if (end != nullptr) p.end = GC::Enclosed_point((*end)[0], (*end)[1]);
+    const auto heading = [&](const char* name) -> std::optional<GC::Heading> {
+      const auto text = attribute(e, name);
+      if (!text) return std::nullopt;
+      return GC::Heading(angle(*text, directions_, p.rounded));
+    };
+    if (e.type != "Line" && e.type != "Curve" && e.type != "Spiral") {
+      p.not_covered = "an element " + e.type;
+      return p;
+    }
+    std::optional<Q> length;
+    if (const auto text = attribute(e, "length")) length = number(*text);
+    if (length && *length < 0) {
+      p.not_covered = "a negative length";
+      return p;
+    }
+    if (e.type == "Line") {
+      p.k0 = p.k1 = Q(0);
+      p.start_heading = heading("dir");
+      if (!p.start_heading) p.start_heading = between(start, end);
+      p.end_heading = p.start_heading;
+      if (start != nullptr && p.start_heading && length)
+        p.computed_end = GC::Clothoid_segment((*start)[0], (*start)[1], *p.start_heading, Q(0), Q(0), *length).end();
+      return p;
+    }
+    const std::string rot = attribute(e, "rot").value_or("");
+    if (rot != "cw" && rot != "ccw") {
+      p.not_covered = "a turn " + GC::quoted_token(rot) + " that is neither cw nor ccw";
+      return p;
+    }
+    const Q sign(rot == "cw" ? 1 : -1);
+    p.start_heading = heading("dirStart");
+    p.end_heading = heading("dirEnd");
+    if (e.type == "Curve") {
+      const auto k = curvature(e, "radius", sign);
+      if (k) p.k0 = p.k1 = *k;
+      // at right angles to the radius
+      const auto tangent = [&](const std::vector<Q>* point) -> std::optional<GC::Heading> {
+        const auto radius = between(centre, point);
+        if (!radius) return std::nullopt;
+        return radius->turned(Q(0), sign);
+      };
+      if (!p.start_heading) p.start_heading = tangent(start);
+      if (!p.end_heading) p.end_heading = tangent(end);
+      if (start != nullptr && p.start_heading && k && length)
+        p.computed_end = GC::Clothoid_segment((*start)[0], (*start)[1], *p.start_heading, *k, *k, *length).end();
+      return p;
+    }
+    p.k0 = curvature(e, "radiusStart", sign);
+    p.k1 = curvature(e, "radiusEnd", sign);
+    if (!p.start_heading) p.start_heading = between(start, apex);
+    if (!p.end_heading) p.end_heading = between(apex, end);
+    const std::string type = attribute(e, "spiType").value_or("clothoid");
+    typedef GC::Curvature_law Law;
+    const std::optional<Law> law = type == "clothoid"      ? std::optional<Law>(Law::linear())
+                                   : type == "bloss"       ? std::optional<Law>(Law::bloss())
+                                   : type == "cosine"      ? std::optional<Law>(Law::cosine_curve())
+                                   : type == "sinusoid"    ? std::optional<Law>(Law::sine_curve())
+                                   : type == "weinerBogen" ? std::optional<Law>(Law::viennese_bend())
+                                                           : std::nullopt;
+    if (!law)
+      p.not_covered = "a spiral of the type " + GC::quoted_token(type);
+    else if (start != nullptr && p.start_heading && p.k0 && p.k1 && length)
+      p.computed_end =
+          GC::Clothoid_segment((*start)[0], (*start)[1], *p.start_heading, Law::between(*p.k0, *p.k1, *law), *length)
+              .end();
+    return p;
+  }
+
+  // ---- checks
+
+  Rail_check check(const std::string& kind, const std::string& place, const Element& e, int claimed) const {
+    Rail_check c;
+    c.kind = kind;
+    c.curve = "Alignment " + alignment_;
+    c.place = place;
+    c.line = e.line;
+    c.claimed = claimed;
+    return c;
+  }
+  static std::string name(const Element& e, std::size_t i) { return e.type + " " + std::to_string(i + 1); }
+
+  // The end that is computed against the end that is declared.
+  void check_end(const Element& e, std::size_t i, const Piece& p) {
+    Rail_check c = check("declared end", name(e, i), e, p.end_heading ? 1 : 0);
+    if (!p.not_covered.empty())
+      c.not_covered = p.not_covered;
+    else if (!p.computed_end || !p.end)
+      c.not_covered = "an element without what its end follows from";
+    else {
+      GC::Alignment_end declared = *p.computed_end;
+      declared.point = *p.end;
+      if (p.end_heading) declared.heading = *p.end_heading;
+      c.ends = {*p.computed_end, declared};
+      c.rounded = p.rounded;
+    }
+    result_.checks.push_back(std::move(c));
+  }
+
+  // The angle and the constant of a spiral, which follow from its length and its radii.
+  void check_spiral(const Element& e, std::size_t i, const Piece& p) {
+    const auto length = attribute(e, "length");
+    if (e.type != "Spiral" || !p.k0 || !p.k1 || !length || !p.not_covered.empty()) return;
+    const Q l = number(*length);
+    if (const auto text = attribute(e, "theta")) {
+      Rail_check c = check("theta", name(e, i), e, 0);
+      const Q turn = Q((*p.k0 + *p.k1) * l / 2);
+      c.difference = {"theta", Q(angle(*text, angles_, c.rounded) - (turn < 0 ? Q(-turn) : turn)), true, std::nullopt};
+      result_.checks.push_back(std::move(c));
+    }
+    const auto constant = attribute(e, "constant");
+    const Q jump = Q(*p.k1 - *p.k0), rate = jump < 0 ? Q(-jump) : jump;
+    if (!constant || rate == 0) return;
+    Rail_check c = check("constant", name(e, i), e, 0);
+    const Q a = number(*constant), square = Q(l / rate); // A^2 = L R
+    c.difference = {"constant", Q(0), false, std::nullopt};
+    if (const auto root = GC::rational_square_root(square))
+      c.difference->value = Q(a - *root);
+    else {
+      const GC::Enclosure root_of = GC::sqrt_enclosure(square);
+      if (std::isfinite(root_of.upper) && std::isfinite(CGAL::to_double(a)))
+        c.difference->enclosed =
+            GC::Enclosure{GC::enclosure(Q(a - Q(root_of.upper))).lower, GC::enclosure(Q(a - Q(root_of.lower))).upper};
+      else {
+        c.difference = std::nullopt;
+        c.not_covered = "a number beyond those of floating-point numbers";
+      }
+    }
+    result_.checks.push_back(std::move(c));
+  }
+
+  void finish() {
+    if (!elements_.empty()) ++result_.curves;
+    std::optional<Piece> before;
+    for (std::size_t i = 0; i < elements_.size(); ++i) {
+      const Element& e = elements_[i];
+      Piece p = piece(e);
+      if (before) {
+        const Element& last = elements_[i - 1];
+        const std::optional<GC::Heading> left = before->end_heading, right = p.start_heading;
+        Rail_check c = check("horizontal", name(last, i - 1) + " - " + name(e, i), last, left && right ? 1 : 0);
+        const auto curvature = [](const std::optional<Q>& k) {
+          return k ? std::optional<GC::End_curvature>(GC::End_curvature(*k)) : std::nullopt;
+        };
+        if (before->end && p.start) {
+          const GC::Heading heading = left && right ? *left : GC::Heading();
+          c.ends = {GC::Alignment_end{*before->end, heading, curvature(before->k1)},
+                    GC::Alignment_end{*p.start, left && right ? *right : heading, curvature(p.k0)}};
+          c.rounded = before->rounded || p.rounded;
+        } else
+          c.not_covered = "an element without start or end";
+        result_.checks.push_back(std::move(c));
+      }
+      check_end(e, i, p);
+      check_spiral(e, i, p);
+      before = std::move(p);
+    }
+    elements_.clear();
+  }
+
+public:
+  explicit Landxml_reader(const std::string& name) : Xml_reader(name) {}
+
+  Rail_file rails(std::istream& stream) {
+    read(stream);
+    result_.precision = Q(Q(1) / 1000);
+    if (profiles_ > 0)
+      result_.notes.push_back("profiles, of which there are " + std::to_string(profiles_) +
+                              ", say nothing twice: they are not compared");
+    if (references_ > 0)
+      result_.notes.push_back("points without coordinates, of which there are " + std::to_string(references_) +
+                              ", are not looked up elsewhere");
+    for (const std::string& type : skipped_) result_.notes.push_back("elements " + type + " are not decided");
+    return std::move(result_);
+  }
+};
+
+} // namespace
+
+Rail_file read_landxml(std::istream& stream, const std::string& name) { return Landxml_reader(name).rails(stream); }
+
+Rail_file read_landxml(const std::string& file) {
+  Input stream(file);
+  return read_landxml(stream, input_name(file));
+}
+
+bool begins_as_landxml(std::string_view text) {
+  const std::size_t root = text.find("LandXML");
+  return root != std::string_view::npos && root > 0 && (text[root - 1] == '<' || text[root - 1] == ':');
+}
+
+bool is_landxml_file(const std::string& file) {
+  const std::string beginning = beginning_of_text(file);
+  if (begins_as_landxml(beginning)) return true;
+  return beginning.find('<') == 0 && beginning.find("<?xml") == 0 && begins_as_landxml(Input(file).beginning(4096));
+}

@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef GEOMETRIC_CONTINUITY_TOOLS_FORMATS_RAILS_RAIL_CHECK_H
+#define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_RAILS_RAIL_CHECK_H
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/joins/alignment_join.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace GC = CGAL::Geometric_continuity;
+
+// Two statements of a file about one thing: the end of a piece and the start of the next, or a
+// number and others from which it follows.
+struct Rail_check {
+  std::string kind;  // "horizontal", "vertical", "cant", ...
+  std::string curve; // of which they are a part, e.g. "IfcGradientCurve #23"
+  std::string place; // on it, e.g. "#34 - #43"
+  long long line = 0;
+  std::string claim = {}; // what the file says, in its own word; empty where it says nothing
+  // the order that is claimed: -1 nothing, 0 one position, 1 one direction, 2 one curvature
+  int claimed = -1;
+
+  struct Ends {
+    GC::Alignment_end left, right;
+  };
+  std::optional<Ends> ends = {};
+  std::optional<CGAL::Exact_rational> length = {}; // of the piece before, on which a tolerance of angles may depend
+
+  // In the place of ends, a difference of two numbers of some quantity, such as "length".
+  struct Difference {
+    std::string quantity;
+    CGAL::Exact_rational value;
+    bool is_angle = false;
+    std::optional<GC::Enclosure> enclosed = {}; // in the place of the value, where that is no rational number
+  };
+  std::optional<Difference> difference = {};
+
+  // Angles are rounded by less than 10^-60 parts, because pi is needed for their unit: bounds are
+  // widened by what floating-point numbers show.
+  bool rounded = false;
+
+  std::string not_covered = {}; // why nothing is decided; empty where there are ends or a difference
+};
+
+// The alignments of a file.
+struct Rail_file {
+  std::size_t curves = 0; // that have joins
+  std::vector<Rail_check> checks;
+  std::vector<std::string> notes;                     // in words
+  std::optional<CGAL::Exact_rational> precision = {}; // that the file gives: a tolerance of positions
+};
+
+#endif // GEOMETRIC_CONTINUITY_TOOLS_FORMATS_RAILS_RAIL_CHECK_H
