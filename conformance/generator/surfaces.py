@@ -451,3 +451,26 @@ def cases(suite):
          within={G: "0.000001", A: "0.28"})
     pair("angle-middle-below", "tolerances", "0.2865 degrees in the middle of the edge, and a tolerance of 0.29.", three, ["1,0,0 1,1,0 1,2,0", "2,0,0 2,1,0.01 2,2,0"], "G1", "G1",
          within={G: "0.000001", A: "0.29"})
+
+    # ---- Models: rows of patches, each beside the next; one edge is the worst.
+    def row(name, question, why, patches, expect, closed=False):
+        pairs = list(zip(patches, patches[1:])) + ([(patches[-1], patches[0])] if closed else [])
+        edges = [Edge(a, a.u[-1], b, b.u[0]) for a, b in pairs]
+        edge = min(edges, key=lambda e: e.order)
+        if f"G{edge.order}" != expect:
+            suite.problems.append(f"model/{name}: {expect} expected, G{edge.order} computed")
+        measures = edge.measures()
+        more = {"at": text(edge.at)} if edge.order == 0 else {}
+        files = {"json": as_json(patches), "g2": as_g2(patches), "step": as_step(f"model/{name}", patches)}
+        suite.record(f"model/{name}", "surface", question, why, expect, "G2", measures, files, edges=len(edges), **more)
+    ring = ("4,0 4,4 0,4", "0,4 -4,4 -4,0", "-4,0 -4,-4 0,-4", "0,-4 4,-4 4,0")
+    tube = [cylinder(p, "1 1 2") for p in ring]
+    row("tube", "curvature", "A tube of four quarters of a cylinder: all four edges are G2.", tube, "G2", closed=True)
+    row("tube-dented", "curvature", "In a tube of four patches one has another weight: tangent planes agree, the curvature jumps at two edges.",
+        tube[:2] + [cylinder(ring[2], "2 1 4")] + tube[3:], "G1", closed=True)
+    row("tube-kinked", "tangent", "In a tube of four patches one middle row is off, so that two edges kink by 0.14 degrees.", tube[:2] + [cylinder("-4,0 -4.01,-4 0,-4", "1 1 2")] + tube[3:],
+        "G0", closed=True)
+    row("strip-jump", "curvature", "Five pieces of parabolas in a row; only at the third edge the curvature jumps, by the part 0.001.",
+        extruded("-2,4 -1.5,2 -1,1", "-1,1 -0.5,0 0,0", "0,0 0.5,0 1,1", "1,1 1.5,2 2,4.001", "2,4.001 2.5,6.002 3,9.004"), "G1")
+    row("strip-kink", "tangent", "Four planes in a row; only at the second edge they include an angle of 1e-6.",
+        extruded("0,0 1,0", "1,0 2,0", "2,0 3,0.000001", "3,0.000001 4,0.000002"), "G0")

@@ -115,9 +115,9 @@ def patches(file, order, within):
 
 
 def model(file, order, within):
+    if "ADVANCED_FACE" not in Path(file).read_text(encoding="ascii"):
+        raise Unsupported("curves in STEP, whose decimals become doubles")
     found = call(["--allow-empty", file] + option(within or SMALL))
-    if not found["summary"]["faces"]:
-        raise Unsupported("curves in STEP")
     decided = [verdict(e["within"], order) for e in found["edges"] if e["order"]]
     reached = least(decided) if decided else "G2+" if found["summary"]["faces"] == 1 else "gap"
     return reached if within or not decided else reached + " within " + ",".join(f"{k}={v}" for k, v in SMALL.items())
@@ -126,7 +126,7 @@ def model(file, order, within):
 def roads(file, order, within):
     names = {"gap": "--gap", "angle_radians": "--kink", "curvature_jump": "--curvature"}
     try:
-        found = call(["--require", "G0", file] + [w for k, v in within.items() for w in (names[k], v)])
+        found = call(["--require", "G0", "--allow-empty", file] + [w for k, v in within.items() for w in (names[k], v)])
     except RuntimeError as error:
         if "unrecognised option" in str(error):
             raise Unsupported("roads by this version") from error
@@ -136,8 +136,10 @@ def roads(file, order, within):
         if "order" in join and join["kind"] in ("plan", "link"):
             orders.append(join["order"] or "undecided")
         elif join["kind"] == "elevation":
-            orders.append("G0" if join["met"] else "gap")
-    return least(orders)
+            # Heights, then slopes, then second derivatives.
+            orders.append("G0" if join["within"][0] else "gap")
+    # Reference lines need not meet where lanes do: those that do not are counted only.
+    return least(orders + ["gap"] * found["summary"]["links_apart"])
 
 
 def decide(file, order, within):
