@@ -249,14 +249,17 @@ public:
     return false;
   }
 
-  void add_to(std::vector<Exact_surface>& surfaces) {
-    bool done = false;
+  // Finds the polygon inside and its triangles; returns false where there are none.
+  bool find_triangles() {
     double distance = shortest_side();
-    for (int i = 0; i < 40 && !done; ++i, distance /= 2) {
+    for (int i = 0; i < 40; ++i, distance /= 2) {
       move_inside(distance / 2);
-      done = cells_are_good() && cut_ears();
+      if (cells_are_good() && cut_ears()) return true;
     }
-    if (!done) throw std::runtime_error("no patches are found for a plane face; write it to a CAD model");
+    return false;
+  }
+
+  void add_to(std::vector<Exact_surface>& surfaces) const {
     std::vector<std::vector<Space_point>> corners;
     for (const auto& loop : inner_) {
       corners.emplace_back();
@@ -290,12 +293,22 @@ public:
 } // namespace
 
 std::vector<Exact_surface> patches_of_solid(const Rounded_solid& solid) {
-  // Where a boundary turns to the right, the polygon inside has a corner in the middle of the turn.
+  // Where a boundary turns to the right, the polygon inside has a corner in the middle of the turn,
+  // and more of them where the turn is wide: halves lie nearer to their chords.
+  std::vector<Face_cut> cuts;
+  const auto finds_all = [&](int halvings) {
+    cuts.clear();
+    for (const Rounded_solid::Face& face : solid.faces) {
+      cuts.emplace_back(solid, face, halvings);
+      if (!cuts.back().find_triangles() || (halvings == 1 && cuts.back().has_reflex_turn())) return false;
+    }
+    return true;
+  };
   int halvings = 1;
-  for (const Rounded_solid::Face& face : solid.faces)
-    if (Face_cut(solid, face, 1).has_reflex_turn()) halvings = 2;
+  while (!finds_all(halvings))
+    if (++halvings > 5) throw std::runtime_error("no patches are found for a plane face; write it to a CAD model");
   std::vector<Exact_surface> surfaces;
-  for (const Rounded_solid::Face& face : solid.faces) Face_cut(solid, face, halvings).add_to(surfaces);
+  for (const Face_cut& cut : cuts) cut.add_to(surfaces);
   for (const Rounded_solid::Blend& blend : solid.blends) {
     const auto& s = blend.surface;
     std::vector<std::vector<Space_point>> net(static_cast<std::size_t>(s.number_of_points_u()));
