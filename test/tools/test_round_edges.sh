@@ -82,6 +82,14 @@ for z in 0 2; do # the second rectangle has a side that consists of two edges
 done >>bracket.g2
 run 0 round-edges bracket.g2 --set-back 0.25 -o ell.g2 && says out "8 plane faces, " "0 corners left open"
 run 0 verify --surfaces ell.g2 --require G2 && says out ", 0 G1, 0 G0, 0 boundary"
+# a bracket with wide turns, the arms of which are four times as wide as the set-back
+{
+  printf 'OFF\n12 8 0\n'
+  for z in 0 20; do printf '%s\n' "0 0 $z" "40 0 $z" "40 10 $z" "10 10 $z" "10 40 $z" "0 40 $z"; done
+  printf '6 5 4 3 2 1 0\n6 6 7 8 9 10 11\n'
+  for i in 0 1 2 3 4 5; do echo "4 $i $(((i + 1) % 6)) $(((i + 1) % 6 + 6)) $((i + 6))"; done
+} >wide.off
+run 0 round-edges wide.off --set-back 2.5 -o wide.g2 && says out "18 edges rounded" "60 rails and 2 seams, proved exactly"
 # a mesh; one edge with its own distance, and a profile that is tighter
 cat >tetrahedron.off <<'END'
 OFF
