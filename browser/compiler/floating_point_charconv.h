@@ -178,6 +178,12 @@ inline to_chars_result to_chars(char* first, char* last, double x, chars_format 
                                                                  : "%.*g";
   return geometric_continuity_charconv::put(first, last, text, snprintf(text, sizeof text, pattern, precision, x));
 }
+// The shortest text with an exponent that is read as x; the other formats are not needed.
+inline to_chars_result to_chars(char* first, char* last, double x, chars_format) {
+  int exponent;
+  const size_t digits = x == 0 ? 1 : geometric_continuity_charconv::shortest_digits(abs(x), exponent).size();
+  return to_chars(first, last, x, chars_format::scientific, static_cast<int>(digits) - 1);
+}
 
 _LIBCPP_END_NAMESPACE_STD
 #endif
