@@ -12,6 +12,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work"
 
 "$draw_figures" .
+# road_faults.svg is drawn by road_joins, the others by the examples of their names
 for example in blend_surfaces_g3 fair_blend interpolate_fair join_the_spout line_and_arc orders_of_continuity portnov_figures road_joins; do "$examples/$example" >/dev/null; done
 
 "$program" blend "$data/hill_left.g2" "$data/hill_right.g2" --strategy normal,energy3,fair --plot first_blend.svg \

@@ -17,7 +17,7 @@
 using GC::internal::Angle_rate;
 using GC::internal::Ball_arithmetic;
 using GC::internal::Fixed_ball;
-using GC::internal::Interval;
+typedef CGAL::Interval_nt<false> Interval;
 using GC::internal::Interval_arithmetic;
 using GC::internal::Rational;
 

@@ -13,7 +13,7 @@
 BOOST_AUTO_TEST_SUITE(interval_functions)
 
 using GC::internal::Cosine_and_sine;
-using GC::internal::Interval;
+typedef CGAL::Interval_nt<false> Interval;
 typedef boost::multiprecision::cpp_bin_float_100 Long;
 
 bool encloses(const Interval& i, const Long& x) { return Long(i.inf()) <= x && x <= Long(i.sup()); }

@@ -25,6 +25,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
+typedef Interval_nt<false> Interval;
+
 // A real function sum c t^n exp(i (w + f t)) with complex rational c and rational frequencies f and
 // phases w. It vanishes identically if and only if all c do: the functions t^n exp(i f t) are
 // linearly independent over the complex numbers, and the numbers exp(i w) with different algebraic

@@ -21,6 +21,8 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
+typedef Interval_nt<false> Interval;
+
 // The functions f on [-1, 1] with |f(s) - (c_0 + c_1 s + ... + c_7 s^7)| <= r. When r is infinite
 // or not a number nothing is known.
 //

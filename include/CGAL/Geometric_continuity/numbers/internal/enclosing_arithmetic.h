@@ -27,24 +27,26 @@ namespace internal {
 
 // \pre rounding is upwards, as in the scope of `Protect_FPU_rounding`
 struct Interval_arithmetic {
-  typedef Interval Number;
+  typedef Interval_nt<false> Number;
 
   // Remainders below 2^-accuracy do not matter.
   static constexpr int accuracy() { return 60; }
   static void charge(double) {}
 
-  Number operator()(const Rational& x) const { return Interval(exact_interval(x)); }
-  Number operator()(int x) const { return Interval(x); }
+  Number operator()(const Rational& x) const { return Interval_nt<false>(exact_interval(x)); }
+  Number operator()(int x) const { return Interval_nt<false>(x); }
   static Number symmetric(int exponent) { return internal::symmetric(std::ldexp(1., exponent)); }
-  static Number hull(const Number& lower, const Number& upper) { return Interval(lower.inf(), upper.sup()); }
+  static Number hull(const Number& lower, const Number& upper) { return Interval_nt<false>(lower.inf(), upper.sup()); }
   static double magnitude(const Number& x) { return internal::magnitude(x); }
   static bool contains_zero(const Number& x) { return x.inf() <= 0 && 0 <= x.sup(); }
   static bool is_negative(const Number& x) { return x.sup() < 0; }
   static double middle(const Number& x) { return x.inf() / 2 + x.sup() / 2; }
   static Rational exact_middle(const Number& x) { return Rational(middle(x)); }
-  static Number pi() { return Interval(0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1); }
+  static Number pi() { return Interval_nt<false>(0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1); }
   static Cosine_and_sine cosine_and_sine(const Number& x) { return internal::cosine_and_sine(x); }
-  static Number square_root(const Number& x) { return CGAL::sqrt(Interval((std::max)(x.inf(), 0.), x.sup())); }
+  static Number square_root(const Number& x) {
+    return CGAL::sqrt(Interval_nt<false>((std::max)(x.inf(), 0.), x.sup()));
+  }
   static Number absolute_value(const Number& x) { return CGAL::abs(x); }
 
   static Enclosure enclosure(const Number& x) { return {x.inf(), x.sup()}; }
