@@ -38,7 +38,7 @@ for command in command_*; do
   text=$(cat "$command") missing=
   for word in $text; do
     case $word in
-      *.step | *.ttf) [ -e "$word" ] || missing=$word ;;
+      *.step | *.ttf | *.xodr) [ -e "$word" ] || missing=$word ;;
     esac
   done
   [ -z "$missing" ] || {

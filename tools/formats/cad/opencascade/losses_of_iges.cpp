@@ -71,6 +71,18 @@ class Iges_losses {
     return true;
   }
 
+  // Returns whether an entity is said to be a part of another one, and none refers to it but those
+  // that say nothing.
+  bool is_orphan(const IGESData_IGESEntity& entity) const {
+    if (entity.SubordinateStatus() != 1 && entity.SubordinateStatus() != 3) return false;
+    Interface_EntityIterator users = sharing_.Sharings(&entity);
+    for (users.Start(); users.More(); users.Next())
+      if (const auto* user = dynamic_cast<const IGESData_IGESEntity*>(users.Value().get());
+          user == nullptr || user->TypeNumber() != 0)
+        return false;
+    return true;
+  }
+
   // Adds what is of no known type, or damaged.
   void add_damaged(int number, const Handle(Standard_Transient) & entity, int type) {
     const bool is_unknown = entity->IsKind(STANDARD_TYPE(IGESData_UndefinedEntity));
@@ -136,6 +148,8 @@ public:
       const Handle(Standard_Transient) entity = model_->Value(i);
       const auto* const iges = dynamic_cast<const IGESData_IGESEntity*>(entity.get());
       if (iges == nullptr) continue;
+      if (is_geometry(iges->TypeNumber()) && is_orphan(*iges))
+        add(entity, "a part of another entity, to which none refers");
       add_damaged(i, entity, iges->TypeNumber());
       add_lost(entity, iges->TypeNumber());
     }
