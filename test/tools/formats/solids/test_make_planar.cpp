@@ -73,7 +73,7 @@ bool says(const std::string& text, const std::string& part) { return text.find(p
 
 } // namespace
 
-// What lies exactly in its planes stays as it is, whatever the planes of the file are.
+// A vertex that lies exactly in its planes stays as it is, whatever the planes of the file are.
 BOOST_AUTO_TEST_CASE(exact_vertices_stay) {
   Solid s = solid(corners(), faces_of_cube);
   check_closed(s);
