@@ -1,8 +1,16 @@
 #!/usr/bin/env bash
 # verify of alignments in IFC 4.3 and LandXML: what files claim about their joins, and numbers that
 # follow from others.
+schemas=$(cd "$(dirname "$0")" && pwd)/schemas
 . "$(dirname "$0")/functions.sh"
 
+# valid ARGUMENTS...: the report in JSON is as the schema says, where jsonschema of python3 is there
+valid() {
+  python3 -c "import jsonschema" 2>/dev/null || return
+  "$program" verify --json "$@" >valid.json
+  holds python3 -c 'import json, sys; from jsonschema import Draft7Validator as V; V(json.load(open(sys.argv[1]))).validate(json.load(open(sys.argv[2])))' \
+    "$schemas/roads.json" valid.json
+}
 # ifc FILE ENTITIES: a file with these entities
 ifc() {
   printf '%s\n' "ISO-10303-21;" "HEADER;" "FILE_DESCRIPTION((''),'2;1');" "FILE_NAME('','',(''),(''),'','','');" \
@@ -70,6 +78,27 @@ $(segment 11 DISCONTINUOUS 31 10. 3) #31=IFCAXIS2PLACEMENT3D(#311,\$,#312); #311
 #312=IFCDIRECTION((1.,0.,0.)); #20=IFCSEGMENTEDREFERENCECURVE((#10,#11),.F.,#21,\$);"
 run 1 verify cant.ifc && says out "cant CONTSAMEGRADIENT, gap " "kink 0.01 rad" "not one direction" "1 of one position, 0 false"
 
+# by a cosine a change of 0.1 over 100, whose second derivative is pi^2 / 200000 at the end; by a
+# sine, whose slope is that of the linear change, up to the digits
+spiral_cant() { # FILE SPIRAL END
+  ifc "$1" "$start #5=$2; $(segment 10 $same 30 100. 5) #30=IFCAXIS2PLACEMENT3D(#301,\$,#302); #301=IFCCARTESIANPOINT((400.,0.,0.)); #302=IFCDIRECTION((1.,0.,0.));
+$(segment 11 DISCONTINUOUS 31 10. 3) #31=IFCAXIS2PLACEMENT3D(#311,\$,#302); #311=IFCCARTESIANPOINT((500.,$3,0.)); #20=IFCSEGMENTEDREFERENCECURVE((#10,#11),.F.,#21,\$);"
+}
+spiral_cant cosine.ifc "IFCCOSINESPIRAL(#2,-2000.,2000.)" 0.1
+run 1 verify cosine.ifc && says out "gap 0, kink 0 rad, curvature jump 4.935e-05 - not one curvature"
+run 0 verify --curvature 0.0000493481 cosine.ifc && run 1 verify --curvature 0.000049348 cosine.ifc
+spiral_cant cosine.ifc "IFCCOSINESPIRAL(#2,-2000.,2000.)" 0.1001
+run 1 verify --require G1 cosine.ifc && says out "gap 0.0001, kink 0 rad"
+spiral_cant sine.ifc "IFCSINESPIRAL(#2,-6283.18530717959,316.227766016838,\$)" 0.1
+run 0 verify sine.ifc && says out "gap 4.225e-17, kink at most "
+spiral_cant sine.ifc "IFCSINESPIRAL(#2,-6283.18530717959,-316.227766016838,\$)" -0.1
+run 1 verify sine.ifc && says out "kink 0.002 rad" "1 of one position, 0 false"
+
+# a cubic backwards by an arc length: v = t^2 / 10 from 0 to -3, where it has run 3.171
+ifc backwards.ifc "$start #5=IFCPOLYNOMIALCURVE(#2,(0.,1.),(0.,0.,0.1),\$); $(segment 10 CONTSAMEGRADIENT 30 -3.171347815 5) $(placed 30 5. 6. 0. 1.)
+$(segment 11 DISCONTINUOUS 31 0. 3) $(placed 31 5.9 9. 0.6 1.) #20=IFCCOMPOSITECURVE((#10,#11),.F.);"
+run 0 verify --gap 0.00001 --kink 0.00001 backwards.ifc
+
 # the design: transitions, a profile, cant; which need not claim anything
 nested() { echo "#$1=IFCRELNESTS('',\$,\$,\$,#$2,($3));"; }
 design() { echo "#$1=IFCALIGNMENTSEGMENT('',\$,\$,\$,\$,\$,\$,#$2);"; }
@@ -78,15 +107,26 @@ ifc design.ifc "$start #50=IFCALIGNMENTHORIZONTAL('',\$,\$,\$,\$,\$,\$); $(neste
 #63=IFCALIGNMENTHORIZONTALSEGMENT(\$,\$,#73,0.,0.,400.,100.,\$,.CLOTHOID.); #73=IFCCARTESIANPOINT((100.,0.));
 #64=IFCALIGNMENTHORIZONTALSEGMENT(\$,\$,#74,0.125,400.,400.,50.,\$,.CIRCULARARC.); #74=IFCCARTESIANPOINT((199.843862987,4.162018));
 #80=IFCALIGNMENTVERTICAL('',\$,\$,\$,\$,\$,\$);
-$(nested 81 80 '#82,#83,#84') $(design 82 92) $(design 83 93) $(design 84 94)
+$(nested 81 80 '#82,#83,#84,#85,#86') $(design 82 92) $(design 83 93) $(design 84 94) $(design 85 95) $(design 86 96)
 #92=IFCALIGNMENTVERTICALSEGMENT(\$,\$,0.,100.,10.,0.01,0.01,\$,.CONSTANTGRADIENT.);
 #93=IFCALIGNMENTVERTICALSEGMENT(\$,\$,100.,50.,11.,0.01,-0.01,\$,.PARABOLICARC.);
-#94=IFCALIGNMENTVERTICALSEGMENT(\$,\$,150.,50.,11.,-0.01,0.,\$,.CIRCULARARC.);"
+#94=IFCALIGNMENTVERTICALSEGMENT(\$,\$,150.,50.,11.,-0.01,0.,5000.249993750,.CIRCULARARC.);
+#95=IFCALIGNMENTVERTICALSEGMENT(\$,\$,200.,50.,10.75000625,0.,-0.01,5000.249993750,.CIRCULARARC.);
+#96=IFCALIGNMENTVERTICALSEGMENT(\$,\$,250.,50.,10.5000125,-0.01,0.,\$,.CLOTHOID.);"
 run 1 verify --gap 0.00001 design.ifc && says out "design horizontal, gap 0, kink 0 rad, curvature jump 0" "design vertical, gap 0, kink 0 rad, curvature jump 0.0003999" \
-  "not covered: a vertical segment of the type CIRCULARARC"
+  "#93 - #94 (line 16): design vertical, gap 0, kink 0 rad, curvature jump 0.0005999" "#94 - #95 (line 17): design vertical, gap 3.125e-10" \
+  "curvature jump 0.0004" "not covered: a vertical segment of the type CLOTHOID"
+sed 's/5000.249993750,.CIRC/5000.35,.CIRC/' design.ifc >arc.ifc && run 1 verify --allow-uncovered --gap 0.0001 arc.ifc && says out "#94 - #95 (line 17): design vertical, gap 0.001" "not one position"
+sed 's/5000.249993750,.CIRC/\$,.CIRC/' design.ifc >arc.ifc && run 1 verify arc.ifc && says out "a vertical arc without a radius"
 run 1 verify --allow-uncovered --require G2 --gap 0.00001 design.ifc && says out "not one curvature"
 run 0 verify --allow-uncovered --gap 0.00001 design.ifc
-sed 's/\.CLOTHOID\./.BLOSSCURVE./' design.ifc >bloss.ifc
+# y = x^3 / (6 R L) from either end: what turns into the arc, and back out of it
+ifc cubic.ifc "$start #50=IFCALIGNMENTHORIZONTAL('',\$,\$,\$,\$,\$,\$); $(nested 51 50 '#52,#53,#54') $(design 52 62) $(design 53 63) $(design 54 64)
+#62=IFCALIGNMENTHORIZONTALSEGMENT(\$,\$,#21,0.,0.,400.,100.,\$,.CUBIC.);
+#63=IFCALIGNMENTHORIZONTALSEGMENT(\$,\$,#73,0.124354994547,400.,0.,100.,\$,.CUBIC.); #73=IFCCARTESIANPOINT((100.,4.16666666667));
+#64=IFCALIGNMENTHORIZONTALSEGMENT(\$,\$,#74,0.248709989094,0.,0.,50.,\$,.LINE.); #74=IFCCARTESIANPOINT((197.948717949,24.743589744));"
+run 0 verify --gap 0.00001 --kink 0.000000001 --require G1 cubic.ifc && says out "2 of one position, 0 false"
+sed '/#96=/!s/\.CLOTHOID\./.BLOSSCURVE./' design.ifc >bloss.ifc
 run 1 verify --allow-uncovered --gap 0.01 bloss.ifc && says out "gap 0.4165" # another curve, another end
 
 # what is not covered, and what is refused
@@ -125,7 +165,7 @@ run 0 verify --kink 0.000001037 track.xml
 run 0 verify --require G2 track.xml
 sed 's/radius="400"/radius="399"/' track.xml >radius.xml
 run 1 verify --gap 1 --require G2 radius.xml && says out "curvature jump 6.266e-06 - not one curvature"
-landxml "decimal degrees" 28.64788975654116 31.51267873219528 31.512738147638 2.864788975654116 >degrees.xml
+landxml "decimal  degrees" 28.64788975654116 31.51267873219528 31.512738147638 2.864788975654116 >degrees.xml
 run 0 verify degrees.xml && says out "horizontal, gap 0, kink 1.037e-06 rad"
 sed 's/theta="0.05"/theta="0.06"/; s/constant="126/constant="127/' track.xml >wrong.xml
 run 1 verify wrong.xml && says out "theta off by 0.01 - not one theta" "constant off by 1 - not one constant"
@@ -133,12 +173,32 @@ sed 's/rot="cw"/rot="ccw"/' track.xml >turned.xml && run 1 verify turned.xml && 
 sed 's/clothoid/radioid/' track.xml >radioid.xml && run 1 verify radioid.xml && says out "not covered: a spiral of the type 'radioid'"
 sed 's,<Start>178.6540958044 243.7284553493</Start>,<Start pntRef="7"/>,' track.xml >elsewhere.xml
 run 1 verify elsewhere.xml && says out "not covered: an element without start or end" "points without coordinates, of which there are 1"
+sed 's,</LandXML>,<CgPoints><CgPoint name="7">178.6540958044 243.7284553493 3</CgPoint></CgPoints></LandXML>,' elsewhere.xml >named.xml
+run 0 verify named.xml && says out "Spiral 2 - Curve 3 (line 6): horizontal, gap 0, kink 1.037e-06 rad"
+sed 's/name="Track A"/& length="110.001"/; s/radius="400"/& delta="0.05"/' track.xml >sum.xml
+run 0 verify sum.xml && says out "length, length off by 0.001" "delta, delta off by 0"
+sed 's/110.001/110.0011/; s/delta="0.05"/delta="0.06"/' sum.xml >wrong.xml && run 1 verify wrong.xml && says out "not one length" "delta off by 0.01 - not one delta"
+# a line and a curve of points alone, whose directions follow from them; a radius of 5
+points() { # CENTRE RADIUS
+  printf '<LandXML><Units><Metric angularUnit="radians"/></Units><Alignment><CoordGeom><Line><Start>0 0</Start><End>10 0</End></Line>\n%s<Start>10 0</Start><Center>%s</Center><End>14 2</End></Curve>\n</CoordGeom></Alignment></LandXML>' \
+    "<Curve rot=\"cw\" radius=\"$2\">" "$1" >points.xml
+}
+points "10 5" 5 && run 0 verify points.xml && says out "Line 1 - Curve 2 (line 1): horizontal, gap 0, kink 0 rad" "Curve 2, Start (line 2): radius, radius off by 0" && lacks out "declared end"
+points "10 5" 5.25 && run 1 verify points.xml && says out "Curve 2, End (line 2): radius, radius off by 0.25 - not one radius"
+points "11 5" 5 && run 1 verify points.xml && says out "kink 0.1974 rad" "Start (line 2): radius, radius off by 0.09902"
+# vertical curves, which must not overlap on the gradient between them
+profile() { sed 's,</Alignment>,<Profile><ProfAlign name="P"><PVI>0 10</PVI><ParaCurve length="60">100 12</ParaCurve><UnsymParaCurve lengthIn="'"$1"'" lengthOut="20">200 11</UnsymParaCurve>'"${2:-}"'<PVI>300 10</PVI></ProfAlign></Profile>&,' track.xml; }
+profile 70 >profile.xml && run 0 verify profile.xml && says out "ParaCurve 2 - UnsymParaCurve 3 (line 9): profile, overlap off by 0"
+profile 70.5 >profile.xml && run 1 verify profile.xml && says out "overlap off by 0.5 - not one overlap"
+profile 70 '<CircCurve length="20" radius="500">250 9</CircCurve>' >profile.xml && run 1 verify profile.xml && says out "not covered: 2 joins, an arc in a profile"
 sed 's/>143.879/>x143.879/' track.xml >bad.xml && refused "bad.xml:5: no number: 'x143.87912809452'" verify bad.xml
 sed 's/radians/gon/g' track.xml >unit.xml && refused "the unit of angles 'gon'" verify unit.xml
 
+valid plan.ifc && valid design.ifc cosine.ifc backwards.ifc && valid track.xml profile.xml elsewhere.xml wrong.xml
 # numbers beyond those of floating-point numbers
 sed 's/constant="[0-9.]*"/constant="1e400"/' track.xml >huge.xml
 run 1 verify huge.xml && says out "not covered: a number beyond those of floating-point numbers"
 sed 's/100.,0./1.E400,0./' plan.ifc >huge.ifc && run 1 verify huge.ifc && says out "gap more than 1.798e+308" "not one position"
 sed 's/0.,0.,0.001/0.,1.E300,0.001/; s/IFCPARAMETERVALUE(100.)/IFCLENGTHMEASURE(100.)/' profile.ifc >steep.ifc
+valid huge.ifc
 run 1 verify --max-work 1000000 steep.ifc && says out "more than 1000000 steps of work"

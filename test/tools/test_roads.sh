@@ -2,6 +2,7 @@
 # verify, repair and report of road networks in OpenDRIVE. GEOMETRIC_CONTINUITY_ROADS names a folder
 # in which carla/, esmini/ and qc/ hold the files .xodr of carla-simulator/opendrive-test-files,
 # esmini/esmini and asam-ev/qc-opendrive, if these are to be verified as well.
+schemas=$(cd "$(dirname "$0")" && pwd)/schemas
 . "$(dirname "$0")/functions.sh"
 
 # network ROADS: a file with these roads; each of them on a line of its own
@@ -13,6 +14,13 @@ road() {
 }
 piece() { printf '<geometry s="%s" x="%s" y="%s" hdg="%s" length="%s">%s</geometry>' "$@"; }
 line='<line/>'
+# valid ARGUMENTS...: the report in JSON is as the schema says, where jsonschema of python3 is there
+valid() {
+  python3 -c "import jsonschema" 2>/dev/null || return
+  "$program" verify --json "$@" >valid.json
+  holds python3 -c 'import json, sys; from jsonschema import Draft7Validator as V; V(json.load(open(sys.argv[1]))).validate(json.load(open(sys.argv[2])))' \
+    "$schemas/roads.json" valid.json
+}
 # decides CODE PIECES TEXT...: verify of one road of these pieces
 decides() {
   local code=$1 pieces=$2
@@ -74,9 +82,26 @@ network "$(road 1 10 "$(piece 0 0 0 0 10 $line)" '<successor elementType="juncti
 run 1 verify roads.xodr && says out "link reference lines gap, gap 3.5 m" "junction lane borders apart by 0 m" "its connecting road is not in the file" && run 0 verify roads.xodr --allow-uncovered
 network "$(road 1 10 "$(piece 0 0 0 0 10 $line)" "$(next successor 2 start)")$(road 2 10 "$(piece 0 15 0 0 10 $line)")"
 run 2 verify roads.xodr && says out "no lanes are linked, and the reference lines do not meet" "the other road does not name this one there"
+valid roads.xodr
 # a virtual junction: a road that branches off at s = 4 of an arc, in its direction
 network "$(road 1 10 "$(piece 0 0 0 0 10 '<arc curvature="0.01"/>')" '' '' "$(both '' '')")$(road 2 10 "$(piece 0 3.99893341866 0.07998933390 0.04 10 $line)" '<predecessor elementType="road" elementId="1" elementS="4" elementDir="+"/>' '' "$(both "$(from 1)" "$(from -1)")")"
 run 0 verify roads.xodr && says out "road 2, start - road 1, s = 4" "reference lines G1" "road 2, start, lane 1 - road 1, s = 4, lane 1"
+
+# borders of lanes as curves: a lane that widens linearly has a kink, one that lies beyond the
+# centre of an arc folds, and the borders of an arc have curvatures of their own
+widening="$(section 0 "$(lane 1 '' "$(width 0 3)<width sOffset=\"15\" a=\"3\" b=\"0.25\" c=\"0\" d=\"0\"/>")" "$(lane -1 '' "$(width 0 4)")")"
+network "$(road 1 20 "$(piece 0 0 0 0 10 $line)$(piece 10 10 0 0 10 '<arc curvature="0.1"/>')" '' '' "$widening")"
+run 0 verify roads.xodr && lacks out "lane border" && run 1 verify roads.xodr --lane-borders && says out "s = 10, lane 1, left (line 2): lane border G1, gap 0 m, kink none, curvature jump 0.1429/m" \
+  "s = 10, lane -1, right (line 2): lane border G1" "0.07143/m" "s = 15, lane 1, left (line 2): lane border G0" "kink 0.343 rad" "4 lane border (1 not smooth enough)" "1 of them not G1"
+run 1 verify roads.xodr --lane-borders --require G2 && says out "5 of them not G2" && run 1 verify roads.xodr --lane-borders --json && says out '"kind":"lane border","road":"1","s":15,"lane":1,"to":1,"side":"left"'
+sed 's/a="3"/a="11"/g' roads.xodr >fold.xodr && run 0 verify fold.xodr && run 1 verify fold.xodr --lane-borders && says out "s = 10, lane 1, left border (line 2): fault, lane border: the lane folds"
+valid --lane-borders fold.xodr && valid --lane-borders roads.xodr
+run 2 verify "$S" --lane-borders && says err "only for road networks"
+
+# what the digits explain: numbers of 9 digits, and the same gap among numbers of 12
+digits() { decides 1 "$(piece 0 691234.568 5334567.89 -1.234 80 '<spiral curvStart="0" curvEnd="-0.008"/>')$(piece 80 691252.741"$1" 5334490.35 -1.554 40 '<arc curvature="-0.008"/>')" "plan gap"; }
+digits '' && says out "gap 0.004672 m, kink none, curvature equal; 9 digits explain it - not G1" && digits 001 && lacks out "explain"
+run 1 verify roads.xodr --json && says out '"explained_by_digits":{"gap":false,"kink":true}'
 
 # what cannot be read, with its line
 bad() { run 2 verify roads.xodr && says err "roads.xodr:$1: " "$2"; }
@@ -101,6 +126,8 @@ run 1 verify bad.xodr --format sarif && says out '"ruleId":"gap"' '"startLine":4
 run 1 verify bad.xodr --format junit && says out '<failure type="gap"' && run 0 verify bad.xodr --baseline known.sarif && says out "1 of them known"
 echo bad.xodr >list && run 1 verify --jsonl list --gap 0.1 && says out '"met":false'
 run 1 verify bad.xodr --json && says out '"kind":"plan","road":"7","s":10,"s_error":0,"gap":[0.5,0.5],"kink":[' '"g0":false,"g1":false,"g2":true' '"order":"gap"' '"required":"G1","met":false'
+
+valid bad.xodr level.xodr fold.xodr
 
 # repair: the end is free, the start is, neither is; all other bytes stay, and again nothing changes
 arc='<arc curvature="0.01"/>'

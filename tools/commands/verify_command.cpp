@@ -269,6 +269,7 @@ void describe_verify(po::options_description_easy_init add) {
       "fonts and CAD models is meant and need not meet a requirement of G orders");
   describe_curvature_bound(add);
   describe_road_tolerances(add);
+  add("lane-borders", "for road networks: the borders of lanes must have the order of --require, too");
   add("sew", po::value<std::string>(), "for CAD models: join boundary edges that are within this distance, in mm");
   add("time-limit", po::value<std::string>(),
       "for CAD models: the seconds of processor time that reading one file may take, 60 if not given; with --jsonl, "
@@ -378,6 +379,7 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
     refuse_bound("not for road networks");
     return verify_roads(files, mode, road_demand(line, required));
   }
+  line.refuse({"lane-borders"}, "only for road networks");
   const auto rails = std::count_if(files.begin(), files.end(), is_rail_file);
   if (rails != 0) {
     if (rails != static_cast<std::ptrdiff_t>(files.size()))

@@ -6,6 +6,7 @@
 
 #include <CGAL/Geometric_continuity/models/Road_network.h>
 
+#include <cmath>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -28,6 +29,7 @@ struct Found {
   std::vector<GC::Road_section_join> sections;
   std::vector<GC::Road_link_join> links;
   std::vector<GC::Road_lane_join> lanes;
+  std::vector<GC::Road_border_join> borders;
   std::vector<GC::Road_remark> remarks;
 
   void operator()(const GC::Road_plan_join& x) { plan.push_back(x); }
@@ -36,13 +38,14 @@ struct Found {
   void operator()(const GC::Road_section_join& x) { sections.push_back(x); }
   void operator()(const GC::Road_link_join& x) { links.push_back(x); }
   void operator()(const GC::Road_lane_join& x) { lanes.push_back(x); }
+  void operator()(const GC::Road_border_join& x) { borders.push_back(x); }
   void operator()(const GC::Road_remark& x) { remarks.push_back(x); }
 };
 
-Found found(const GC::Road_network& network) {
+Found found(const GC::Road_network& network, bool with_borders = false) {
   Found result;
   result.network = std::make_shared<const GC::Road_network>(network);
-  GC::road_joins(*result.network, {}, result);
+  GC::road_joins(*result.network, {}, result, with_borders);
   return result;
 }
 
@@ -179,14 +182,102 @@ BOOST_AUTO_TEST_CASE(start_to_start) {
   b.sections = {{Number(0), {lane(-1, {cubic(0, 6)}, {1, 2}, {})}}};
   a.predecessor = link("b", GC::Road_end::start);
   b.predecessor = link("a", GC::Road_end::start);
-  const Found f = found({{a, b}, {}});
-  BOOST_REQUIRE(f.links.size() == 1 && f.lanes.size() == 2);
+  const Found f = found({{a, b}, {}}, true);
+  BOOST_REQUIRE(f.links.size() == 1 && f.lanes.size() == 2 && f.borders.size() == 2);
+  for (const GC::Road_border_join& x : f.borders) // seen in the direction of a: 0 and 6 to the left
+    BOOST_CHECK(x.join.same_curvature && *x.join.order() == 2);
   BOOST_CHECK(f.links[0].join.same_curvature && f.links[0].join.order() == 2);
   BOOST_CHECK(f.links[0].join.kink.lower < 2.667642e-7 && 2.667641e-7 < f.links[0].join.kink.upper); // 355/113 - pi
   for (const GC::Road_lane_join& x : f.lanes) {
     BOOST_CHECK_EQUAL(x.gaps.size(), 1u);
     BOOST_CHECK(x.within == GC::Verdict::proved);
   }
+}
+
+// Asks if an enclosure has a number in it.
+bool has(const GC::Enclosure& x, double y) {
+  return x.lower <= y * (1 + 1e-14) && y * (1 - 1e-14) <= x.upper && x.upper - x.lower < 1e-12;
+}
+
+// Asks if a border is the reference line.
+bool border_at_centre(const GC::Road_border_join& x) { return x.lane.id > 0 ? !x.is_left : x.is_left; }
+
+// The borders of lanes as curves: behind a line with t = 2, t' = 1/10 an arc, a clothoid and a
+// cubic with their curvatures k and rates k', where P' = (1 - k t, t') and the curvature is
+// ((1 - k t) (k (1 - k t)) + t' (k' t + 2 k t')) / |P'|^3.
+BOOST_AUTO_TEST_CASE(borders_as_curves) {
+  GC::Road_geometry arc = piece(10, 10, 0, 0, 10, part(1, 10)), spiral = arc, cubic3 = arc;
+  spiral.shape = GC::Road_shape::spiral;
+  spiral.parameters = {Number(0), part(1, 10)};
+  cubic3.shape = GC::Road_shape::param_poly3;
+  cubic3.parameters = {0, 10, 0, 0, 0, 0, 1, 1};
+  const struct {
+    GC::Road_geometry next;
+    double kink, jump;
+  } rows[] = {{arc, std::atan(0.125) - std::atan(0.1), (0.8 * 0.08 + 0.1 * 0.02) / std::pow(0.65, 1.5)},
+              {spiral, 0, 0.1 * 0.02 / std::pow(1.01, 1.5)},
+              {cubic3, std::atan(0.1 / 0.96) - std::atan(0.1),
+               (0.96 * 0.02 * 0.96 + 0.1 * (0.006 * 2 + 2 * 0.02 * 0.1)) / std::pow(0.9316, 1.5)}};
+  for (const auto& row : rows) {
+    GC::Road r = road("1", {piece(0, 0, 0, 0, 10), row.next});
+    r.sections = {{Number(0), {lane(1, {cubic(0, 1, part(1, 10))}, {}, {})}}};
+    BOOST_CHECK(found({{r}, {}}).borders.empty());
+    const Found f = found({{r}, {}}, true);
+    BOOST_REQUIRE_EQUAL(f.borders.size(), 2u); // the outer one, and the reference line
+    BOOST_CHECK(f.borders[0].is_left && !f.borders[1].is_left && f.remarks.empty());
+    BOOST_CHECK(f.borders[0].join.same_point && f.borders[0].join.g0 == GC::Verdict::proved);
+    BOOST_CHECK(has(f.borders[0].join.kink, row.kink) && has(*f.borders[0].join.jump, row.jump));
+    BOOST_CHECK(f.borders[0].join.same_heading == (row.kink == 0) && f.borders[1].join.same_heading);
+    r.sections[0].lanes[0].widths = {cubic(0, 10)}; // as far away as the centre of the arc
+    const Found folded = found({{r}, {}}, true);
+    BOOST_CHECK_EQUAL(folded.remarks.size(), row.next.shape == GC::Road_shape::arc ? 1u : 0u);
+    BOOST_CHECK_EQUAL(folded.borders.size(), row.next.shape == GC::Road_shape::arc ? 1u : 2u);
+  }
+}
+
+// Inside of an arc and of a cubic: a width that starts to grow is a kink of both sides of the lane
+// that lies outside of it, and of no other border; lanes that pass into others; a curvature that is
+// a root.
+BOOST_AUTO_TEST_CASE(borders_of_several_lanes) {
+  GC::Road r = road("1", {piece(0, 0, 0, 0, 40, part(1, 100))});
+  r.sections = {{Number(0),
+                 {lane(1, {cubic(0, 3), cubic(10, 3, part(1, 4))}, {}, {2}), lane(2, {cubic(0, 4)}, {}, {3}),
+                  lane(-1, {cubic(0, 3)}, {}, {-1})}},
+                {Number(20),
+                 {lane(1, {cubic(0, 1)}, {}, {}), lane(2, {cubic(0, part(9, 2), part(1, 4))}, {1}, {}),
+                  lane(3, {cubic(0, 4)}, {2}, {}), lane(-1, {cubic(0, 3, 0, part(1, 10))}, {-1}, {})}}};
+  const Found f = found({{r}, {}}, true);
+  BOOST_REQUIRE_EQUAL(f.borders.size(), 2u + 1u + 1u);
+  for (int i : {0, 1}) {
+    BOOST_CHECK(f.borders[i].from.at == Number(10) && f.borders[i].lane.id == i + 1 && f.borders[i].is_left);
+    BOOST_CHECK(has(f.borders[i].join.kink, std::atan(0.25 / (i == 0 ? 0.97 : 0.93))) &&
+                *f.borders[i].join.order() == 0);
+  }
+  // those of lane 1 are 0 and 5.5 to the left at 20, those of lane 2 behind it 1 and 5.5, as smooth
+  BOOST_CHECK(f.borders[3].lane.id == 1 && f.borders[3].to_lane.id == 2 && !f.borders[3].is_left);
+  BOOST_CHECK(has(f.borders[3].join.gap, 1) && f.borders[3].join.g0 == GC::Verdict::refuted);
+  BOOST_CHECK(f.borders[2].lane.id == -1 && *f.borders[2].join.order() == 1 && f.borders[2].join.same_heading);
+  BOOST_CHECK(has(*f.borders[2].join.jump, 0.2 / (1.03 * 1.03)));
+
+  // at the end of a cubic whose curvature is a root there, with t' = 0: a direction, no curvature
+  GC::Road_geometry bow = piece(0, 0, 0, 0, 10), after = piece(10, 10, 1, 0, 10);
+  bow.shape = GC::Road_shape::param_poly3;
+  bow.parameters = {0, 10, 0, 0, 0, 0, 1, 0};
+  GC::Road root = road("2", {bow, after});
+  root.sections = {{Number(0), {lane(1, {cubic(0, 3)}, {}, {}), lane(-1, {cubic(0, 1000)}, {}, {})}}};
+  const Found at_root = found({{root}, {}}, true);
+  BOOST_REQUIRE_EQUAL(at_root.borders.size(), 3u);
+  for (const GC::Road_border_join& x : at_root.borders)
+    BOOST_CHECK(has(x.join.kink, std::atan(0.2)) && x.join.jump.has_value() == (border_at_centre(x)));
+  root.sections[0].lanes[0].widths = {cubic(0, 60)}; // 1 / k = 53.03
+  BOOST_CHECK_EQUAL(found({{root}, {}}, true).borders.size(), 2u);
+
+  r.plan[0].shape = GC::Road_shape::param_poly3;
+  r.plan[0].parameters = {0, 40, 0, 0, 0, 0, 1, 0};
+  const Found cubic_road = found({{r}, {}}, true);
+  std::size_t open = 0;
+  for (const GC::Road_remark& x : cubic_road.remarks) open += x.kind == GC::Road_remark::Kind::not_covered;
+  BOOST_CHECK(cubic_road.borders.empty() && open == 4);
 }
 
 // Links and connections that lead nowhere are named, each once.

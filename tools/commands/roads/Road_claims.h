@@ -6,6 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_ROADS_ROAD_CLAIMS_H
 
 #include "commands/roads/alignment_words.h"
+#include "commands/roads/file_digits.h"
 #include "commands/roads/verify_roads.h"
 #include "reports/finding.h"
 #include "reports/words.h"
@@ -62,6 +63,7 @@ inline std::string contact(const GC::Road_contact& c) {
 // Makes claims of what road_joins() finds.
 class Road_claims {
   const Road_demand& demand_;
+  const File_digits digits_;
 
   // The class of a claim that must hold.
   static Given given(GC::Verdict verdict, const char* reason = "the tolerance lies inside of the bounds") {
@@ -110,8 +112,44 @@ class Road_claims {
     claim.jump = join.jump;
   }
 
+  // Asks that a join has the order that is demanded.
+  void ask_order(Road_claim& claim, const GC::Alignment_join& join) const {
+    const GC::Verdict orders[] = {join.g0, join.g0 && join.g1, join.g0 && join.g1 && join.g2};
+    claim.given = given(orders[demand_.order],
+                        join.jump ? "the tolerance lies inside of the bounds" : "a curvature is not defined");
+    if (claim.given.claim != Claim::not_met) return;
+    if (join.g0 == GC::Verdict::refuted) {
+      claim.rule = Finding_rule::gap;
+      claim.measure = Measure{"gap", join.gap};
+    } else if (join.g1 == GC::Verdict::refuted) {
+      claim.rule = Finding_rule::kink;
+      claim.measure = Measure{"angle_degrees", GC::in_degrees(join.kink)};
+    } else {
+      claim.rule = Finding_rule::curvature;
+      claim.measure = Measure{"curvature_difference", *join.jump};
+    }
+    claim.fault = "not G" + std::to_string(demand_.order);
+  }
+
+  // Tells if a gap and a kink behind a line, an arc or a spiral may come from the digits of the
+  // file.
+  void explain(Road_claim& claim, const GC::Road_plan_join& x) const {
+    if (GC::is_polynomial(x.before) || digits_.digits() == 0) return;
+    const File_digits::Bounds bounds = digits_.bounds(x.before, x.after);
+    const auto explains = [](const GC::Enclosure& size, const GC::Road_number& bound) {
+      return std::isfinite(size.upper) && !(bound < GC::Road_number(size.upper));
+    };
+    const bool gap = explains(x.join.gap, bounds.gap), kink = explains(x.join.kink, bounds.kink);
+    claim.json +=
+        ",\"explained_by_digits\":{\"gap\":" + road_words::flag(gap) + ",\"kink\":" + road_words::flag(kink) + '}';
+    const bool has_gap = x.join.g0 == GC::Verdict::refuted, has_kink = x.join.g1 == GC::Verdict::refuted;
+    if ((has_gap || has_kink) && (gap || !has_gap) && (kink || !has_kink))
+      claim.verdict += "; " + std::to_string(digits_.digits()) + " digits explain it";
+  }
+
 public:
-  explicit Road_claims(const Road_demand& demand) : demand_(demand) {}
+  explicit Road_claims(const Road_demand& demand, const File_digits& digits = File_digits())
+      : demand_(demand), digits_(digits) {}
 
   const GC::Alignment_tolerance& tolerance() const { return demand_.tolerance; }
 
@@ -128,21 +166,28 @@ public:
       claim.json += ",\"other_reading\":{" + other.json.substr(1) + '}';
       claim.verdict += "; if pRange were arcLength: " + other.verdict;
     }
-    const GC::Verdict orders[] = {x.join.g0, x.join.g0 && x.join.g1, x.join.g0 && x.join.g1 && x.join.g2};
-    claim.given = given(orders[demand_.order],
-                        x.join.jump ? "the tolerance lies inside of the bounds" : "a curvature is not defined");
-    if (claim.given.claim != Claim::not_met) return claim;
-    if (x.join.g0 == GC::Verdict::refuted) {
-      claim.rule = Finding_rule::gap;
-      claim.measure = Measure{"gap", x.join.gap};
-    } else if (x.join.g1 == GC::Verdict::refuted) {
-      claim.rule = Finding_rule::kink;
-      claim.measure = Measure{"angle_degrees", GC::in_degrees(x.join.kink)};
-    } else {
-      claim.rule = Finding_rule::curvature;
-      claim.measure = Measure{"curvature_difference", *x.join.jump};
-    }
-    claim.fault = "not G" + std::to_string(demand_.order);
+    explain(claim, x);
+    ask_order(claim, x.join);
+    return claim;
+  }
+
+  Road_claim operator()(const GC::Road_border_join& x) const {
+    Road_claim claim;
+    claim.kind = "lane border";
+    const std::string lane = ", lane " + std::to_string(x.lane.id);
+    if (x.from.road == x.to.road && x.from.at)
+      place(claim, *x.from.road, *x.from.at,
+            lane + (x.lane.id == x.to_lane.id ? "" : " to " + std::to_string(x.to_lane.id)));
+    else
+      place(claim, x.from, x.to, lane, ", lane " + std::to_string(x.to_lane.id));
+    const char* const side = x.is_left ? "left" : "right";
+    claim.place += std::string(", ") + side;
+    claim.spot += std::string(", ") + side;
+    claim.line = x.line;
+    claim.json += ",\"lane\":" + std::to_string(x.lane.id) + ",\"to\":" + std::to_string(x.to_lane.id) +
+                  ",\"side\":\"" + side + '"';
+    add_join(claim, x.join);
+    ask_order(claim, x.join);
     return claim;
   }
 

@@ -117,6 +117,7 @@ class Rail_report {
         const bool exact_points = check.ends->left.point.rational() && check.ends->right.point.rational();
         if (!exact_points) widen(d.join->gap, d.join->g0, tolerance.gap);
         if (!d.join->same_heading) widen(d.join->kink, d.join->g1, tolerance.kink); // whatever the unit is
+        if (check.rounded_curvature && !d.join->same_curvature) widen(*d.join->jump, d.join->g2, tolerance.curvature);
       }
       if (!demand_.kink && check.length) d.join->g1 = within_precision(*d.join, precision, *check.length);
       d.verdicts = {d.join->g0, d.join->g1, d.join->g2};

@@ -226,6 +226,7 @@ class Roads_page {
       return place(x.road, CGAL::to_double(x.s));
     else {
       const GC::Road& road = *x.from.road;
+      if (x.from.at) return place(road, CGAL::to_double(*x.from.at));
       return place(road, x.from.end == GC::Road_end::start ? 0 : CGAL::to_double(road.length));
     }
   }

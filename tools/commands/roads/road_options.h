@@ -41,6 +41,7 @@ template <class Required> Road_demand road_demand(const Command_line& line, cons
               "not for road networks");
   Road_demand demand;
   read_road_tolerances(line, demand);
+  demand.borders = line.has("lane-borders");
   if (!required) return demand;
   if (required->text() != "G0" && required->text() != "G1" && required->text() != "G2")
     throw std::invalid_argument("--require " + required->text() + ": of road networks G0, G1 and G2 are decided");

@@ -36,7 +36,6 @@ struct Largest_defect {
 
 class Road_report {
   const Road_demand& demand_;
-  const Road_claims claims_;
   Report report_;
   const bool several_;
   std::string file_;
@@ -125,6 +124,7 @@ class Road_report {
     if (x.kind == GC::Road_profile_kind::elevation) keep_worst(worst_step_, road_words::absolute(x.jump.value), claim);
   }
   void count(const GC::Road_length_check&, const Road_claim&) {}
+  void count(const GC::Road_border_join&, const Road_claim&) {}
 
   void add_remark(const GC::Road_remark& x) {
     static constexpr const char* kinds[] = {"note", "fault", "not covered", "undecided"};
@@ -164,9 +164,10 @@ class Road_report {
 
   struct Visitor {
     Road_report& report;
+    const Road_claims claims;
     void operator()(const GC::Road_remark& x) const { report.add_remark(x); }
     template <class Join> void operator()(const Join& x) const {
-      const Road_claim claim = report.claims_(x);
+      const Road_claim claim = claims(x);
       report.add(claim);
       report.count(x, claim);
     }
@@ -187,7 +188,8 @@ class Road_report {
       for (const GC::Road_section& section : road.sections)
         for (const GC::Road_lane& lane : section.lanes) lanes_with_height_ += lane.has_height;
     }
-    GC::road_joins(opendrive.network, demand_.tolerance, Visitor{*this});
+    GC::road_joins(opendrive.network, demand_.tolerance,
+                   Visitor{*this, Road_claims(demand_, File_digits(opendrive.digits))}, demand_.borders);
   }
 
   const Kind_summary& kind(const char* name) { return kinds_[name]; }
@@ -213,7 +215,8 @@ class Road_report {
           std::pair("superelevation", "with a step"), std::pair("laneOffset", "with a step"),
           std::pair("width", "with a step"), std::pair("border", "with a step"), std::pair("section lane", "apart"),
           std::pair("section lane back", "apart"), std::pair("road lane", "apart"),
-          std::pair("road lane back", "apart"), std::pair("junction lane", "apart")}) {
+          std::pair("road lane back", "apart"), std::pair("junction lane", "apart"),
+          std::pair("lane border", "not smooth enough")}) {
       const Kind_summary& k = kind(name);
       if (k.joins == 0) continue;
       os << separator << k.joins << ' ' << name;
@@ -267,7 +270,7 @@ class Road_report {
 
 public:
   Road_report(const Arguments& files, const Report_mode& mode, const Road_demand& demand)
-      : demand_(demand), claims_(demand), report_(mode, subject(demand)), several_(files.size() > 1) {
+      : demand_(demand), report_(mode, subject(demand)), several_(files.size() > 1) {
     report_.row("records");
     report_.row("remarks");
     for (const std::string& file : files) read(file);

@@ -16,6 +16,7 @@ struct Road_demand {
   CGAL::Geometric_continuity::Alignment_tolerance tolerance = {};
   std::string gap = "0.001", kink = "0.001", curvature = "0.000001"; // as they are written
   int order = 1;                                                     // of the reference lines
+  bool borders = false;                                              // of lanes are to have this order, too
 };
 
 // Runs `verify` for road networks: prints all that is decided about them, and returns the exit

@@ -65,6 +65,7 @@ struct Segment {
   std::string claim; // the Transition
   std::optional<GC::Alignment_end> start, end;
   std::optional<Q> length; // 0 or more, where it is known
+  bool rounded = false;    // directions and curvatures have pi in them
   std::string not_covered;
 };
 
@@ -232,11 +233,14 @@ class Ifc_reader {
       s.length = absolute(l);
       return;
     }
-    if (l < 0) throw Not_covered{"a part of a polynomial curve backwards by an arc length"};
-    const GC::Parametric_cubic c = GC::Parametric_cubic::graph(p.x, p.y, frame, w, l);
+    // backwards it is (-t, w), which turned by a half turn is a graph
+    const GC::Parametric_cubic c = l < 0
+                                       ? GC::Parametric_cubic::graph(p.x, p.y, p.heading.turned(Q(1), w[1]),
+                                                                     {Q(0), Q(-w[1]), Q(-w[2]), Q(-w[3])}, absolute(l))
+                                       : GC::Parametric_cubic::graph(p.x, p.y, frame, w, l);
     s.start = c.start();
     s.end = c.end();
-    s.length = l;
+    s.length = absolute(l);
   }
 
   // The cant is a graph over the distance along. Where the parent is a spiral its curvature times
@@ -250,12 +254,15 @@ class Ifc_reader {
     if (l == 0) return set_ends(s, GC::Clothoid_segment(p.x, p.y, p.heading, Q(0), Q(0), Q(0)));
     const std::optional<Parent_curvature> k = spiral(curve);
     if (!k) throw Not_covered{"a segment of " + curve.type};
-    if (k->has_waves()) throw Not_covered{"a cant by " + curve.type};
     if (l < 0) throw Not_covered{"a cant backwards"};
+    if (k->has_waves() && from != 0)
+      throw Not_covered{"a part of a cosine or sine spiral that does not begin at its start"};
     std::vector<Q> h = along(k->polynomial, from, l); // of the part of the length
     for (Q& x : h) x = Q(x * l);
+    // l c cos(pi w) has no slope at both ends, l s sin(2 pi w) no second derivative
     const auto end = [&](const Q& w) {
-      Q value(0), slope(0), second(0), factor(1);
+      Q value(w == 0 ? Q(0) : Q(-2 * l * k->cosine)), slope(2 * long_pi() * k->sine * l),
+          second((w == 0 ? -1 : 1) * long_pi() * long_pi() * k->cosine * l);
       for (std::size_t j = 0; j < h.size(); ++j) {
         const int n = static_cast<int>(j);
         if (j >= 1) value = Q(value + h[j] * power(w, n));
@@ -271,6 +278,7 @@ class Ifc_reader {
                                                               : 0,
                                                  Q(second * second / (speed * speed * speed)))};
     };
+    s.rounded = k->has_waves();
     s.start = end(Q(0));
     s.start->heading = p.heading; // as it is given
     s.end = end(Q(1));
@@ -337,6 +345,7 @@ class Ifc_reader {
           check.not_covered = !before->not_covered.empty() ? before->not_covered : next.not_covered;
         else
           check.ends = {*before->end, *next.start};
+        check.rounded = check.rounded_curvature = before->rounded || next.rounded;
         result_.checks.push_back(std::move(check));
       }
       before = std::move(next);
@@ -377,10 +386,13 @@ class Ifc_reader {
         return set_ends(s, GC::Clothoid_segment(p[0], p[1], heading, k0, k1, length));
       }
       if (type == "CUBIC") {
-        // y = x^3 / (6 R L), from the end that is straight; x goes over the length
-        if (k0 != 0 || length == 0) throw Not_covered{"a cubic that does not begin straight"};
-        const GC::Parametric_cubic c(p[0], p[1], heading, {Q(0), Q(1), Q(0), Q(0)},
-                                     {Q(0), Q(0), Q(0), Q(k1 / (6 * length))}, length);
+        // y = x^3 / (6 R L) from the end that is straight, where x goes over the length; if that is
+        // the second end, y = b ((x - L)^3 + L^3) with b = -1 / (6 R L)
+        if (length == 0 || (k0 != 0 && k1 != 0)) throw Not_covered{"a cubic without a straight end"};
+        const Q b = Q((k0 == 0 ? k1 : Q(-k0)) / (6 * length)), slope = k0 == 0 ? Q(0) : Q(3 * b * length * length),
+                second = k0 == 0 ? Q(0) : Q(-3 * b * length);
+        const GC::Parametric_cubic c(p[0], p[1], heading.turned(Q(1), Q(-slope)), {Q(0), Q(1), Q(0), Q(0)},
+                                     {Q(0), slope, second, b}, length);
         s.start = c.start();
         s.end = c.end();
         s.length = length;
@@ -410,6 +422,19 @@ class Ifc_reader {
     const Q x = number(2), length = number(3), height = number(4), g0 = number(5), g1 = number(6);
     const std::string_view type = a[8].text;
     if (length < 0) throw Not_covered{"a negative length"};
+    if (type == "CIRCULARARC") { // by its radius, from one gradient to the other
+      const Q radius = absolute(number(7));
+      if (radius == 0) throw Not_covered{"a vertical arc without a radius"};
+      if (g0 == g1) throw Not_covered{"a vertical arc between equal gradients"};
+      const Q r = g0 < g1 ? radius : Q(-radius);
+      const GC::Heading from(Q(0), Q(1), g0), to(Q(0), Q(1), g1);
+      const GC::Enclosed_point begin(x, height);
+      const GC::End_curvature curvature{Q(1 / r)};
+      s.start = GC::Alignment_end{begin, from, curvature};
+      s.end = GC::Alignment_end{begin.moved(from, Q(0), r).moved(to, Q(0), Q(-r)), to, curvature}; // round the centre
+      s.length = length;
+      return;
+    }
     const bool is_parabola = type == "PARABOLICARC";
     if (!is_parabola && (type != "CONSTANTGRADIENT" || g0 != g1))
       throw Not_covered{"a vertical segment of the type " + std::string(type) +

@@ -30,34 +30,76 @@ struct Element {
   std::string type; // Line, Curve, Spiral
   long long line = 0;
   std::map<std::string, std::string> attributes;
-  std::map<std::string, std::vector<Q>> points; // Start, End, Center, PI
+  std::map<std::string, std::vector<Q>> points;  // Start, End, Center, PI
+  std::map<std::string, std::string> references; // of those, to points of the file
 };
 
 // How angles are written.
 enum class Angle_unit { radians, degrees, grads, degrees_minutes };
 
-// pi with an error below 10^-64.
-const Q& long_pi() {
-  static const Q pi = GC::parse_number<Q>("3.141592653589793238462643383279502884197169399375105820974944592308");
-  return pi;
-}
+// A point of a vertical alignment at which two gradients meet, and how far the curve there reaches
+// on both sides; an arc reaches as far as its radius says, which is not decided.
+struct Profile_point {
+  long long line = 0;
+  std::string type;
+  std::optional<Q> station;
+  Q in = 0, out = 0;
+};
+
+// The elements of an alignment, or of a vertical one.
+struct Alignment_text {
+  std::string name;
+  std::vector<Element> elements;
+  std::optional<std::string> length; // as it is declared
+};
+struct Profile_text {
+  std::string name;
+  std::vector<Profile_point> points;
+};
 
 class Landxml_reader : Xml_reader {
   Rail_file result_;
   std::vector<std::string> open_; // local names
   std::string alignment_, text_;
   std::vector<Element> elements_;
+  std::vector<Alignment_text> plans_;
+  std::vector<Profile_text> profiles_;
+  std::map<std::string, std::vector<Q>> named_points_;
+  std::string point_name_;
+  std::optional<std::string> declared_length_;
   std::set<std::string> skipped_;
   Angle_unit directions_ = Angle_unit::radians, angles_ = Angle_unit::radians;
-  std::size_t alignments_ = 0, profiles_ = 0, references_ = 0;
+  std::size_t alignments_ = 0, references_ = 0;
 
   static std::string local(const std::string& name) {
     const std::size_t blank = name.rfind(' ');
     return blank == std::string::npos ? name : name.substr(blank + 1);
   }
-  bool is_element() const { return open_.size() >= 2 && open_[open_.size() - 2] == "CoordGeom"; }
+  bool is_in(const char* parent) const { return open_.size() >= 2 && open_[open_.size() - 2] == parent; }
+  bool is_element() const { return is_in("CoordGeom"); }
+  bool is_in_element() const { return open_.size() >= 3 && open_[open_.size() - 3] == "CoordGeom"; }
+  static bool is_point(const std::string& type) {
+    return type == "Start" || type == "End" || type == "Center" || type == "PI";
+  }
 
-  Angle_unit unit(const std::string& text) const {
+  void start_profile_point(const std::string& type, std::map<std::string, std::string>& given) {
+    Profile_point p;
+    p.line = line();
+    p.type = type;
+    const auto length = [&](const char* name) { return given.count(name) != 0 ? number(given[name]) : Q(0); };
+    if (type == "ParaCurve") p.in = p.out = Q(length("length") / 2);
+    if (type == "UnsymParaCurve") {
+      p.in = length("lengthIn");
+      p.out = length("lengthOut");
+    }
+    if (type == "PVI" || type == "ParaCurve" || type == "UnsymParaCurve" || type == "CircCurve")
+      profiles_.back().points.push_back(std::move(p));
+  }
+
+  Angle_unit unit(const std::string& value) const {
+    std::istringstream words(value); // some write two blanks
+    std::string text;
+    for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
     if (text == "radians") return Angle_unit::radians;
     if (text == "decimal degrees") return Angle_unit::degrees;
     if (text == "grads") return Angle_unit::grads;
@@ -80,14 +122,19 @@ class Landxml_reader : Xml_reader {
     if (type == "Alignment") {
       ++alignments_;
       alignment_ = given.count("name") != 0 ? given["name"] : std::to_string(alignments_);
+      declared_length_ = given.count("length") != 0 ? std::optional<std::string>(given["length"]) : std::nullopt;
     }
-    if (type == "ProfAlign") ++profiles_;
+    if (type == "ProfAlign") profiles_.push_back({alignment_, {}});
+    if (is_in("ProfAlign")) start_profile_point(type, given);
+    if (type == "CgPoint") point_name_ = given["name"];
+    if (is_in_element() && is_point(type) && given.count("pntRef") != 0 && !elements_.empty())
+      elements_.back().references[type] = given["pntRef"];
     if (is_element()) {
       if (type == "Line" || type == "Curve" || type == "Spiral")
-        elements_.push_back({type, line(), std::move(given), {}});
+        elements_.push_back({type, line(), std::move(given), {}, {}});
       else if (type != "Feature") {
         skipped_.insert(type);
-        elements_.push_back({type, line(), {}, {}});
+        elements_.push_back({type, line(), {}, {}, {}});
       }
     }
     text_.clear();
@@ -95,15 +142,17 @@ class Landxml_reader : Xml_reader {
   void text(std::string_view text) override { text_ += text; }
   void end() override {
     const std::string type = open_.back();
-    const bool in_element = open_.size() >= 3 && open_[open_.size() - 3] == "CoordGeom";
-    if (in_element && !elements_.empty() && (type == "Start" || type == "End" || type == "Center" || type == "PI")) {
-      if (text_.find_first_not_of(" \t\r\n") != std::string::npos)
-        elements_.back().points[type] = point();
-      else
-        ++references_;
-    }
+    if (is_in_element() && !elements_.empty() && is_point(type)) {
+      if (text_.find_first_not_of(" \t\r\n") != std::string::npos) elements_.back().points[type] = point();
+    } else if (type == "CgPoint" && text_.find_first_not_of(" \t\r\n") != std::string::npos)
+      named_points_.emplace(point_name_, point());
+    else if (is_in("ProfAlign") && !profiles_.back().points.empty() && profiles_.back().points.back().type == type)
+      profiles_.back().points.back().station = point()[0];
     open_.pop_back();
-    if (type == "CoordGeom") finish();
+    if (type == "CoordGeom") {
+      plans_.push_back({alignment_, std::move(elements_), std::exchange(declared_length_, std::nullopt)});
+      elements_.clear();
+    }
   }
 
   Q number(const std::string& token) const {
@@ -266,8 +315,46 @@ class Landxml_reader : Xml_reader {
   }
   static std::string name(const Element& e, std::size_t i) { return e.type + " " + std::to_string(i + 1); }
 
-  // The end that is computed against the end that is declared.
+  // The difference of a root and a number.
+  static void set_difference(Rail_check& c, const std::string& quantity, const Q& a, const Q& square) {
+    c.difference = {quantity, Q(0), false, std::nullopt};
+    if (const auto root = GC::rational_square_root(square)) {
+      c.difference->value = Q(a - *root);
+      return;
+    }
+    const GC::Enclosure root_of = GC::sqrt_enclosure(square);
+    if (std::isfinite(root_of.upper) && std::isfinite(CGAL::to_double(a)))
+      c.difference->enclosed =
+          GC::Enclosure{GC::enclosure(Q(a - Q(root_of.upper))).lower, GC::enclosure(Q(a - Q(root_of.lower))).upper};
+    else {
+      c.difference = std::nullopt;
+      c.not_covered = "a number beyond those of floating-point numbers";
+    }
+  }
+
+  // The radius of a curve is the distance of its ends from its centre.
+  void check_radius(const Element& e, std::size_t i) {
+    const auto centre = e.points.find("Center");
+    const auto text = attribute(e, "radius");
+    if (e.type != "Curve" || centre == e.points.end() || !text) return;
+    for (const char* const end : {"Start", "End"}) {
+      const auto point = e.points.find(end);
+      if (point == e.points.end()) continue;
+      Rail_check c = check("radius", name(e, i) + ", " + end, e, 0);
+      const Q dx = Q(point->second[0] - centre->second[0]), dy = Q(point->second[1] - centre->second[1]);
+      set_difference(c, "radius", number(*text), Q(dx * dx + dy * dy));
+      result_.checks.push_back(std::move(c));
+    }
+  }
+
+  // The end that is computed against the end that is declared. A line of two points says nothing
+  // twice, nor does a curve of three without a length but what check_radius() compares.
   void check_end(const Element& e, std::size_t i, const Piece& p) {
+    const bool has_length = attribute(e, "length").has_value();
+    if (e.type == "Line" && !has_length) return;
+    if (e.type == "Curve" && !has_length && p.not_covered.empty() && p.start && p.end && p.start_heading &&
+        p.end_heading)
+      return;
     Rail_check c = check("declared end", name(e, i), e, p.end_heading ? 1 : 0);
     if (!p.not_covered.empty())
       c.not_covered = p.not_covered;
@@ -280,6 +367,16 @@ class Landxml_reader : Xml_reader {
       c.ends = {*p.computed_end, declared};
       c.rounded = p.rounded;
     }
+    result_.checks.push_back(std::move(c));
+  }
+
+  // The angle of a curve, which follows from its length and its radius.
+  void check_delta(const Element& e, std::size_t i, const Piece& p) {
+    const auto length = attribute(e, "length"), text = attribute(e, "delta");
+    if (e.type != "Curve" || !p.k0 || !length || !text || !p.not_covered.empty()) return;
+    Rail_check c = check("delta", name(e, i), e, 0);
+    const Q turn = Q(*p.k0 * number(*length)), delta = angle(*text, angles_, c.rounded);
+    c.difference = {"delta", Q((delta < 0 ? Q(-delta) : delta) - (turn < 0 ? Q(-turn) : turn)), true, std::nullopt};
     result_.checks.push_back(std::move(c));
   }
 
@@ -299,23 +396,63 @@ class Landxml_reader : Xml_reader {
     if (!constant || rate == 0) return;
     Rail_check c = check("constant", name(e, i), e, 0);
     const Q a = number(*constant), square = Q(l / rate); // A^2 = L R
-    c.difference = {"constant", Q(0), false, std::nullopt};
-    if (const auto root = GC::rational_square_root(square))
-      c.difference->value = Q(a - *root);
-    else {
-      const GC::Enclosure root_of = GC::sqrt_enclosure(square);
-      if (std::isfinite(root_of.upper) && std::isfinite(CGAL::to_double(a)))
-        c.difference->enclosed =
-            GC::Enclosure{GC::enclosure(Q(a - Q(root_of.upper))).lower, GC::enclosure(Q(a - Q(root_of.lower))).upper};
-      else {
-        c.difference = std::nullopt;
-        c.not_covered = "a number beyond those of floating-point numbers";
-      }
-    }
+    set_difference(c, "constant", a, square);
     result_.checks.push_back(std::move(c));
   }
 
-  void finish() {
+  // Gives points their coordinates that only name another point.
+  void look_up(Element& e) {
+    for (const auto& [type, name] : e.references) {
+      const auto found = named_points_.find(name);
+      if (e.points.count(type) != 0) continue;
+      if (found != named_points_.end())
+        e.points[type] = found->second;
+      else
+        ++references_;
+    }
+  }
+
+  // The length of an alignment is the sum of those of its elements.
+  void check_sum(const Alignment_text& plan) {
+    if (!plan.length || plan.elements.empty()) return;
+    Q sum(-number(*plan.length));
+    for (const Element& e : plan.elements) {
+      const auto length = attribute(e, "length");
+      if (!length) return;
+      sum = Q(sum + number(*length));
+    }
+    Rail_check c = check("length", "whole", plan.elements.front(), 0);
+    c.difference = {"length", sum, false, std::nullopt};
+    result_.checks.push_back(std::move(c));
+  }
+
+  // Vertical curves meet the gradients between them one behind the other.
+  void check_profile(const Profile_text& profile) {
+    alignment_ = profile.name;
+    if (profile.points.size() > 1) ++result_.curves;
+    for (std::size_t i = 0; i + 1 < profile.points.size(); ++i) {
+      const Profile_point &p = profile.points[i], &next = profile.points[i + 1];
+      Element at;
+      at.line = next.line;
+      Rail_check c = check(
+          "profile", p.type + ' ' + std::to_string(i + 1) + " - " + next.type + ' ' + std::to_string(i + 2), at, 0);
+      if (p.type == "CircCurve" || next.type == "CircCurve")
+        c.not_covered = "an arc in a profile";
+      else if (!p.station || !next.station)
+        c.not_covered = "a point of a profile without station";
+      else {
+        const Q overlap = Q(p.out + next.in - (*next.station - *p.station));
+        c.difference = {"overlap", overlap > 0 ? overlap : Q(0), false, std::nullopt};
+      }
+      result_.checks.push_back(std::move(c));
+    }
+  }
+
+  void decide(Alignment_text& plan) {
+    alignment_ = plan.name;
+    elements_ = std::move(plan.elements);
+    for (Element& e : elements_) look_up(e);
+    plan.elements = elements_;
     if (!elements_.empty()) ++result_.curves;
     std::optional<Piece> before;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
@@ -339,9 +476,11 @@ class Landxml_reader : Xml_reader {
       }
       check_end(e, i, p);
       check_spiral(e, i, p);
+      check_delta(e, i, p);
+      check_radius(e, i);
       before = std::move(p);
     }
-    elements_.clear();
+    check_sum(plan);
   }
 
 public:
@@ -350,12 +489,11 @@ public:
   Rail_file rails(std::istream& stream) {
     read(stream);
     result_.precision = Q(Q(1) / 1000);
-    if (profiles_ > 0)
-      result_.notes.push_back("profiles, of which there are " + std::to_string(profiles_) +
-                              ", say nothing twice: they are not compared");
+    for (Alignment_text& plan : plans_) decide(plan);
+    for (const Profile_text& profile : profiles_) check_profile(profile);
     if (references_ > 0)
       result_.notes.push_back("points without coordinates, of which there are " + std::to_string(references_) +
-                              ", are not looked up elsewhere");
+                              ", name none that is in the file");
     for (const std::string& type : skipped_) result_.notes.push_back("elements " + type + " are not decided");
     return std::move(result_);
   }

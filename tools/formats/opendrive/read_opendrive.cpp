@@ -155,6 +155,22 @@ class Opendrive_reader : public Xml_reader {
     return link;
   }
 
+  // How many digits of a number count: all between the first and the last that is not 0.
+  static int significant_digits(std::string_view text) {
+    int digits = 0, zeros = 0;
+    for (const char c : text) {
+      if (c == 'e' || c == 'E') break;
+      if (c < '0' || '9' < c) continue;
+      if (c == '0') {
+        zeros += digits > 0;
+        continue;
+      }
+      digits += zeros + 1;
+      zeros = 0;
+    }
+    return digits;
+  }
+
   void start_road(const Attributes& attributes) {
     GC::Road road;
     road.id = required(attributes, "id");
@@ -173,6 +189,8 @@ class Opendrive_reader : public Xml_reader {
     g.heading = number(attributes, "hdg");
     g.length = length_of(attributes, "length");
     g.line = line();
+    for (const char* const name : {"x", "y", "hdg"})
+      result_.digits = (std::max)(result_.digits, significant_digits(required(attributes, name)));
     road().plan.push_back(std::move(g));
     result_.texts.back().push_back({byte(), byte() + length(), 0, 0, 0});
     shapes_ = 0;
@@ -364,8 +382,7 @@ bool begins_as_opendrive(std::string_view text) {
 
 bool is_road_file(const std::string& file) {
   std::string name = file;
-  for (const char* const packed : {".gz"})
-    if (name.size() > 3 && name.compare(name.size() - 3, 3, packed) == 0) name.resize(name.size() - 3);
+  if (name.size() > 3 && name.compare(name.size() - 3, 3, ".gz") == 0) name.resize(name.size() - 3);
   std::string ending = name.substr((std::min)(name.rfind('.'), name.size()));
   for (char& c : ending)
     if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');

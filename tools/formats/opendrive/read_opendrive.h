@@ -19,6 +19,7 @@ namespace GC = CGAL::Geometric_continuity;
 struct Opendrive_file {
   GC::Road_network network;
   std::string root; // the name of the root element
+  int digits = 0;   // the most significant digits of a coordinate or a heading of its geometries
   // The places of a geometry in the text, in bytes: of its first tag, of its shape, and its end.
   struct Geometry_text {
     std::size_t begin, tag_end, shape_begin, shape_end, end;

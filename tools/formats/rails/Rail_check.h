@@ -6,6 +6,7 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_FORMATS_RAILS_RAIL_CHECK_H
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/joins/alignment_join.h>
 
 #include <optional>
@@ -13,6 +14,13 @@
 #include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
+
+// pi with an error below 10^-64.
+inline const CGAL::Exact_rational& long_pi() {
+  static const CGAL::Exact_rational pi =
+      GC::parse_number<CGAL::Exact_rational>("3.141592653589793238462643383279502884197169399375105820974944592308");
+  return pi;
+}
 
 // Two statements of a file about one thing: the end of a piece and the start of the next, or a
 // number and others from which it follows.
@@ -43,6 +51,7 @@ struct Rail_check {
   // Angles are rounded by less than 10^-60 parts, because pi is needed for their unit: bounds are
   // widened by what floating-point numbers show.
   bool rounded = false;
+  bool rounded_curvature = false; // the same of curvatures that have pi in them
 
   std::string not_covered = {}; // why nothing is decided; empty where there are ends or a difference
 };

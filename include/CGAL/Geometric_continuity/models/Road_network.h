@@ -290,6 +290,17 @@ struct Road_lane_join {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// The border of a lane that passes from one piece into the next one, or into that of another road,
+/// seen from above: a curve of its own. Of one road both contacts are inside of it, at one place.
+struct Road_border_join {
+  Road_contact from, to;
+  const Road_lane &lane, &to_lane;
+  bool is_left; ///< of the first lane, in the direction of its road
+  Alignment_join join;
+  long long line;
+};
+
+/// \ingroup PkgGeometricContinuityAlignments
 /// A remark tells what is worth a word besides.
 struct Road_remark {
   /// The consequence.
@@ -310,7 +321,8 @@ struct Road_remark {
 /// \ingroup PkgGeometricContinuityAlignments
 /// Decides all joins of a network, in the order of the roads and then of the junctions. `visitor`
 /// is called with a `Road_plan_join`, `Road_length_check`, `Road_profile_join`,
-/// `Road_section_join`, `Road_link_join`, `Road_lane_join` or `Road_remark` for each.
+/// `Road_section_join`, `Road_link_join`, `Road_lane_join` or `Road_remark` for each, and with a
+/// `Road_border_join` if it can be.
 ///
 /// - A *plan join* has the gap of two pieces, the angle of their headings and the jump of their
 ///   curvatures.
@@ -324,8 +336,15 @@ struct Road_remark {
 /// The tolerance of gaps is also that of heights, widths and lengths; that of kinks also that of
 /// slopes and of the superelevation. Each link is decided once, whoever names it. Linear in the
 /// number of records, up to sorting.
+///
+/// `with_borders` asks for a `Road_border_join`, besides, wherever a border of a lane may have a
+/// kink or a jump of its curvature: at plan joins, where a profile across the road changes its
+/// record, and where lanes pass into others. With the curvature \f$ k \f$ of the reference line and
+/// the offset \f$ t \f$ of the border, \f$ 1 - k t \leq 0 \f$ there is a fault: the lane folds. A
+/// superelevation is not taken into account.
 template <class Visitor>
-void road_joins(const Road_network& network, const Alignment_tolerance& tolerance, Visitor&& visitor);
+void road_joins(const Road_network& network, const Alignment_tolerance& tolerance, Visitor&& visitor,
+                bool with_borders = false);
 
 } // namespace Geometric_continuity
 } // namespace CGAL

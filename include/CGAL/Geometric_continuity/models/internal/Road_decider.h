@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/joins/alignment_join.h>
 #include <CGAL/Geometric_continuity/models/Road_network.h>
+#include <CGAL/Geometric_continuity/models/internal/Road_borders.h>
 #include <CGAL/Geometric_continuity/models/internal/Road_lanes.h>
 #include <CGAL/Geometric_continuity/models/internal/Road_profile.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
@@ -21,6 +22,7 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -39,6 +41,7 @@ template <class Visitor> class Road_decider {
   const Road_network& network_;
   const Alignment_tolerance& tolerance_;
   Visitor& visitor_;
+  const bool with_borders_;
   std::unordered_map<std::string, std::size_t> roads_, junctions_; // by their ids
 
   // A road with its records in their order.
@@ -250,6 +253,106 @@ template <class Visitor> class Road_decider {
     }
   }
 
+  // -- borders of lanes as curves
+
+  // A border is known by the number of the lane inside of it: 0 is that in the middle.
+  static int border_number(int lane, bool is_left) {
+    return lane > 0 ? (is_left ? lane : lane - 1) : (is_left ? lane + 1 : lane);
+  }
+  static Road_jet jet_of_border(const Placed_lane& lane, bool is_left) {
+    const Road_border& border = is_left ? lane.left : lane.right;
+    Road_jet t = border.rolled;
+    add(t, border.level);
+    return t;
+  }
+
+  // Compares a border before a place with one after it, both in the direction of travel.
+  void decide_border(const Road_contact& from, const Road_contact& to, const Placed_lane& lane,
+                     const Placed_lane& to_lane, bool is_left, const Border_end& before, const Border_end& after,
+                     long long line) {
+    if constexpr (std::is_invocable_v<Visitor&, const Road_border_join&>) {
+      const std::string place = (from.at                       ? "s = " + place_text(*from.at)
+                                 : from.end == Road_end::start ? "start"
+                                                               : "end") +
+                                std::string(", lane ") + std::to_string(lane.lane->id) +
+                                (is_left ? ", left border" : ", right border");
+      if (before.folds || after.folds)
+        return remark(Kind::fault, from.road, line, "lane border",
+                      "the lane folds: its border reaches the centre of the curve", place);
+      if (!before.end || !after.end)
+        return remark(Kind::not_covered, from.road, line, "lane border",
+                      "the curvature of the reference line is not known there as a rational number", place);
+      visitor_(Road_border_join{from, to, *lane.lane, *to_lane.lane, is_left,
+                                alignment_join(*before.end, *after.end, tolerance_), line});
+    }
+  }
+
+  // The places of a road where a border may have a kink.
+  static std::set<Road_number> places(const Road& road) {
+    std::set<Road_number> result;
+    for (const Road_geometry& g : road.plan) result.insert(g.s);
+    for (const Road_cubic& r : road.lane_offset) result.insert(r.s);
+    for (const Road_section& section : road.sections) {
+      result.insert(section.s);
+      for (const Road_lane& lane : section.lanes)
+        for (const std::vector<Road_cubic>* const records : {&lane.widths, &lane.borders})
+          for (const Road_cubic& r : *records) result.insert(Road_number(section.s + r.s));
+    }
+    result.erase(result.begin(), result.upper_bound(Road_number(0)));
+    result.erase(result.lower_bound(road.length), result.end());
+    return result;
+  }
+
+  void decide_borders(const Road& road, const Sorted_road& sorted) {
+    const std::vector<const Road_geometry*>& plan = sorted.plan;
+    if (plan.empty() || sorted.sections.size() == 0) return;
+    std::size_t piece = 0; // that holds before a place
+    for (const Road_number& s : places(road)) {
+      while (piece + 1 < plan.size() && plan[piece + 1]->s < s) ++piece;
+      std::size_t next = piece; // after it
+      while (next + 1 < plan.size() && !(s < plan[next + 1]->s)) ++next;
+      const bool is_plan_join = next != piece;
+      std::optional<Reference_place> line, line_after; // which are enclosed where they are asked for
+      const Placed_lanes before = sorted.sections.at(s, Road_side::before),
+                         after = sorted.sections.at(s, Road_side::after);
+      std::set<std::pair<int, int>> done; // numbers of borders
+      const auto decide_side = [&](const Placed_lane& from, const Placed_lane& to, bool is_left) {
+        if (!from.is_known || !to.is_known) return;
+        if (!done.emplace(border_number(from.lane->id, is_left), border_number(to.lane->id, is_left)).second) return;
+        const Road_jet t = jet_of_border(from, is_left), t_after = jet_of_border(to, is_left), jump = t_after - t;
+        if (!is_plan_join && CGAL::is_zero(jump.value) && CGAL::is_zero(jump.slope) && CGAL::is_zero(jump.second))
+          return;
+        const long long number = is_plan_join ? plan[next]->line : to.lane->line;
+        decide(road, number, "lane border", "s = " + place_text(s), [&] {
+          if (!line) {
+            line = is_plan_join ? reference_end(*plan[piece], Road_end::end)
+                                : reference_inside(*plan[piece], Road_number(s - plan[piece]->s));
+            line_after = is_plan_join ? reference_end(*plan[next], Road_end::start) : line;
+          }
+          decide_border({&road, Road_end::end, s}, {&road, Road_end::start, s}, from, to, is_left, border_end(*line, t),
+                        border_end(*line_after, t_after), number);
+        });
+      };
+      const auto goes_on = [&](int id, const Placed_lane& lane) {
+        const auto found = after.find(id);
+        return found != after.end() && found->second.lane == lane.lane;
+      };
+      Placed_lanes ending, beginning = after;
+      for (const auto& [id, lane] : before)
+        if (!goes_on(id, lane)) ending.emplace(id, lane);
+      for (const auto& [id, lane] : before)
+        if (goes_on(id, lane)) {
+          beginning.erase(id);
+          for (const bool is_left : {true, false}) decide_side(lane, after.at(id), is_left);
+        }
+      const Linked_lanes linked(ending, beginning, Road_end::end, Road_end::start, true);
+      for (const auto& [pair, is_named_back] : linked.pairs)
+        for (const bool is_left : {true, false})
+          if (linked.meets(pair, is_named_back, is_left, false))
+            decide_side(ending.at(pair.first), beginning.at(pair.second), is_left);
+    }
+  }
+
   // The pairs of lanes that pass into each other at two places, as the lanes name them.
   struct Linked_lanes {
     Lane_pairs named, all;                                   // as the first ones name them, and as both do
@@ -348,6 +451,16 @@ template <class Visitor> class Road_decider {
                                    : clothoid_segment(*plan[i], length).end();
   }
 
+  // The rate of the curvature there.
+  std::optional<Road_number> contact_rate(const Contact_data& c) const {
+    const std::vector<const Road_geometry*>& plan = sorted_[c.road].plan;
+    if (!c.contact.at)
+      return curvature_rate(c.contact.end == Road_end::start ? *plan.front() : *plan.back(), c.contact.end);
+    std::size_t i = plan.size() - 1;
+    while (i > 0 && (c.side == Road_side::before ? !(plan[i]->s < c.s) : c.s < plan[i]->s)) --i;
+    return curvature_rate(*plan[i], Road_end::start);
+  }
+
   // The other place of a link; nothing, with a remark, where it names none.
   std::optional<Contact_data> target(const Road& road, Road_end end, const Road_link& link) {
     const std::string place = end == Road_end::start ? "predecessor" : "successor";
@@ -408,10 +521,11 @@ template <class Visitor> class Road_decider {
       for (const auto& [lane, name] : linked.without_partner)
         remark(Kind::fault, &road, lane->line, "lane link", no_lane,
                place + ", lane " + std::to_string(lane->id) + " to " + std::to_string(name));
+      std::set<std::pair<int, int>> borders;
       for (const auto& [pair, is_named_back] : linked.pairs)
-        decide_lanes(
-            {from, *other, lanes, their_lanes, mine, theirs, is_named_back ? linked.all : linked.named, link.line},
-            pair, false, is_named_back, false);
+        decide_lanes({from, *other, lanes, their_lanes, mine, theirs, is_named_back ? linked.all : linked.named,
+                      link.line, borders},
+                     pair, false, is_named_back, false);
     });
   }
 
@@ -470,8 +584,9 @@ template <class Visitor> class Road_decider {
       }
       if (pairs.pairs().empty()) return;
       const Alignment_end mine = contact_end(*from), theirs = contact_end(to);
+      std::set<std::pair<int, int>> borders;
       for (const std::pair<int, int>& pair : pairs.pairs())
-        decide_lanes({*from, to, lanes, their_lanes, mine, theirs, pairs, connection.line}, pair, true, false,
+        decide_lanes({*from, to, lanes, their_lanes, mine, theirs, pairs, connection.line, borders}, pair, true, false,
                      connection.has_overlap);
     });
   }
@@ -484,7 +599,24 @@ template <class Visitor> class Road_decider {
     const Alignment_end &end, &their_end;
     const Lane_pairs& bundles;
     long long line;
+    std::set<std::pair<int, int>>& borders; // that have been compared as curves, by their numbers
   };
+
+  // Compares the border of a lane with that of a lane of another road, as curves.
+  void decide_border(const Meeting& m, const Placed_lane& from, const Placed_lane& to, bool is_left, bool is_flipped) {
+    const bool is_their_left = is_left != is_flipped;
+    if (!with_borders_ ||
+        !m.borders.emplace(border_number(from.lane->id, is_left), border_number(to.lane->id, is_their_left)).second)
+      return;
+    const auto along = [&](const Alignment_end& end, const Contact_data& c, const Placed_lane& lane, bool left) {
+      return border_end({end, contact_rate(c)}, jet_of_border(lane, left));
+    };
+    const Border_end mine = along(m.end, m.from, from, is_left);
+    Border_end theirs = along(m.their_end, m.to, to, is_their_left);
+    if (is_flipped && theirs.end) theirs.end = theirs.end->reversed();
+    decide(*m.from.contact.road, m.line, "lane border", "lane " + std::to_string(from.lane->id),
+           [&] { decide_border(m.from.contact, m.to.contact, from, to, is_left, mine, theirs, m.line); });
+  }
 
   static Border_point point_of(const Alignment_end& end, const Contact_data& c, const Road_border& border) {
     Border_point p(end, border.rolled.value, c.roll.value, c.z.value);
@@ -520,6 +652,8 @@ template <class Visitor> class Road_decider {
       if (join.within_height) join.within_height = *join.within_height && step.within;
     }
     visitor_(join);
+    for (const bool is_left : {true, false})
+      if (m.bundles.meets(pair, is_left, is_flipped)) decide_border(m, from, to, is_left, is_flipped);
   }
 
   static std::string place_text(const Road_number& x) {
@@ -530,8 +664,8 @@ template <class Visitor> class Road_decider {
   }
 
 public:
-  Road_decider(const Road_network& network, const Alignment_tolerance& tolerance, Visitor& visitor)
-      : network_(network), tolerance_(tolerance), visitor_(visitor) {}
+  Road_decider(const Road_network& network, const Alignment_tolerance& tolerance, Visitor& visitor, bool with_borders)
+      : network_(network), tolerance_(tolerance), visitor_(visitor), with_borders_(with_borders) {}
 
   void operator()() {
     sorted_.reserve(network_.roads.size());
@@ -549,6 +683,7 @@ public:
       decide_profile(road, nullptr, Road_profile_kind::superelevation, road.superelevation, start, road.length);
       decide_profile(road, nullptr, Road_profile_kind::lane_offset, road.lane_offset, start, road.length);
       decide_sections(road, sorted_[i].sections);
+      if (with_borders_) decide_borders(road, sorted_[i]);
       if (!road.other_heights.empty())
         remark(Kind::not_covered, &road, road.line, "height of lanes", "it depends on " + road.other_heights);
     }
@@ -564,8 +699,9 @@ public:
 } // namespace internal
 
 template <class Visitor>
-void road_joins(const Road_network& network, const Alignment_tolerance& tolerance, Visitor&& visitor) {
-  internal::Road_decider<std::remove_reference_t<Visitor>>(network, tolerance, visitor)();
+void road_joins(const Road_network& network, const Alignment_tolerance& tolerance, Visitor&& visitor,
+                bool with_borders) {
+  internal::Road_decider<std::remove_reference_t<Visitor>>(network, tolerance, visitor, with_borders)();
 }
 
 } // namespace Geometric_continuity
