@@ -99,6 +99,12 @@ ifc backwards.ifc "$start #5=IFCPOLYNOMIALCURVE(#2,(0.,1.),(0.,0.,0.1),\$); $(se
 $(segment 11 DISCONTINUOUS 31 0. 3) $(placed 31 5.9 9. 0.6 1.) #20=IFCCOMPOSITECURVE((#10,#11),.F.);"
 run 0 verify --gap 0.00001 --kink 0.00001 backwards.ifc
 
+# v = t^2 / 10 from t = 1 to t = 3, by arc lengths, turned so that it starts along the x-axis
+ifc inner.ifc "$start #5=IFCPOLYNOMIALCURVE(#2,(0.,1.),(7.,0.,0.1),\$); #10=IFCCURVESEGMENT(.$same.,#30,IFCLENGTHMEASURE(1.0066272272),IFCLENGTHMEASURE(2.1647205881),#5);
+$(placed 30 5. 6. 1. 0.) $(segment 11 DISCONTINUOUS 31 9. 6) $(placed 31 7.1180542595 6.3922322703 1.12 0.4) #6=IFCCIRCLE(#2,7.93);
+#20=IFCGRADIENTCURVE((#10,#11),.F.,#21,\$);"
+run 0 verify --kink 0.000000001 --curvature 0.001 inner.ifc && run 1 verify --kink 0.000000000001 --curvature 0.000001 inner.ifc && says out "curvature jump 1.504e-06 - not one direction, not one curvature"
+
 # the design: transitions, a profile, cant; which need not claim anything
 nested() { echo "#$1=IFCRELNESTS('',\$,\$,\$,#$2,($3));"; }
 design() { echo "#$1=IFCALIGNMENTSEGMENT('',\$,\$,\$,\$,\$,\$,#$2);"; }

@@ -210,14 +210,14 @@ BOOST_AUTO_TEST_CASE(borders_as_curves) {
   spiral.shape = GC::Road_shape::spiral;
   spiral.parameters = {Number(0), part(1, 10)};
   cubic3.shape = GC::Road_shape::param_poly3;
-  cubic3.parameters = {0, 10, 0, 0, 0, 0, 1, 1};
+  cubic3.parameters = {0, 10, 1, 0, 0, 0, 1, 1};
   const struct {
     GC::Road_geometry next;
     double kink, jump;
   } rows[] = {{arc, std::atan(0.125) - std::atan(0.1), (0.8 * 0.08 + 0.1 * 0.02) / std::pow(0.65, 1.5)},
               {spiral, 0, 0.1 * 0.02 / std::pow(1.01, 1.5)},
               {cubic3, std::atan(0.1 / 0.96) - std::atan(0.1),
-               (0.96 * 0.02 * 0.96 + 0.1 * (0.006 * 2 + 2 * 0.02 * 0.1)) / std::pow(0.9316, 1.5)}};
+               (0.96 * 0.02 * 0.96 + 0.1 * (0.0048 * 2 + 2 * 0.02 * 0.1)) / std::pow(0.9316, 1.5)}};
   for (const auto& row : rows) {
     GC::Road r = road("1", {piece(0, 0, 0, 0, 10), row.next});
     r.sections = {{Number(0), {lane(1, {cubic(0, 1, part(1, 10))}, {}, {})}}};

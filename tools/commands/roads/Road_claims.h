@@ -136,10 +136,7 @@ class Road_claims {
   void explain(Road_claim& claim, const GC::Road_plan_join& x) const {
     if (GC::is_polynomial(x.before) || digits_.digits() == 0) return;
     const File_digits::Bounds bounds = digits_.bounds(x.before, x.after);
-    const auto explains = [](const GC::Enclosure& size, const GC::Road_number& bound) {
-      return std::isfinite(size.upper) && !(bound < GC::Road_number(size.upper));
-    };
-    const bool gap = explains(x.join.gap, bounds.gap), kink = explains(x.join.kink, bounds.kink);
+    const bool gap = x.join.gap.upper <= bounds.gap, kink = x.join.kink.upper <= bounds.kink;
     claim.json +=
         ",\"explained_by_digits\":{\"gap\":" + road_words::flag(gap) + ",\"kink\":" + road_words::flag(kink) + '}';
     const bool has_gap = x.join.g0 == GC::Verdict::refuted, has_kink = x.join.g1 == GC::Verdict::refuted;

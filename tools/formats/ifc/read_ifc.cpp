@@ -66,6 +66,12 @@ struct Segment {
   std::optional<GC::Alignment_end> start, end;
   std::optional<Q> length; // 0 or more, where it is known
   bool rounded = false;    // directions and curvatures have pi in them
+  // The heading of the end is measured from the direction of a graph at an arc length.
+  struct Place_on_graph {
+    GC::Parametric_cubic::Coefficients graph;
+    Q length;
+  };
+  std::optional<Place_on_graph> turned_from;
   std::string not_covered;
 };
 
@@ -216,8 +222,7 @@ class Ifc_reader {
     };
     const Q from = file_.number(start, segment), l = file_.number(length, segment);
     const bool by_length = !is_parameter(length) && l != 0;
-    if (from != 0 && !is_parameter(start))
-      throw Not_covered{"a part of a polynomial curve that begins at an arc length"};
+    if (from != 0 && !is_parameter(start)) return read_inner_part(s, p, y, from, l, by_length || l == 0);
     // in the direction of travel from the start on, where it is turned into the direction of the
     // placement
     y.resize(4, Q(0));
@@ -241,6 +246,28 @@ class Ifc_reader {
     s.start = c.start();
     s.end = c.end();
     s.length = absolute(l);
+  }
+
+  // A part of the graph of a polynomial from one arc length to another: both parameters are enclosed.
+  // The frame is that in which the graph has the direction of the placement at its start.
+  void read_inner_part(Segment& s, const Placement& p, std::vector<Q> y, const Q& from, const Q& l,
+                       bool by_length) const {
+    if (!by_length || from < 0 || l < 0)
+      throw Not_covered{"a part of a polynomial curve from an arc length on, backwards or by a parameter"};
+    y.resize(4, Q(0));
+    const GC::Parametric_cubic::Coefficients v = {Q(0), y[1], y[2], y[3]},
+                                             mirrored = {Q(0), Q(-y[1]), Q(-y[2]), Q(-y[3])};
+    const auto at = [](const Placement& place, const GC::Parametric_cubic::Coefficients& graph, const Q& length) {
+      return GC::Parametric_cubic::graph(place.x, place.y, place.heading, graph, length).end();
+    };
+    const GC::Heading frame = at({Q(0), Q(0), p.heading}, mirrored, from).heading;
+    const Q to = Q(from + l);
+    s.start = GC::Alignment_end{GC::Enclosed_point(p.x, p.y), p.heading, at(p, v, from).curvature};
+    s.end = at({p.x, p.y, frame}, v, to);
+    s.end->point = s.end->point + at({Q(0), Q(0), frame.reversed()}, v, from).point;
+    s.end->heading = at(p, v, to).heading;
+    s.turned_from = Segment::Place_on_graph{v, from};
+    s.length = l;
   }
 
   // The cant is a graph over the distance along. Where the parent is a spiral its curvature times
@@ -343,8 +370,12 @@ class Ifc_reader {
         check.length = before->length;
         if (!before->not_covered.empty() || !next.not_covered.empty())
           check.not_covered = !before->not_covered.empty() ? before->not_covered : next.not_covered;
-        else
+        else {
           check.ends = {*before->end, *next.start};
+          if (const auto& place = before->turned_from) // so that both are
+            check.ends->right.heading =
+                GC::Parametric_cubic::graph(Q(0), Q(0), next.start->heading, place->graph, place->length).end().heading;
+        }
         check.rounded = check.rounded_curvature = before->rounded || next.rounded;
         result_.checks.push_back(std::move(check));
       }

@@ -172,17 +172,16 @@ class Opendrive_reader : public Xml_reader {
   }
 
   void start_road(const Attributes& attributes) {
-    GC::Road road;
+    GC::Road& road = result_.network.roads.emplace_back();
     road.id = required(attributes, "id");
     road.junction = attributes.text("junction");
     road.length = length_of(attributes, "length");
     road.line = line();
-    result_.network.roads.push_back(std::move(road));
     result_.texts.emplace_back();
   }
 
   void start_geometry(const Attributes& attributes) {
-    GC::Road_geometry g;
+    GC::Road_geometry& g = road().plan.emplace_back();
     g.s = number(attributes, "s");
     g.x = number(attributes, "x");
     g.y = number(attributes, "y");
@@ -191,7 +190,6 @@ class Opendrive_reader : public Xml_reader {
     g.line = line();
     for (const char* const name : {"x", "y", "hdg"})
       result_.digits = (std::max)(result_.digits, significant_digits(required(attributes, name)));
-    road().plan.push_back(std::move(g));
     result_.texts.back().push_back({byte(), byte() + length(), 0, 0, 0});
     shapes_ = 0;
   }
@@ -227,39 +225,35 @@ class Opendrive_reader : public Xml_reader {
   }
 
   void start_section(const Attributes& attributes) {
-    GC::Road_section s;
+    GC::Road_section& s = road().sections.emplace_back();
     s.s = number(attributes, "s");
     s.is_single_side = truth(attributes, "singleSide");
     s.line = line();
-    road().sections.push_back(std::move(s));
   }
 
   void start_lane(const Attributes& attributes) {
-    GC::Road_lane l;
+    GC::Road_lane& l = section().lanes.emplace_back();
     l.id = lane_number(attributes, "id");
     l.type = attributes.text("type");
     l.is_level = truth(attributes, "level");
     l.line = line();
-    section().lanes.push_back(std::move(l));
   }
 
   void start_junction(const Attributes& attributes) {
-    GC::Road_junction j;
+    GC::Road_junction& j = result_.network.junctions.emplace_back();
     j.id = required(attributes, "id");
     j.type = attributes.text("type");
     j.line = line();
-    result_.network.junctions.push_back(std::move(j));
   }
 
   void start_connection(const Attributes& attributes) {
-    GC::Road_connection c;
+    GC::Road_connection& c = result_.network.junctions.back().connections.emplace_back();
     c.id = attributes.text("id");
     c.incoming = attributes.text("incomingRoad");
     c.is_direct = attributes.find("linkedRoad").has_value();
     c.connecting = attributes.text(c.is_direct ? "linkedRoad" : "connectingRoad");
     c.contact = contact(attributes);
     c.line = line();
-    result_.network.junctions.back().connections.push_back(std::move(c));
   }
 
   // Reads an element, and returns what its elements are, or nothing if they are left out.
