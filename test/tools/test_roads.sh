@@ -17,7 +17,7 @@ line='<line/>'
 # valid ARGUMENTS...: the report in JSON is as the schema says, where jsonschema of python3 is there
 valid() {
   python3 -c "import jsonschema" 2>/dev/null || return
-  "$program" verify --json "$@" >valid.json
+  "$program" verify --json "$@" >valid.json 2>err
   holds python3 -c 'import json, sys; from jsonschema import Draft7Validator as V; V(json.load(open(sys.argv[1]))).validate(json.load(open(sys.argv[2])))' \
     "$schemas/roads.json" valid.json
 }

@@ -248,8 +248,8 @@ class Ifc_reader {
     s.length = absolute(l);
   }
 
-  // A part of the graph of a polynomial from one arc length to another: both parameters are enclosed.
-  // The frame is that in which the graph has the direction of the placement at its start.
+  // A part of the graph of a polynomial from one arc length to another: both parameters are
+  // enclosed. The frame is that in which the graph has the direction of the placement at its start.
   void read_inner_part(Segment& s, const Placement& p, std::vector<Q> y, const Q& from, const Q& l,
                        bool by_length) const {
     if (!by_length || from < 0 || l < 0)

@@ -142,7 +142,7 @@ template <class Visitor> class Road_decider {
                  place_text(road.length));
   }
 
-  void decide_profile(const Road& road, const Road_lane* lane, Road_profile_kind kind,
+  void decide_profile(const Road& road, const Road_sections& sections, const Road_lane* lane, Road_profile_kind kind,
                       const std::vector<Road_cubic>& records, const Road_number& start, const Road_number& end) {
     static constexpr const char* names[] = {"elevation", "superelevation", "laneOffset", "width", "border"};
     const char* const name = names[static_cast<int>(kind)];
@@ -166,9 +166,7 @@ template <class Visitor> class Road_decider {
               {CGAL::is_zero(jump.value), CGAL::is_zero(jump.slope), CGAL::is_zero(jump.second)},
               {is_within(jump.value, kind == Road_profile_kind::superelevation ? tolerance_.kink : tolerance_.gap),
                is_within(jump.slope, tolerance_.kink)},
-              kind == Road_profile_kind::lane_offset &&
-                  std::any_of(road.sections.begin(), road.sections.end(),
-                              [&s](const Road_section& section) { return section.s == s; })});
+              kind == Road_profile_kind::lane_offset && sections.starts_at(s)});
         },
         note);
   }
@@ -210,9 +208,9 @@ template <class Visitor> class Road_decider {
       check_numbers(road, section);
       for (const Road_lane& lane : section.lanes) {
         const Road_number end = sections.end(i, lane.id < 0 ? -1 : 1);
-        decide_profile(road, &lane, Road_profile_kind::width, lane.widths, section.s, end);
+        decide_profile(road, sections, &lane, Road_profile_kind::width, lane.widths, section.s, end);
         if (lane.widths.empty())
-          decide_profile(road, &lane, Road_profile_kind::border, lane.borders, section.s, end);
+          decide_profile(road, sections, &lane, Road_profile_kind::border, lane.borders, section.s, end);
         else if (!lane.borders.empty())
           remark(Kind::note, &road, lane.line, "lane", "it has widths and borders; the widths count",
                  "s = " + place_text(section.s) + ", lane " + std::to_string(lane.id));
@@ -679,9 +677,12 @@ public:
       const Road& road = network_.roads[i];
       decide_plan(road, sorted_[i].plan);
       const Road_number start(0);
-      decide_profile(road, nullptr, Road_profile_kind::elevation, road.elevation, start, road.length);
-      decide_profile(road, nullptr, Road_profile_kind::superelevation, road.superelevation, start, road.length);
-      decide_profile(road, nullptr, Road_profile_kind::lane_offset, road.lane_offset, start, road.length);
+      decide_profile(road, sorted_[i].sections, nullptr, Road_profile_kind::elevation, road.elevation, start,
+                     road.length);
+      decide_profile(road, sorted_[i].sections, nullptr, Road_profile_kind::superelevation, road.superelevation, start,
+                     road.length);
+      decide_profile(road, sorted_[i].sections, nullptr, Road_profile_kind::lane_offset, road.lane_offset, start,
+                     road.length);
       decide_sections(road, sorted_[i].sections);
       if (with_borders_) decide_borders(road, sorted_[i]);
       if (!road.other_heights.empty())

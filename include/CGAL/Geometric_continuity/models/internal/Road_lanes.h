@@ -15,6 +15,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -43,44 +44,45 @@ struct Placed_lane {
 // By their numbers.
 typedef std::map<int, Placed_lane> Placed_lanes;
 
-// The lanes of one side of a section at a place, from the inside outwards.
-inline void place_lanes(const Road_section& section, int side, const Road_jet& offset, const Road_number& s,
-                        Road_side limit, Placed_lanes& lanes) {
-  const Road_number ds = Road_number(s - section.s);
-  std::vector<const Road_lane*> outwards;
-  for (const Road_lane& lane : section.lanes)
-    if (lane.id * side > 0) outwards.push_back(&lane);
-  std::stable_sort(outwards.begin(), outwards.end(),
-                   [side](const Road_lane* x, const Road_lane* y) { return x->id * side < y->id * side; });
-  Road_border inner{offset, {}};
-  int number = 0;
-  bool is_known = true;
-  for (const Road_lane* const lane : outwards) {
-    if (lane->id == number) continue; // a second one of this number
-    is_known = is_known && lane->id == number + side;
-    number = lane->id;
-    Road_jet width;
-    if (lane->widths.empty() && !lane->borders.empty()) {
-      width = Road_profile(lane->borders).at(ds, limit);
-      add(width, offset);
-      width = width - inner.rolled - inner.level;
-    } else {
-      width = Road_profile(lane->widths).at(ds, limit);
-      if (side < 0) width = -width;
-    }
-    Road_border outer = inner;
-    add(lane->is_level ? outer.level : outer.rolled, width);
-    lanes[number] = side > 0 ? Placed_lane{lane, outer, inner, is_known} : Placed_lane{lane, inner, outer, is_known};
-    inner = outer;
-  }
-}
-
 // The sections of a road, by their starts, without those behind its end.
 class Road_sections {
   const Road& road_;
   Road_profile offset_;
   std::vector<const Road_section*> sections_;
+  std::unordered_map<const Road_lane*, Road_profile> across_; // widths, or borders in place of them
   bool is_unsorted_ = false;
+
+  // The lanes of one side of a section at a place, from the inside outwards.
+  void place_lanes(const Road_section& section, int side, const Road_jet& offset, const Road_number& s, Road_side limit,
+                   Placed_lanes& lanes) const {
+    const Road_number ds = Road_number(s - section.s);
+    std::vector<const Road_lane*> outwards;
+    for (const Road_lane& lane : section.lanes)
+      if (lane.id * side > 0) outwards.push_back(&lane);
+    std::stable_sort(outwards.begin(), outwards.end(),
+                     [side](const Road_lane* x, const Road_lane* y) { return x->id * side < y->id * side; });
+    Road_border inner{offset, {}};
+    int number = 0;
+    bool is_known = true;
+    for (const Road_lane* const lane : outwards) {
+      if (lane->id == number) continue; // a second one of this number
+      is_known = is_known && lane->id == number + side;
+      number = lane->id;
+      Road_jet width;
+      if (lane->widths.empty() && !lane->borders.empty()) {
+        width = across_.at(lane).at(ds, limit);
+        add(width, offset);
+        width = width - inner.rolled - inner.level;
+      } else {
+        width = across_.at(lane).at(ds, limit);
+        if (side < 0) width = -width;
+      }
+      Road_border outer = inner;
+      add(lane->is_level ? outer.level : outer.rolled, width);
+      lanes[number] = side > 0 ? Placed_lane{lane, outer, inner, is_known} : Placed_lane{lane, inner, outer, is_known};
+      inner = outer;
+    }
+  }
 
 public:
   explicit Road_sections(const Road& road) : road_(road), offset_(road.lane_offset) {
@@ -89,12 +91,22 @@ public:
       if (!(road.length < section.s)) sections_.push_back(&section);
     is_unsorted_ = !std::is_sorted(sections_.begin(), sections_.end(), is_before);
     if (is_unsorted_) std::stable_sort(sections_.begin(), sections_.end(), is_before);
+    for (const Road_section* const section : sections_)
+      for (const Road_lane& lane : section->lanes)
+        across_.emplace(&lane, Road_profile(lane.widths.empty() ? lane.borders : lane.widths));
   }
 
   bool is_unsorted() const { return is_unsorted_; }
   std::size_t size() const { return sections_.size(); }
   const Road_section& operator[](std::size_t i) const { return *sections_[i]; }
   const Road_profile& offset() const { return offset_; }
+
+  // Returns whether a section starts at s.
+  bool starts_at(const Road_number& s) const {
+    const auto found = std::partition_point(sections_.begin(), sections_.end(),
+                                            [&](const Road_section* section) { return section->s < s; });
+    return found != sections_.end() && (*found)->s == s;
+  }
 
   // Returns whether a section says what lanes there are on a side.
   bool has_side(std::size_t i, int side) const {
@@ -127,14 +139,14 @@ public:
   // there.
   Placed_lanes at(const Road_number& s, Road_side limit) const {
     Placed_lanes lanes;
+    if (sections_.empty()) return lanes;
     for (const int side : {1, -1}) {
-      std::size_t found = size(), first = size();
-      for (std::size_t i = 0; i < size(); ++i)
-        if (has_side(i, side)) {
-          if (first == size()) first = i;
-          if (limit == Road_side::before ? sections_[i]->s < s : !(s < sections_[i]->s)) found = i;
-        }
-      if (found == size()) found = first;
+      const auto behind = std::partition_point(sections_.begin(), sections_.end(), [&](const Road_section* section) {
+        return limit == Road_side::before ? section->s < s : !(s < section->s);
+      });
+      std::size_t found = static_cast<std::size_t>(behind - sections_.begin());
+      while (found > 0 && !has_side(found - 1, side)) --found;
+      found = found > 0 ? found - 1 : has_side(0, side) ? 0 : next(0, side); // the first one holds before its start
       if (found != size()) place(found, side, s, limit, lanes);
     }
     return lanes;

@@ -104,9 +104,10 @@ public:
 
   // The last record that starts before s, or at s for the limit after it.
   Road_jet at(const Road_number& s, Road_side side) const {
-    std::size_t n = records_.size();
-    while (n > 0 && (side == Road_side::before ? !(records_[n - 1]->s < s) : s < records_[n - 1]->s)) --n;
-    return limit(n, s);
+    const auto behind = std::partition_point(records_.begin(), records_.end(), [&](const Road_cubic* r) {
+      return side == Road_side::before ? r->s < s : !(s < r->s);
+    });
+    return limit(static_cast<std::size_t>(behind - records_.begin()), s);
   }
 
   // Calls join(record, jump) for each start behind 0 up to `length`, where the record is the one
