@@ -27,6 +27,9 @@ struct Checking_visitor {
   void operator()(const GC::Road_section_join& x) const {
     require(!x.equal || x.within, "equal borders are within each tolerance");
   }
+  void operator()(const GC::Road_border_join& x) const {
+    require(x.join.gap.lower >= 0 && x.join.kink.lower <= x.join.kink.upper, "a border is enclosed");
+  }
   template <class Other> void operator()(const Other&) const {}
 };
 
@@ -37,7 +40,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   accepts([&] {
     const GC::Work_scope each(GC::Work_limit(10000000));
     const Opendrive_file file = read_opendrive(stream, "fuzz.xodr");
-    GC::road_joins(file.network, {}, Checking_visitor());
+    GC::road_joins(file.network, {}, Checking_visitor(), true);
   });
   return 0;
 }
