@@ -113,6 +113,10 @@ printf '<OpenDRIVE>\n<road id="1" length' >roads.xodr && bad 2 "unclosed token"
 printf '<html/>' >roads.xodr && bad 1 "not OpenDRIVE"
 printf '<!DOCTYPE x [<!ENTITY a SYSTEM "b">]><OpenDRIVE>&a;</OpenDRIVE>' >roads.xodr && bad 1 "stands in another file"
 { printf '<OpenDRIVE>'; printf '<a>%.0s' {1..300}; } >roads.xodr && bad 1 "nested deeper than 256"
+# numbers beyond those of floating-point numbers
+network "$(road 1 40 "$(piece 0 0 0 0 40 $line)" '' "<elevationProfile>$(profile elevation 0 0 0 0 0)$(profile elevation 10 0 1e400 0 0)</elevationProfile>")"
+run 1 verify roads.xodr && says out "no step, slope jump more than 1.798e+308 - a kink" && valid roads.xodr && says valid.json '"slope_jump":null'
+decides 2 "$(piece 0 0 0 0 10 $line)$(piece 10 1e400 0 1e400 10 $line)" "its numbers are too large"
 decides 2 "$(piece 0 0 0 0 10 '<arc curvature="1e9"/>')$(piece 10 10 0 0 10 $line)" "turns by more than 20000 radians" "not covered: 1 plan"
 network "$(road 1 20 "$(piece 0 0 0 0 10 $line)$(piece 10 10 0 0 10 $line)")" && cp roads.xodr plain.txt
 run 2 verify roads.xodr --surfaces && says err "--surfaces: not for road networks" && run 2 verify roads.xodr --require C1 && says err "G0, G1 and G2"

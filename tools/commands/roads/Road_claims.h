@@ -42,9 +42,11 @@ struct Road_claim {
 
 namespace road_words {
 
-// The shortest decimal of the floating-point number that is nearest to a rational one.
+// The shortest decimal of the floating-point number that is nearest to a rational one; null beyond
+// all of them.
 inline std::string decimal(const GC::Road_number& x) {
   const GC::Enclosure e = GC::enclosure(x);
+  if (!std::isfinite(e.lower) || !std::isfinite(e.upper)) return "null";
   const bool is_lower = GC::Road_number(x - GC::Road_number(e.lower)) < GC::Road_number(GC::Road_number(e.upper) - x);
   std::ostringstream os;
   GC::write_number(os, is_lower ? e.lower : e.upper);
@@ -136,7 +138,8 @@ class Road_claims {
   void explain(Road_claim& claim, const GC::Road_plan_join& x) const {
     if (GC::is_polynomial(x.before) || digits_.digits() == 0) return;
     const File_digits::Bounds bounds = digits_.bounds(x.before, x.after);
-    const bool gap = x.join.gap.upper <= bounds.gap, kink = x.join.kink.upper <= bounds.kink;
+    const bool gap = std::isfinite(x.join.gap.upper) && x.join.gap.upper <= bounds.gap,
+               kink = x.join.kink.upper <= bounds.kink;
     claim.json +=
         ",\"explained_by_digits\":{\"gap\":" + road_words::flag(gap) + ",\"kink\":" + road_words::flag(kink) + '}';
     const bool has_gap = x.join.g0 == GC::Verdict::refuted, has_kink = x.join.g1 == GC::Verdict::refuted;

@@ -106,7 +106,10 @@ private:
     named_.emplace(id, GC::Road_end::end);
   }
 
-  static Number exact(double x) { return Number(x); }
+  static Number exact(double x) {
+    if (!std::isfinite(x)) throw GC::Error(GC::Error_code::not_finite, "a number beyond floating-point numbers");
+    return Number(x);
+  }
 
   // A piece of a road with the numbers that it gets.
   struct Piece {
@@ -149,7 +152,7 @@ private:
     GC::Road_geometry& g = piece.geometry;
     g.x = g.y = Number(0);
     const std::array<GC::Enclosure, 2> there = to.enclosure(), here = end(g, at_end).point.enclosure();
-    const auto middle = [](const GC::Enclosure& x) { return Number((Number(x.lower) + Number(x.upper)) / 2); };
+    const auto middle = [](const GC::Enclosure& x) { return Number((exact(x.lower) + exact(x.upper)) / 2); };
     g.x = exact(CGAL::to_double(Number(middle(there[0]) - middle(here[0]))));
     g.y = exact(CGAL::to_double(Number(middle(there[1]) - middle(here[1]))));
     piece.is_moved = true;

@@ -10,6 +10,7 @@
 #include <CGAL/number_utils.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
 
 /// \file Road_borders.h
@@ -90,6 +91,7 @@ inline Border_end border_end(const Reference_place& place, const Road_jet& t) {
     if (!is_parallel) return {};
     // it has the same direction, and a curvature that is no root of a rational number
     const Enclosure k = line.curvature->enclosure();
+    if (!std::isfinite(k.lower) || !std::isfinite(k.upper)) return {};
     const Road_number x = Road_number(1 - Road_number(k.lower) * t.value),
                       y = Road_number(1 - Road_number(k.upper) * t.value);
     if (!CGAL::is_positive(x) && !CGAL::is_positive(y)) return {std::nullopt, true};
