@@ -51,16 +51,6 @@ GC::Bspline_surface<Traits> surface(SURFACE_ORDER);
 #elif defined(NUMBER_AS_STRATEGY)
 typedef GC::Bezier_curve<GC::Traits_2<CGAL::Simple_cartesian<double>>> Curve;
 void round(const Curve& a, const Curve& b) { GC::blend(a, b, 3); }
-#elif defined(OTHER_CALL) // a name that there is not, and the sentence about it
-#include <CGAL/Geometric_continuity.h>
-
-typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Plane;
-extern const GC::Bezier_curve<Plane> curve;
-extern const GC::Bezier_patch<GC::Traits_3<CGAL::Simple_cartesian<double>>> patch;
-std::vector<Plane::Point> points;
-extern const std::vector<GC::Bezier_curve<Plane>> curves;
-std::vector<GC::Bezier_curve<Plane>> out;
-void call() { GC::OTHER_CALL; }
 #elif defined(RADIUS_AND_ANGLES)
 auto arc = GC::circular_arc(CGAL::Simple_cartesian<double>::Point_2(0, 0), 1.0, 0.0, 1.5);
 #else // ROOTS_OF_RATIONALS
