@@ -49,6 +49,9 @@ GC::Svg_figure picture(const Curve& c) { return GC::Svg_figure().add(GC::Svg_pan
 // of other packages
 GC::B_spline_curve<Plane> spline(const GC::NURBS_curve<Plane>&);
 GC::Bezier_surface<Patch::Traits> same(const Patch& p) { return p; }
+GC::Bezier_curve_2<Plane::Kernel> same(const Curve& c) { return c; }
+GC::Bezier_patch_3<Patch::Traits::Kernel> same_patch(const Patch& p) { return p; }
+GC::Nurbs_curve_3<Plane::Kernel> nurbs(const GC::Rational_bspline_curve<Patch::Traits>&);
 bool smooth(const GC::Bspline_curve<Plane>& c, const Patch& p, const std::vector<Curve>& chain) {
   return GC::is_G2(c) && GC::is_g1(p, p) && GC::is_G3(chain) && GC::chain_joins(c).empty() && GC::continuity(c).empty();
 }
