@@ -49,11 +49,12 @@ moving handles, not nodes, on the grid of the file: the decimals of each path,
 or of the curves. Of all positions that are allowed the one that changes the
 curves least is taken, and one that keeps joins G2 where there is any; a join
 that falls to G1 is told. A kink is an angle of at most --kink-angle degrees, as
-it is drawn; corners, lines, arcs and handles that lie at their nodes stay as
-they are, and so does what is smooth. Where an arc meets a kink, the other
-handle moves to its tangent. The handle of a quadratic belongs to both of its
-nodes, and moves only where neither is harmed. No handle moves farther than
---max-move units of the last decimal: twice what the kink is off and one more.
+it is drawn; corners, lines and arcs stay as they are, and so does what is
+smooth. Where a handle lies at its node the point behind it moves. Where an arc
+meets a kink, the other handle moves to its tangent. The handle of a quadratic
+belongs to both of its nodes, and moves only where neither is harmed. No handle
+moves farther than --max-move units of the last decimal: twice what the kink is
+off and one more.
 
 With --to G2 the lengths of handles are changed, too, so that the curvatures
 agree: exactly where the grid allows it, otherwise as nearly as it does, and the
@@ -87,11 +88,13 @@ A font is written where FILE ends with .ttf, .otf, .woff or .woff2, a collection
 where it ends with .ttc or .otc: fontTools, in the Python that
 GEOMETRIC_CONTINUITY_PYTHON names or in python3, moves the handles, every table
 that need not change keeps its bytes, and what is written is decided again. The
-masters of a variable font (glyf, gvar) are mended
-together: at each node that is no corner in any of them the handles get one
-ratio or one direction in all masters, by the least moves on the grid, so that
-no instance has a kink; all instances are verified with --max-kink 0. These
-moves can be long, --max-move bounds them, and other joins stay.
+masters of a variable font (gvar or CFF2) are mended together: at each node that
+is no corner in any of them the handles get one ratio or one direction in all
+masters, by the least moves on the grid, so that no instance has a kink; all
+instances are verified with --max-kink 0. These moves can be long, --max-move
+bounds them, and other joins stay. With --to G2 the curvatures of all masters
+are made to agree as well, and the largest jump that is left at them and halfway
+between two is told.
 -o FILE.json is the list of moves in the units of the font instead, which
 scripts of font editors can apply, {"moves":[{"glyph":"S","index":54,
 "contour":0,"point":7,"node":[x,y],"from":[x,y],"to":[x,y]},...]}. A component
@@ -113,7 +116,8 @@ stay, and all that verify decides is counted before and after.
 
 The source of a font, a folder .ufo, .glyphs or .designspace with its UFOs, is
 repaired by the Python module, where that is installed: masters with compatible
-contours together, other outlines each by itself.
+contours together, other outlines each by itself, with --to G2 the curvatures,
+too.
 
 examples:
   geometric_continuity repair drawing.svg -o drawing.svg
@@ -263,10 +267,8 @@ Instance_demand smooth_instances(const Repair_options& options) {
 int repair_variable_font(const Command_line& line, const std::string& bytes, const Repair_options& options,
                          const Report_mode& mode) {
   line.refuse({"off-by"}, "not where the masters of a variable font are mended together");
-  if (options.harmonise)
-    throw std::invalid_argument("--to G2: the masters of a variable font are mended to G1 only; leave it out");
   const std::string file = line.files()[0], output = line.text("output");
-  Arguments numbers{line.text("kink-angle")};
+  Arguments numbers{line.text("to"), line.text("kink-angle")};
   if (line.has("max-move")) numbers.push_back(line.text("max-move"));
   const Written_font written = font_with_mended_masters(bytes, numbers, extension(output), input_name(file));
   write_output(output, [&](std::ostream& os) { os << written.bytes; });

@@ -95,6 +95,17 @@ class Contour_mender {
   };
   typedef std::vector<Move> Moves;
 
+  // The control point of a curve that tells its tangent at an end: the next one, or where that lies
+  // at the node the one behind it.
+  std::size_t tip(std::size_t curve, bool at_end) const {
+    const Grid_curve& c = contour_.curves[curve];
+    const std::size_t n = c.points.size() - 1, node = at_end ? n : 0;
+    const auto at = [&](std::size_t k) { return at_end ? n - k : k; };
+    std::size_t k = 1;
+    while (k + 1 < n && c.points[at(k)] == c.points[node] && offset(c, at(k)) == offset(c, node)) ++k;
+    return at(k);
+  }
+
   // Returns the moves back.
   Moves execute(const Moves& moves) {
     Moves back;
@@ -153,7 +164,7 @@ class Contour_mender {
         const bool at_end = m.curve == before.join;
         const Grid_curve& c = contour_.curves[m.curve];
         const std::size_t node = at_end ? n : 0;
-        const bool next_to_node = m.point == (at_end ? n - 1 : 1);
+        const bool next_to_node = m.point == tip(m.curve, at_end);
         const Grid_offset u = difference(c.points[node], offset(c, node), m.to, m.offset),
                           v = exact_vector(c, node, m.point);
         if (next_to_node && (cross_product(u, v) != 0 || u * v <= 0)) return true;
@@ -245,14 +256,15 @@ class Contour_mender {
 
   bool is_movable(std::size_t curve) const { return is_free(curve) || is_free_quadratic(curve); }
 
-  // The direction in which a curve ends or starts: that of the chord for a line. Zero where a
-  // handle lies at the node, nothing where no vector of the grid has it.
+  // The direction in which a curve ends or starts: that of the chord for a line. Zero where all
+  // handles lie at the node, nothing where no vector of the grid has it.
   std::optional<Vector> first_difference(std::size_t curve, bool at_end) const {
     const Grid_curve& c = contour_.curves[curve];
     if (c.arc) return arc_direction(*c.arc, at_end);
     const Points& p = c.points;
     if (::is_line(c)) return p.back() - p.front();
-    return at_end ? p.back() - p[p.size() - 2] : p[1] - p[0];
+    const Vector& handle = p[tip(curve, at_end)];
+    return at_end ? p.back() - handle : handle - p[0];
   }
 
   static bool is_short(const Vector& v) {
@@ -279,7 +291,7 @@ class Contour_mender {
     if (!in || !out) return {join, {}, "no point of the grid lies in the direction of the arc"};
     if (contour_.is_beside_grid) return propose_beside_grid(join, *in, *out);
     const Vector zero{0, 0};
-    if (*in == zero || *out == zero) return {join, {}, "a handle lies at the node"};
+    if (*in == zero || *out == zero) return {join, {}, "all handles lie at the node"};
     // a long vector that does not move, such as a line, may have a short direction
     const Vector a = is_short(*in) || is_movable(left) ? *in : GC::primitive(*in),
                  b = is_short(*out) || is_movable(right) ? *out : GC::primitive(*out);
@@ -324,10 +336,11 @@ class Contour_mender {
 
   Move to_left(std::size_t join, const Vector& difference) const {
     const std::size_t n = points(join).size() - 1;
-    return {join, n - 1, points(join)[n] - difference, offset(contour_.curves[join], n)};
+    return {join, tip(join, true), points(join)[n] - difference, offset(contour_.curves[join], n)};
   }
   Move to_right(std::size_t join, const Vector& difference) const {
-    return {next(join), 1, points(next(join))[0] + difference, offset(contour_.curves[next(join)], 0)};
+    return {next(join), tip(next(join), false), points(next(join))[0] + difference,
+            offset(contour_.curves[next(join)], 0)};
   }
 
   // The move to a place beside the grid, which is given by the vector from a node of the curve.
@@ -347,7 +360,7 @@ class Contour_mender {
     }
     const std::size_t n = c.points.size() - 1;
     if (::is_line(c)) return exact_vector(c, 0, n);
-    return at_end ? exact_vector(c, n - 1, n) : exact_vector(c, 0, 1);
+    return at_end ? exact_vector(c, tip(curve, true), n) : exact_vector(c, 0, tip(curve, false));
   }
 
   // The multiple of a whole vector, at least itself, that is nearest to a handle.
@@ -376,7 +389,7 @@ class Contour_mender {
   Proposal propose_beside_grid(std::size_t join, const Vector& in, const Vector& out) {
     const std::size_t left = join, right = next(join), last = points(left).empty() ? 0 : points(left).size() - 1;
     const Grid_offset u = exact_direction(left, true), v = exact_direction(right, false);
-    if (u == CGAL::NULL_VECTOR || v == CGAL::NULL_VECTOR) return {join, {}, "a handle lies at the node"};
+    if (u == CGAL::NULL_VECTOR || v == CGAL::NULL_VECTOR) return {join, {}, "all handles lie at the node"};
     const CGAL::Exact_rational sine = cross_product(u, v);
     if (u * v < (sine < 0 ? CGAL::Exact_rational(-sine) : sine)) return {join, {}, "the angle is more than 45 degrees"};
     double off = 0;
@@ -405,14 +418,15 @@ class Contour_mender {
       // only one of them, to a whole multiple of a short direction of the other one
       if (const std::optional<Vector> d = primitive_direction(v)) choices.push_back({to_left(join, nearest(u, *d))});
       if (const std::optional<Vector> d = primitive_direction(u)) choices.push_back({to_right(join, nearest(v, *d))});
-      longer = {{to_place(left, last - 1, last, -along(u, v))}, {to_place(right, 1, 0, along(v, u))}};
+      longer = {{to_place(left, tip(left, true), last, -along(u, v))},
+                {to_place(right, tip(right, false), 0, along(v, u))}};
       if (rank(in) < rank(out)) std::swap(longer[0], longer[1]);
     } else if (is_free(left)) {
       if (const std::optional<Vector> d = primitive_direction(v)) choices.push_back({to_left(join, nearest(u, *d))});
-      longer.push_back({to_place(left, last - 1, last, -along(u, v))});
+      longer.push_back({to_place(left, tip(left, true), last, -along(u, v))});
     } else if (is_free(right)) {
       if (const std::optional<Vector> d = primitive_direction(u)) choices.push_back({to_right(join, nearest(v, *d))});
-      longer.push_back({to_place(right, 1, 0, along(v, u))});
+      longer.push_back({to_place(right, tip(right, false), 0, along(v, u))});
     }
     std::string reason;
     for (const bool of_right : {rank(in) < rank(out), !(rank(in) < rank(out))}) {
