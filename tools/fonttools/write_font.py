@@ -450,6 +450,7 @@ class Harmoniser:
 
     def __init__(self, glyph, joins, corners, bound):
         self.glyph, self.joins, self.corners, self.bound = glyph, joins, corners, bound
+        self.tried = {}  # the states of joins in which nothing was better
 
     def state(self, join):
         a, b = self.glyph.sides(*join[1:])
@@ -472,7 +473,7 @@ class Harmoniser:
         """Whether the curvatures at a node agree better than before, and none next to it is worse by more than that."""
         glyph = self.glyph
         a, b, curves = self.state(join)
-        if not self.jump((a, b, curves)):
+        if self.tried.get(join) == (a, b, curves) or not self.jump((a, b, curves)):
             return False
         free = [glyph.is_free(handle, join[2], self.corners) for handle in (join[1], join[3])]
         for free_a, free_b in ((True, True), (True, False), (False, True)):  # a handle may be needed at its other node as it is
@@ -488,15 +489,20 @@ class Harmoniser:
             if not lost and sum(new or 0 for _, new in changed) < sum(old or 0 for old, _ in changed):
                 return True
             set_handles(glyph, join, a, b)
+        self.tried[join] = a, b, curves
         return False
 
     def run(self):
         """Whether handles have moved."""
         rows, moved = [list(row) for row in self.glyph.rows], False
         for _ in range(PASSES):
-            if not any([self.harmonise(join) for join in self.joins]):
+            is_new = not self.tried
+            if any([self.harmonise(join) for join in self.joins]):
+                moved = True
+            elif is_new:
                 return moved
-            moved = True
+            else:
+                self.tried.clear()  # what is next to them may have changed
         for i, shares in enumerate(zip(*rows)):  # the handles find no rest
             if self.glyph.shares(i) != list(shares):
                 self.glyph.set(i, list(shares))

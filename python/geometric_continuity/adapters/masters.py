@@ -44,8 +44,13 @@ def length(a):
     return math.hypot(float(a[0]), float(a[1]))
 
 
+def exact(x):
+    """The same number as an integer, or as a fraction where it is none."""
+    return int(x) if int(x) == x else Fraction(x)
+
+
 def nearest(x):
-    return math.floor(Fraction(x) + Fraction(1, 2))
+    return x if isinstance(x, int) else math.floor(Fraction(x) + Fraction(1, 2))
 
 
 def primitive(a):
@@ -61,7 +66,8 @@ class Masters:
     """The scalars of the shares at the masters."""
 
     def __init__(self, scalars):
-        self.scalars = scalars
+        self.scalars = [[exact(s) for s in row] for row in scalars]
+        self._counting = [[(i, s) for i, s in enumerate(row) if s != 0] for row in self.scalars]
         self.order = []  # in which no share counts at the masters before its own
         left = list(range(len(scalars)))
         while left:
@@ -81,13 +87,13 @@ class Masters:
 
     def at(self, shares):
         """The vectors at the masters."""
-        return [tuple(sum(s * v[c] for s, v in zip(row, shares)) for c in (0, 1)) for row in self.scalars]
+        return [tuple(sum(s * shares[i][c] for i, s in row) for c in (0, 1)) for row in self._counting]
 
     def shares(self, wanted, snap):
         """The shares, each the whole vector which snap() finds, that lead as near as they can to what is wanted at the masters."""
         found = [(0, 0)] * len(self.scalars)
         for r in self.order:
-            found[r] = snap(tuple(wanted[r][c] - sum(s * v[c] for s, v in zip(self.scalars[r], found)) for c in (0, 1)))
+            found[r] = snap(tuple(wanted[r][c] - sum(s * found[i][c] for i, s in self._counting[r]) for c in (0, 1)))
         return found
 
 
@@ -220,7 +226,7 @@ def is_g2(a, b, curves):
     n = range(len(a))
     e = _direction(a, b)
     if e is not None:
-        m, k = ([Fraction(dot(v, e)) / dot(e, e) for v in side] for side in (a, b))
+        m, k = ([exact(Fraction(dot(v, e)) / dot(e, e)) for v in side] for side in (a, b))
         left, right = [p * cross(u, e) for u in curves.u], [q * cross(e, v) for v in curves.v]
         return all(sum(left[i] * k[j] * k[h] - right[i] * m[j] * m[h] for i, j, h in permutations(t)) == 0
                    for t in combinations_with_replacement(n, 3))
@@ -298,7 +304,7 @@ def _along_direction(a, b, curves, masters, free, e, bound):
     """Handles of the direction e whose lengths make the curvatures agree at each master."""
     p, q = _factors(curves)
     square = dot(e, e)
-    given = [[Fraction(dot(v, e)) / square for v in masters.at(side)] for side in (a, b)]
+    given = [[exact(Fraction(dot(v, e)) / square) for v in masters.at(side)] for side in (a, b)]
     left, right = [p * cross(u, e) for u in masters.at(curves.u)], [q * cross(e, v) for v in masters.at(curves.v)]
     shares = [[0] * len(a), [0] * len(a)]
     for r in masters.order:

@@ -284,11 +284,12 @@ def _harmonise(masters: Sequence[List[Point]], kink_angle, max_move: Optional[fl
         return curvature_jump(join.a, join.b, join.curves, all_masters) if _can_agree(join, all_masters) else None
 
     state = current()
+    tried: Dict[int, Tuple] = {}
     for _ in range(_PASSES):
-        moved = False
+        moved, is_new = False, not tried
         for node in nodes:
             join = state[node]
-            if not _can_agree(join, all_masters):
+            if tried.get(node) == (join.a, join.b, join.curves) or not _can_agree(join, all_masters):
                 continue
             for free in ((True, True), (True, False), (False, True)):  # a handle may be needed at its other node as it is
                 free_a, free_b = free[0] and join.free_a, free[1] and join.free_b
@@ -304,8 +305,12 @@ def _harmonise(masters: Sequence[List[Point]], kink_angle, max_move: Optional[fl
                     state, moved = after, True
                     break
                 _set_handles(masters, join.at, join.a, join.b)
-        if not moved:
+            else:
+                tried[node] = join.a, join.b, join.curves
+        if not moved and is_new:
             return
+        if not moved:
+            tried.clear()  # what is next to them may have changed
     for points, old in zip(masters, given):  # the handles find no rest
         for point, (x, y) in zip(points, old):
             point.x, point.y = x, y

@@ -57,9 +57,10 @@ moves farther than --max-move units of the last decimal: twice what the kink is
 off and one more.
 
 With --to G2 the lengths of handles are changed, too, so that the curvatures
-agree: exactly where the grid allows it, otherwise as nearly as it does, and the
-jump that is left is told. It is not changed where it would harm a join that is
-G2. To repair again changes nothing.
+agree: exactly where the grid allows it, if need be with other lengths of the
+handles at free ends and corners as well, otherwise as nearly as it does, and
+the jump that is left is told. It is not changed where it would harm a join that
+is G2. To repair again changes nothing.
 
 Where numbers have more digits than a grid of their last decimal can hold (17
 digits, fractions, handles longer than 2^28 units), nodes keep all of theirs,
@@ -168,7 +169,7 @@ std::string curve_numbers(const std::vector<bool>& curves) {
   std::string numbers;
   std::size_t count = 0;
   for (std::size_t i = 0; i < curves.size(); ++i)
-    if (curves[i] && ++count <= 10) numbers += (count == 1 ? "" : ", ") + std::to_string(i + 1);
+    if (curves[i] && ++count <= 10) numbers += (count == 1 ? "" : ", ") + std::to_string(i);
   return (count == 1 ? "curve " : "curves ") + numbers + (count > 10 ? ", ..." : "");
 }
 
@@ -213,7 +214,7 @@ std::string repaired_chain(const std::string& given, const std::string& name, co
     if (line.has("reverse")) {
       text = given_curves.with_reversed(found.curves);
       for (std::size_t i = 0; i < found.curves.size(); ++i)
-        if (found.curves[i]) report.add_reversed(i + 1);
+        if (found.curves[i]) report.add_reversed(i);
     } else if (found.gaps_after < found.gaps_before)
       report.add_hint("chain: " + curve_numbers(found.curves) + " reversed would close " +
                       counted(found.gaps_before - found.gaps_after, "gap") + "; --reverse does that");
@@ -224,7 +225,7 @@ std::string repaired_chain(const std::string& given, const std::string& name, co
   if (contour.is_beside_grid && done.is_of_use())
     report.add_grid("chain", "\"element\":\"chain\"", contour.unit(), reason);
   report.add("chain", "\"element\":\"chain\"", contour, done,
-             [](std::size_t curve) { return "curve " + std::to_string(curve + 1); });
+             [](std::size_t curve) { return "curve " + std::to_string(curve); });
   std::string result = curves.with(contour);
   check_curves(result, name);
   const G2_curves_text written(result, name);

@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <set>
@@ -619,18 +620,90 @@ class Contour_mender {
     const CGAL::Exact_rational bound = max_change({a.handle, b.handle});
     if (contour_.is_beside_grid) return harmonise_beside_grid(join, a, b, bound);
     std::optional<GC::Aligned_handles> handles;
+    std::optional<Moves> exact; // with handles at the other ends, too
     try {
       const double squared = (std::min)(CGAL::to_double(bound * bound), 1e15);
       handles = GC::harmonise_handles(a, b, static_cast<std::int64_t>(squared));
+      if (handles && !is_exact(a, b, *handles)) exact = with_far_handles(join, a, b, bound);
     } catch (const GC::Error& error) {
       return error.what();
     }
     if (!handles) return "the curvatures have different signs, or one of them is zero";
+    if (exact && accept_if_better(join, *exact, bound).empty() && grade(join) == GC::Visual_class::g2) return "";
     if (handles->left == a.handle && handles->right == b.handle) return "";
     std::vector<Move> moves;
     if (a.movable) moves.push_back({left, points(left).size() - 2, node - handles->left});
     if (b.movable) moves.push_back({right, 1, node + handles->right});
     return accept_if_better(join, moves, bound);
+  }
+
+  // Returns whether handles of these lengths have one curvature: p n^2 = q m^2 for m d and n d.
+  static bool is_exact(const GC::Handle_side& a, const GC::Handle_side& b, const GC::Aligned_handles& handles) {
+    const Vector d = GC::primitive(handles.left);
+    const auto times_square = [&](int factor, std::int64_t turn, const Vector& handle) {
+      const CGAL::Exact_rational n = exact(dot(handle, d) / squared_length(d));
+      return CGAL::Exact_rational(factor * exact(turn) * n * n);
+    };
+    return times_square((a.degree - 1) * b.degree, cross(a.second, d), handles.right) ==
+           times_square((b.degree - 1) * a.degree, cross(d, b.second), handles.left);
+  }
+
+  // The handle at the other end of a cubic may move along itself where nothing depends on the
+  // curvature there: at a free end, and at a corner. Returns its direction, from the node to it.
+  std::optional<Vector> free_direction(std::size_t curve, bool at_end) const {
+    const Points& p = points(curve);
+    if (p.size() != 4 || !is_free(curve)) return std::nullopt;
+    const std::size_t other = at_end ? previous(curve) : curve;
+    const std::vector<std::size_t> joins = joins_of(curve);
+    if (std::count(joins.begin(), joins.end(), other) != 0 && grade(other) != GC::Visual_class::corner)
+      return std::nullopt;
+    const Vector handle = at_end ? p[1] - p[0] : p[2] - p[3];
+    if (handle == Vector{0, 0}) return std::nullopt;
+    return GC::primitive(handle);
+  }
+
+  // Moves that make curvatures agree exactly where no lengths of the handles at the node do: also
+  // the handles at the other ends get other lengths. Those of which the longest is shortest, then
+  // their sum.
+  std::optional<Moves> with_far_handles(std::size_t join, const GC::Handle_side& a, const GC::Handle_side& b,
+                                        const CGAL::Exact_rational& bound) const {
+    constexpr int most_steps = 12;
+    const std::optional<Vector> e = free_direction(join, true), f = free_direction(next(join), false);
+    const double most = (std::min)(CGAL::to_double(bound), 1e6);
+    const auto steps = [&](const std::optional<Vector>& d) {
+      return d ? (std::min)(most_steps, static_cast<int>(most / std::hypot(double(d->x), double(d->y)))) : 0;
+    };
+    const Vector zero{0, 0}, node = points(next(join)).front(), left = points(join)[points(join).size() - 3],
+                             right = points(next(join))[2];
+    const auto size = [](const Vector& v) { return std::hypot(double(v.x), double(v.y)); };
+    std::optional<Moves> best;
+    std::pair<double, double> least(most, 1e300);
+    const bool turned = rank(a.handle) < rank(b.handle); // so that mirror images of equal moves are one
+    const int outer = steps(turned ? f : e), inner = steps(turned ? e : f);
+    for (int k = -outer; k <= outer; ++k)
+      for (int l = -inner; l <= inner; ++l) {
+        const int i = turned ? l : k, j = turned ? k : l;
+        if (i == 0 && j == 0) continue;
+        const Vector u = e ? i * *e : zero, v = f ? j * *f : zero;
+        GC::Handle_side x = a, y = b;
+        x.second = x.second - u;
+        y.second = y.second + v;
+        const std::optional<GC::Aligned_handles> handles =
+            GC::harmonise_handles(x, y, static_cast<std::int64_t>(most * most));
+        if (!handles || !is_exact(x, y, *handles)) continue;
+        const std::array<double, 4> sizes{size(u), size(v), size(handles->left - a.handle),
+                                          size(handles->right - b.handle)};
+        const std::pair<double, double> cost(*std::max_element(sizes.begin(), sizes.end()),
+                                             sizes[0] + sizes[1] + sizes[2] + sizes[3]);
+        if (!(cost < least)) continue;
+        least = cost;
+        best = Moves{};
+        if (u != zero) best->push_back({join, points(join).size() - 3, left + u});
+        if (v != zero) best->push_back({next(join), 2, right + v});
+        if (handles->left != a.handle) best->push_back({join, points(join).size() - 2, node - handles->left});
+        if (handles->right != b.handle) best->push_back({next(join), 1, node + handles->right});
+      }
+    return best;
   }
 
   // Makes moves that lessen the sum of the jumps. Returns an objection to them.
