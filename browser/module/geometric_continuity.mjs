@@ -208,7 +208,8 @@ class Instance {
     const module = await compiled(source, name), instance = new Instance(), system = instance.#system(), imports = {};
     for (const { module: from, name: what, kind } of WebAssembly.Module.imports(module)) {
       const missing = from === 'env' ? -52 : 52; // "not implemented", of system calls and of WASI
-      if (kind === 'function') (imports[from] ??= {})[what] = system[what] ?? (() => missing);
+      const call = what.startsWith('invoke_') ? system.invoke : system[what];
+      if (kind === 'function') (imports[from] ??= {})[what] = call ?? (() => missing);
     }
     instance.functions = (await WebAssembly.instantiate(module, imports)).exports;
     instance.functions._initialize?.();
@@ -223,7 +224,26 @@ class Instance {
   // streams.
   #system() {
     const set = (address, x) => new DataView(this.memory).setUint32(address, x, true), success = 0;
+    let high = 0; // of a result of 64 bits
     return {
+      // setjmp() and longjmp() of C, by which FreeType leaves out tables of characters that are
+      // malformed: the latter throws a number, which ends the call that the former has made.
+      invoke: (index, ...args) => {
+        const { __indirect_function_table: table, setThrew, stackRestore, stackSave } = this.functions, top = stackSave();
+        try {
+          return table.get(index)(...args);
+        } catch (e) {
+          stackRestore(top);
+          if (typeof e !== 'number') throw e;
+          setThrew(1, 0);
+          return 0;
+        }
+      },
+      _emscripten_throw_longjmp: () => {
+        throw Infinity;
+      },
+      setTempRet0: (x) => void (high = x),
+      getTempRet0: () => high,
       proc_exit: (code) => refuse('work_limit', `the module has stopped with code ${code}`),
       environ_sizes_get: (count, size) => (set(count, 0), set(size, 0), success),
       environ_get: () => success,

@@ -94,6 +94,22 @@ test('the curves of a drawing are those that joins name', async () => {
     for (const k of [0, 1]) assert.ok(Math.abs(curves[left].points.at(k - 2) - curves[right].points[k]) < 1e-12); // arcs are rounded
 });
 
+// FreeType reads tables of characters within setjmp(). This font has no names of glyphs, of which
+// such a table could be made.
+test('glyphs are found by their character', { skip: !source }, async () => {
+  const font = new Uint8Array(readFileSync(join(source, 'conformance/data/font/one-unit.ttf')));
+  for (const glyphs of ['A', 'U+0041', 'A-Z']) {
+    const { summary } = await gc.verifyFont(font, { glyphs });
+    assert.deepEqual([summary.glyphs, summary.joins], [1, 4]);
+  }
+  await rejects('malformed_input', gc.verifyFont(font, { glyphs: 'B' }));
+  const place = new DataView(font.buffer), tables = place.getUint16(4);
+  for (let i = 0; i < tables; ++i)
+    if (String.fromCharCode(...font.slice(12 + 16 * i, 16 + 16 * i)) === 'cmap') place.setUint16(place.getUint32(20 + 16 * i) + 18, 3); // segments times 2
+  await rejects('malformed_input', gc.verifyFont(font, { glyphs: 'A' }));
+  assert.equal((await gc.verifyFont(font)).summary.joins, 4);
+});
+
 test('bad fonts are refused', async () => {
   await rejects('malformed_input', gc.verifyFont(new Uint8Array(100)));
   await rejects('malformed_input', gc.fontCurves(new Uint8Array([79, 84, 84, 79])));
