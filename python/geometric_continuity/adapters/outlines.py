@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Iterator, List, Optional, Sequence, Tuple
 
-from .. import joins as _joins
+from .. import _joins
 from .._native import Visual_class
 
 
