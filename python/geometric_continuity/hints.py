@@ -87,9 +87,10 @@ _GUESSED = {
 
 # Arguments and members here, and what other libraries call them.
 _SYNONYMS = {"segments": "curves beziers", "points": "control_points ctrlpts nodes vertices c curve curves",
-             "blend": "curves points control_points", "left": "points control_points", "curve": "points", "curves": "points", "knots": "t u knotvector", "parameters": "t u", "degree": "k p order", "weights": "w",
-             "derivative": "nu der n order", "order": "continuity degree", "g_order": "order", "tolerance": "tol eps epsilon max_error s",
-             "tangent_angle": "angle", "closed": "periodic per cyclic", "radius": "r", "distance": "d error max_error", "strategy": "method"}
+             "blend": "curves points control_points", "left": "points control_points", "curve": "points", "curves": "points",
+             "knots": "t u knotvector", "parameters": "t u", "degree": "k p order", "weights": "w", "derivative": "nu der n order",
+             "order": "continuity degree", "g_order": "order", "tolerance": "tol eps epsilon max_error s", "tangent_angle": "angle",
+             "closed": "periodic per cyclic", "radius": "r", "distance": "d error max_error", "strategy": "method"}
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
