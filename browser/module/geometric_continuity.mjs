@@ -393,7 +393,7 @@ export default async function load({ wasm, filesWasm } = {}) {
       const isClosed = closed || (list.length > 2 && meets(list.at(-1), list[0]));
       if (list.length > 2 && meets(list.at(-1), list[0])) list.pop();
       const n = list.length, sides = list.map((p, i) => [p, list[(i + 1) % n]]).slice(0, isClosed ? n : -1), following = (i) => (i + 1) % sides.length;
-      if (sides.length === 0) refuse('wrong_number_of_points', 'roundCorners: two vertices are needed at least');
+      if (n < 2) refuse('wrong_number_of_points', 'roundCorners: two vertices are needed at least');
       for (const [i, [a, b]] of sides.entries()) if (meets(a, b)) refuse('parameter_outside_domain', `roundCorners: the vertices ${i} and ${(i + 1) % n} are one point`);
       const isCorner = sides.map((side, i) => (isClosed || i + 1 < sides.length) && functions.continuity(side, sides[following(i)]).g_order < 2);
       const longest = sides.map(([a, b], i) => Math.hypot(...a.map((x, k) => nearly(x) - nearly(b[k]))) * (isCorner[i] && isCorner.at(i - 1) ? 0.375 : 0.75));

@@ -320,9 +320,10 @@ def interpolate(points, closed: bool = False, parametrisation: str = "chordal", 
     Raises Error: `wrong_number_of_points`, `empty_domain` unless parameters increase, `dimension_mismatch`, `not_finite`, `work_limit`,
     `parameter_outside_domain` where `closed` is no bool.
     """
+    given = points_of(points, "interpolate")
     check_flag("interpolate", "closed", closed, _DEGREES)
     check_name("interpolate", "parametrisation", parametrisation, ("uniform", "chordal", "centripetal"))
-    return Spline(**_native.interpolate(points_of(points, "interpolate"), closed, parametrisation, tuple(parameters), exact))
+    return Spline(**_native.interpolate(given, closed, parametrisation, tuple(parameters), exact))
 
 
 @keywords(**dict.fromkeys(("degree", "k", "p"), _FAIR_DEGREE))
@@ -350,5 +351,7 @@ def fit(points, tolerance, order: int = 1, closed: bool = False, corner_angle: f
 
     Raises Error: `wrong_number_of_points`, `parameter_outside_domain`, `unreachable_tolerance`, `not_finite`.
     """
+    if not isinstance(order, (int, numpy.integer)):
+        raise Error("parameter_outside_domain", "fit", f"the order is 1 or 2, not {order!r}: {_FIT_DEGREES}")
     check_flag("fit", "closed", closed, "call fit(points, tolerance, order=1, closed=False, corner_angle=45)")
     return Fitted_curve(**_native.fit(points_of(points, "fit"), tolerance, order, closed, corner_angle, exact))

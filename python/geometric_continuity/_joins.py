@@ -51,7 +51,8 @@ def chain_joins(curves, closed: bool = False) -> List[Join_continuity]:
 
     Raises Error: as `continuity`, and `parameter_outside_domain` where `closed` is no bool.
     """
-    check_flag("chain_joins", "closed", closed, "every join is decided up to order 3: chain_joins(curves)[0].g_order")
+    check_flag("chain_joins", "closed", closed, "every join is decided up to order 3: chain_joins(curves)[0].g_order; "
+               "two curves are a list: chain_joins([left, right])")
     found = chain(curves, "chain_joins")
     return [continuity(a, b) for a, b in zip(found, found[1:] + (found[:1] if closed else []))]
 

@@ -73,7 +73,9 @@ def _is_complex(x) -> bool:
 
 def points_of(points, place: Optional[str] = None):
     """Returns an array of points; that of complex numbers as points of the plane, that of objects with x and y as their coordinates,
-    everything else as it is. With the name of a function it refuses two rows of coordinates."""
+    everything else as it is. With the name of a function it refuses two rows of coordinates, and what is no array."""
+    if hasattr(points, "__next__"):  # e.g. zip(x, y)
+        points = list(points)
     if isinstance(points, numpy.ndarray):
         is_complex = points.dtype.kind == "c"
     else:
@@ -85,16 +87,21 @@ def points_of(points, place: Optional[str] = None):
         z = numpy.asarray(points, dtype=complex)
         return numpy.stack([z.real, z.imag], axis=-1)
     if place is not None:
+        if isinstance(points, str) or not (hasattr(points, "__len__") or hasattr(points, "__array__")):
+            of_shapely = "; give its .coords" if hasattr(points, "coords") else ""
+            raise Error("wrong_number_of_points", place, f"a {type(points).__name__} is no array of points{of_shapely}")
         refuse_rows(points, place, are_curve=False)
     return points
 
 
 def refuse_rows(points, place: str, are_curve: bool = True) -> None:
     """Refuses an array of shape (2, n), n > 3, which has a row for each coordinate, and for a curve one of three indices."""
-    is_list = isinstance(points, (list, tuple, numpy.ndarray)) and len(points) > 0
-    if is_list and isinstance(points[0], numbers.Real):
-        raise Error("wrong_number_of_points", place, f"{len(points)} numbers are no points: give [(x, y), ...], or numpy.reshape(numbers, (-1, 2))")
-    if are_curve and is_list and len(points[0]) > 0 and hasattr(points[0][0], "__len__"):
+    arrays = (list, tuple, numpy.ndarray)
+    is_list = isinstance(points, arrays) and len(points) > 0
+    if is_list and all(isinstance(p, numbers.Real) for p in points):
+        raise Error("wrong_number_of_points", place, f"{len(points)} numbers are no points: give [(x, y), ...], as numpy.column_stack([x, y]) "
+                    "or numpy.reshape(numbers, (-1, 2))")
+    if are_curve and is_list and isinstance(points[0], arrays) and len(points[0]) > 0 and isinstance(points[0][0], arrays):
         raise Error("wrong_number_of_points", place, "the points of a point are a patch or curves: edge_continuity(a, b) decides two patches, "
                     "chain_joins(curves) the joins of curves")
     if is_list and len(points) == 2 and numpy.ndim(points[0]) == 1 and len(points[0]) > 3:
@@ -176,6 +183,8 @@ class Spline(Curve):
         _take_arrays(self)
         knots = self.knots if isinstance(self.knots, numpy.ndarray) else numpy.array(self.knots, dtype=object)
         object.__setattr__(self, "knots", knots)
+        if knots.ndim != 1:
+            raise Error("wrong_number_of_points", "Spline", "the knots are an array of one index, all knots with their multiplicities")
         n = len(self.points)
         if self.degree < 0 or n <= self.degree or len(knots) != n + self.degree + 1:
             raise Error("wrong_number_of_points", "Spline", f"{n} points and {len(knots)} knots; the degree {self.degree} needs "
@@ -377,6 +386,7 @@ def _de_boor(rows, around, u):
     return rows[0]
 
 
+@keywords()
 def pieces(curve, low=None, high=None) -> List[Bezier_curve]:
     """Returns the Bezier curves of a spline, or of its part between the parameters low and high, each with its span as domain: in
     fractions, nothing is rounded.

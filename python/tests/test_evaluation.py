@@ -297,11 +297,19 @@ class Sentences(unittest.TestCase):
         for call in (lambda: gc.continuity(patch, patch), lambda: gc.blend(patch.tolist(), patch), lambda: gc.evaluate(patch, 0)):
             self.says("edge_continuity(a, b) decides two patches, chain_joins(curves) the joins of curves", call)
         for flat in ([0, 0, 1, 1], numpy.arange(8.)):
-            self.says(f"{len(flat)} numbers are no points: give [(x, y), ...], or numpy.reshape", lambda: gc.continuity(flat, RIGHT))
+            self.says(f"{len(flat)} numbers are no points: give [(x, y), ...], as numpy.column_stack([x, y])", lambda: gc.continuity(flat, RIGHT))
+            self.says("numpy.column_stack([x, y])", lambda: gc.interpolate(flat, flat))
         self.says("call verify(file) for a drawing", lambda: gc.continuity("M0 0L1 1", RIGHT))
         dicts = [{"x": x, "y": y} for x, y in RIGHT]
         self.assertEqual(gc.continuity(LEFT, dicts).g_order, gc.continuity(LEFT, RIGHT).g_order)
         self.assertEqual(gc.evaluate(dicts, 0).tolist(), list(RIGHT[0]))
+        self.assertEqual(str(gc.continuity(RIGHT, zip(*zip(*RIGHT[::-1])))), str(gc.continuity(RIGHT, RIGHT[::-1])))
+        self.assertEqual(gc.interpolate(zip(*zip(*LEFT))).points.tolist(), gc.interpolate(LEFT).points.tolist())
+        self.says("a SimpleNamespace is no array of points; give its .coords", lambda: gc.fit(types.SimpleNamespace(coords=LEFT), 0.1))
+        self.says("a str is no array of points", lambda: gc.interpolate("0,0 1,1"))
+        self.says("two curves are a list: chain_joins([left, right])", lambda: gc.chain_joins(LEFT, RIGHT))
+        self.says("the order is 1 or 2, not 'G2'", lambda: gc.fit(LEFT, 0.1, "G2"))
+        self.says("the knots are an array", lambda: gc.Spline(1, LEFT, None))
 
     def test_arguments(self):
         spline = gc.interpolate(LEFT)
