@@ -58,6 +58,10 @@ test('chains and models', async () => {
 });
 
 test('bad files are refused with code, line and reason', async () => {
+  await rejects('malformed_input', gc.verifySvg('drawing.svg'), 'give the text of a file, and not its name');
+  await rejects('malformed_input', gc.verifyFont('font.ttf'), 'a font is bytes');
+  await rejects('malformed_input', gc.verifySvg('M0 0L1 1', { requires: 'G1' }), "did you mean 'require'?");
+  await rejects('malformed_input', gc.repairSvg('M0 0L1 1', { tolerance: 0.1 }), 'there are kinkAngle, maxMove, harmonise');
   await rejects('malformed_input', gc.verifySvg('<svg xmlns="http://www.w3.org/2000/svg">\n<path></svg>'), 'drawing.svg:2:');
   await rejects('malformed_input', gc.verifySvg('no drawing'));
   await rejects('malformed_input', gc.verifySvg('<html/>'));

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple
 
-from .. import joins as _joins
+from .. import _joins
 from .._native import Visual_class
 from .masters import (Curves, Masters, can_agree, curvature_jump, dot, harmonised, is_smooth, longest_move, minus, smooth_handles)
 

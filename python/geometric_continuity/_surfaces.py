@@ -12,7 +12,7 @@ from . import _native
 from ._native import Edge_continuity
 from .errors import Error
 from .hints import check_name, keywords, missing_member
-from .joins import edge_continuity
+from ._joins import edge_continuity
 
 _EDGES = ("u0", "u1", "v0", "v1")
 
