@@ -15,7 +15,7 @@ export interface HandledPoint {
 
 /**
  * Several curves: Segments of paper.js, or a Path of these; or the curves of a PolyBezier of
- * bezier-js.
+ * bezier-js, or of a path of three.js.
  */
 export type CurveChain =
   | ReadonlyArray<HandledPoint>
@@ -26,9 +26,11 @@ export type CurveChain =
  * The control points of a Bézier curve, of any degree and dimension; with weights a rational one.
  * A text is path data of SVG, the attribute `d`, whose decimals are taken exactly. Of it, and of
  * several curves, the last one is that on the left of a join, and the first one that on the right.
- * A Curve of paper.js and a Bezier of bezier-js are curves, too.
+ * A Curve of paper.js, a Bezier of bezier-js, a line and a Bézier curve of three.js are curves,
+ * too, and so is a path element of a drawing.
  */
-export type Curve = string | CurveChain | ReadonlyArray<Point> | { readonly segment1: HandledPoint; readonly segment2: HandledPoint } | {
+export type Curve = string | CurveChain | ReadonlyArray<Point> | { readonly v0?: Point; readonly v1: Point; readonly v2: Point; readonly v3?: Point }
+  | { getAttribute(name: 'd'): string | null } | { readonly segment1: HandledPoint; readonly segment2: HandledPoint } | {
   control_points?: ReadonlyArray<Point>;
   points?: ReadonlyArray<Point>;
   weights?: ReadonlyArray<Exact>;
@@ -202,6 +204,12 @@ export interface Module {
    */
   roundCorner(left: Curve, right: Curve, distance: number, options: { strategy: 'cubic' | 'two_cubics' }): RoundedCorner<CubicBlend>;
   /**
+   * Rounds all corners of a polyline, or of a polygon, which is closed or ends where it starts.
+   * Returns what remains of the sides, and the blends between them, in their order. Corners of
+   * short sides are cut nearer, so that a quarter of each side remains.
+   */
+  roundCorners(vertices: ReadonlyArray<Point>, distance: Exact, options?: Omit<BlendOptions, 'strategy'> & { closed?: boolean; strategy?: BlendOptions['strategy'] | 'cubic' | 'two_cubics' }): ResultCurve[];
+  /**
    * Decides exactly whether the curvature is nowhere larger than a bound, which it may reach: null
    * if so, otherwise the place where the curve is bent most. The bound is 1/R where no radius may
    * be less than R, e.g. "1/12".
@@ -276,7 +284,26 @@ export class GeometricContinuityError extends Error {
  * Loads the module; the WebAssembly is taken from files next to it unless an address, its bytes or
  * a compiled module is given.
  */
-export default function load(options?: {
+declare function load(options?: {
   wasm?: string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module;
   filesWasm?: string | URL | ArrayBuffer | Uint8Array | WebAssembly.Module;
 }): Promise<Module>;
+export { load, load as default };
+
+/** The functions of the module that was loaded last; they throw until one is. */
+export const continuity: Module['continuity'];
+export const deviation: Module['deviation'];
+export const joinGrade: Module['joinGrade'];
+export const blend: Module['blend'];
+export const roundCorner: Module['roundCorner'];
+export const roundCorners: Module['roundCorners'];
+export const curvatureExcess: Module['curvatureExcess'];
+export const edgeContinuity: Module['edgeContinuity'];
+export const alignHandles: Module['alignHandles'];
+export const failingJoins: Module['failingJoins'];
+export const verifySvg: Module['verifySvg'];
+export const repairSvg: Module['repairSvg'];
+export const svgCurves: Module['svgCurves'];
+export const verifyFont: Module['verifyFont'];
+export const fontCurves: Module['fontCurves'];
+export const verifyG2: Module['verifyG2'];

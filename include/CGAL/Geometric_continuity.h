@@ -118,27 +118,51 @@ namespace Geometric_continuity {
 // here. The others do not compile, and the first error is the sentence that tells the call.
 
 // Classes
-template <class Traits> using B_spline_curve [[deprecated("the class is Bspline_curve")]] = Bspline_curve<Traits>;
-template <class Traits> using BSpline_curve [[deprecated("the class is Bspline_curve")]] = Bspline_curve<Traits>;
-template <class Traits>
-using NURBS_curve [[deprecated("the class is Rational_bspline_curve")]] = Rational_bspline_curve<Traits>;
-template <class Traits>
-using Nurbs_curve [[deprecated("the class is Rational_bspline_curve")]] = Rational_bspline_curve<Traits>;
-template <class Traits>
-using Rational_B_spline_curve [[deprecated("the class is Rational_bspline_curve")]] = Rational_bspline_curve<Traits>;
-template <class Traits> using Bezier_surface [[deprecated("the class is Bezier_patch")]] = Bezier_patch<Traits>;
-template <class Traits>
-using Rational_bezier_surface [[deprecated("the class is Rational_bezier_patch")]] = Rational_bezier_patch<Traits>;
-template <class Traits> using B_spline_surface [[deprecated("the class is Bspline_surface")]] = Bspline_surface<Traits>;
-template <class Traits> using BSpline_surface [[deprecated("the class is Bspline_surface")]] = Bspline_surface<Traits>;
-template <class Traits>
-using NURBS_surface [[deprecated("the class is Rational_bspline_surface")]] = Rational_bspline_surface<Traits>;
-template <class Traits>
-using Nurbs_surface [[deprecated("the class is Rational_bspline_surface")]] = Rational_bspline_surface<Traits>;
-template <class Traits>
-using Piecewise_bezier_curve [[deprecated("the class is Composite_bezier_curve")]] = Composite_bezier_curve<Traits>;
-template <class Traits>
-using Bezier_spline [[deprecated("the class is Composite_bezier_curve")]] = Composite_bezier_curve<Traits>;
+#define CGAL_GEOMETRIC_CONTINUITY_CLASS(name, real)                                                                    \
+  template <class Traits> using name [[deprecated("the class is " #real)]] = real<Traits>;
+CGAL_GEOMETRIC_CONTINUITY_CLASS(B_spline_curve, Bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(BSpline_curve, Bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(NURBS_curve, Rational_bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Nurbs_curve, Rational_bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Rational_B_spline_curve, Rational_bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Bezier_surface, Bezier_patch)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Rational_bezier_surface, Rational_bezier_patch)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(B_spline_surface, Bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(BSpline_surface, Bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(NURBS_surface, Rational_bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Nurbs_surface, Rational_bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Piecewise_bezier_curve, Composite_bezier_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Bezier_spline, Composite_bezier_curve)
+#undef CGAL_GEOMETRIC_CONTINUITY_CLASS
+
+// Classes over a kernel, as other packages name them
+#define CGAL_GEOMETRIC_CONTINUITY_CLASS(name, dimension, real)                                                         \
+  template <class Kernel>                                                                                              \
+  using name##_##dimension [[deprecated("the class is " #real "<Traits_" #dimension "<Kernel>>")]] =                   \
+      real<Traits_##dimension<Kernel>>;
+#define CGAL_GEOMETRIC_CONTINUITY_CURVE(name, real)                                                                    \
+  CGAL_GEOMETRIC_CONTINUITY_CLASS(name, 2, real) CGAL_GEOMETRIC_CONTINUITY_CLASS(name, 3, real)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(Bezier_curve, Bezier_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(Composite_bezier_curve, Composite_bezier_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(Bspline_curve, Bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(B_spline_curve, Bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(BSpline_curve, Bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(NURBS_curve, Rational_bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(Nurbs_curve, Rational_bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(Rational_bspline_curve, Rational_bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(Rational_bezier_curve, Rational_bezier_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Bezier_patch, 3, Bezier_patch)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Bezier_surface, 3, Bezier_patch)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Bspline_surface, 3, Bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(B_spline_surface, 3, Bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(BSpline_surface, 3, Bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(NURBS_surface, 3, Rational_bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Nurbs_surface, 3, Rational_bspline_surface)
+#undef CGAL_GEOMETRIC_CONTINUITY_CURVE
+#undef CGAL_GEOMETRIC_CONTINUITY_CLASS
+
+template <class Kernel> using Bezier_traits_2 [[deprecated("the class is Traits_2<Kernel>")]] = Traits_2<Kernel>;
+template <class Kernel> using Bezier_traits_3 [[deprecated("the class is Traits_3<Kernel>")]] = Traits_3<Kernel>;
 
 // Edges
 [[deprecated("the edge is Patch_edge::u0")]] inline constexpr Patch_edge U_MIN = Patch_edge::u0;
@@ -152,7 +176,10 @@ namespace internal {
 // common edge, of a spline at its knots, of a chain of curves at all joins.
 template <int order> struct Has_order {
   template <class A, class B> bool operator()(const A& a, const B& b) const {
-    if constexpr (is_surface<A>)
+    static_assert(!std::is_arithmetic_v<B>, "knot_continuity(spline, u).g_order is the order at one parameter");
+    if constexpr (std::is_arithmetic_v<B>) // so that there is one error
+      return false;
+    else if constexpr (is_surface<A>)
       return edge_continuity(a, b).g_order >= order;
     else if constexpr (order == 1)
       return is_g1_join(a, b);
@@ -198,6 +225,13 @@ struct No_result {
 [[deprecated("call is_g3_join(a, b) for curves, is_g3_edge(a, b) for surfaces, knot_continuities(c) for a "
              "spline")]] inline constexpr internal::Has_order<3>
     is_G3{}, is_g3{};
+[[deprecated("call is_c_join<1>(a, b)")]] inline constexpr internal::Parametric_join_predicate<1> is_C1{}, is_c1{};
+[[deprecated("call is_c_join<2>(a, b)")]] inline constexpr internal::Parametric_join_predicate<2> is_C2{}, is_c2{};
+[[deprecated("call is_c_join<3>(a, b)")]] inline constexpr internal::Parametric_join_predicate<3> is_C3{}, is_c3{};
+
+// Orders, where a strategy is expected: blend() tells the strategies.
+[[deprecated("the strategy tells the order: Fair() for G2, Fair_g3() for G3")]] inline constexpr int G1 = 1, G2 = 2,
+                                                                                                     G3 = 3;
 
 // A spline in the place of a chain: its joins are its knots.
 template <class Traits>
@@ -232,6 +266,55 @@ internal::No_result round_corners(const Chain&, const Number&, const Output_iter
   return {};
 }
 
+// A degree, which a curve through points does not take.
+template <class Point> auto interpolate(const std::vector<Point>&, int) {
+  static_assert(internal::never<Point>, "interpolate(points) is a cubic spline, interpolate_fair(points) has degree 5: "
+                                        "there is no degree to give");
+  return internal::No_result();
+}
+template <class Input_iterator> auto interpolate(Input_iterator, Input_iterator, int) {
+  static_assert(internal::never<Input_iterator>, "interpolate(first, last) is a cubic spline, interpolate_fair(points) "
+                                                 "has degree 5: there is no degree to give");
+  return internal::No_result();
+}
+
+// A length, by which no curve is extended.
+template <class Curve, class = typename Curve::Traits> auto extend(const Curve&, double) {
+  static_assert(internal::never<Curve>,
+                "extend(c, Frenet_order::curvature, {beta}) is the next segment of a curve, whose "
+                "speed is beta times that of the last one");
+  return internal::No_result();
+}
+
+// An iterator to which joins would be written, as algorithms of CGAL do.
+template <class Input_iterator, class Output_iterator, class... Given,
+          class = std::enable_if_t<std::is_same_v<typename std::iterator_traits<Output_iterator>::iterator_category,
+                                                  std::output_iterator_tag>>>
+auto chain_joins(const Input_iterator&, const Input_iterator&, const Output_iterator&, const Given&...) {
+  static_assert(internal::never<Input_iterator>,
+                "chain_joins(curves) takes a range and returns one Join_continuity for "
+                "each join");
+  return internal::No_result();
+}
+
+// Points in the place of a curve.
+#define CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(name)                                                                       \
+  template <class Point, class Kernel = typename Point::R, class... Given>                                             \
+  auto name(const std::vector<Point>&, const Given&...) {                                                              \
+    static_assert(internal::never<Kernel>,                                                                             \
+                  "control points are no curve: give Bezier_curve<Traits_2<Kernel>>(points), "                         \
+                  "in space Bezier_curve<Traits_3<Kernel>>(points)");                                                  \
+    return internal::No_result();                                                                                      \
+  }
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(continuity)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(deviation)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(order_within)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(curvature)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(torsion)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(blend)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(extend)
+#undef CGAL_GEOMETRIC_CONTINUITY_NO_CURVE
+
 // A function that does not exist, with the sentence that is the first error of the compiler where
 // it is called.
 #define CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(name, sentence)                                                          \
@@ -262,6 +345,8 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_chain, CGAL_GEOMETRIC_CONTINUITY_AS
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_chain_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_chain, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(joins, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(classify_joins, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN
 
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE                                                                             \
@@ -289,6 +374,14 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_polyline, "fit(points, tolerance) fits
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate, "fit(points, tolerance) fits a smooth curve to a polyline")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_points, "interpolate(points) leads a C2 spline through points, "
                                                           "interpolate_fair(points) a fair curve")
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE                                                                        \
+  "curvature_extrema(c) encloses the extreme curvatures of a curve; curvature_excess(c, bound) finds where it "        \
+  "exceeds "                                                                                                           \
+  "a bound; curvature(c, u) is the curvature at one parameter"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(maximum_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(minimum_radius, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_g2,
                                       "read_g2_curves<Traits>(in) returns Bezier curves, read_g2_bsplines<Traits>(in) "
                                       "for B-spline curves, read_g2_surfaces<Traits>(in) for patches")

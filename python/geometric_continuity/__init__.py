@@ -21,15 +21,15 @@ from ._native import (Edge_continuity, Enclosure, Join_continuity, Join_deviatio
                       Visual_class, uses_gmp)
 from ._native import version as __version__
 from .curve_types import Bezier_curve, Segmented_curve, Spline, pieces
-from .curves import (STRATEGIES, Blend, Clothoid_blend, Curvature_excess, Fair_spline, Fitted_curve, Representable_blend, Rounded_corner,
-                     blend, clothoid_blend, curvature_excess, fair, fairness, fit, interpolate, interpolate_fair, representable_blend, round_corner)
+from ._curves import (STRATEGIES, Blend, Clothoid_blend, Curvature_excess, Fair_spline, Fitted_curve, Representable_blend, Rounded_corner,
+                     blend, clothoid_blend, curvature_excess, fair, fairness, fit, interpolate, interpolate_fair, representable_blend, round_corner, round_corners)
 from .errors import Error
-from .evaluation import curvature, curvature_vector, evaluate, torsion
+from ._evaluation import curvature, curvature_vector, evaluate, torsion
 from .hints import missing_in_module, missing_member, no_truth
-from .joins import (align_handle, align_handles, chain_joins, continuity, deviation, edge_continuity, failing_joins, kink_size,
+from ._joins import (align_handle, align_handles, chain_joins, continuity, deviation, edge_continuity, failing_joins, kink_size,
                     order_within, visual_class)
 from .program import file_record, program, verify
-from .surfaces import Matched_surface, match
+from ._surfaces import Matched_surface, match
 
 __all__ = [
     "Bezier_curve", "Blend", "Clothoid_blend", "Curvature_excess", "Edge_continuity", "Enclosure", "Error", "Fair_spline", "Fitted_curve", "Join_continuity",
@@ -38,7 +38,7 @@ __all__ = [
     "Segmented_curve", "Spline",
     "Visual_class", "align_handle", "align_handles", "blend", "chain_joins", "clothoid_blend", "continuity", "curvature", "curvature_excess", "curvature_vector",
     "deviation", "edge_continuity", "evaluate", "failing_joins", "fair", "fairness", "file_record", "fit", "interpolate", "interpolate_fair",
-    "kink_size", "match", "order_within", "pieces", "program", "representable_blend", "round_corner", "torsion", "uses_gmp", "verify",
+    "kink_size", "match", "order_within", "pieces", "program", "representable_blend", "round_corner", "round_corners", "torsion", "uses_gmp", "verify",
     "visual_class",
 ]
 
@@ -53,4 +53,4 @@ def __getattr__(name):
     if new is not None:
         warnings.warn(f"{name} is now {new}", DeprecationWarning, stacklevel=2)
         return globals()[new]
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}: {missing_in_module(name, __all__)}")
+    raise missing_in_module(name, __all__)

@@ -10,15 +10,17 @@ y; `Bezier_curve`, `Spline`, and results such as `Blend`; the splines of SciPy, 
 
 from __future__ import annotations
 
+import numbers
 from dataclasses import dataclass
 from fractions import Fraction
 from math import comb, factorial
+from types import SimpleNamespace
 from typing import Any, Iterator, List, Optional, Tuple
 
 import numpy
 
 from .errors import Error
-from .hints import missing_member
+from .hints import keywords, missing_member
 
 # What reads the objects of other libraries, by the first name of their module.
 _ADAPTERS = {"svgelements": "drawings.svg_contours(path)", "Part": "freecad.edge_pieces(edge)",
@@ -52,9 +54,11 @@ def have_floats(*arrays) -> bool:
 
 
 def _coordinates(point) -> Optional[Tuple]:
-    """Returns the coordinates of an object with x and y, in space with z, which may be functions, or X(), Y(), Z(); None of anything else."""
+    """Returns the coordinates of an object or a dict with x and y, in space with z, which may be functions, or X(), Y(), Z(); None of anything else."""
     if isinstance(point, (list, tuple, numpy.ndarray)):
         return None
+    if isinstance(point, dict):
+        point = SimpleNamespace(**point)
     for names in ("xyz", "XYZ"):
         if all(hasattr(point, name) for name in names[:2]):
             in_space = getattr(point, "has_z", True) and hasattr(point, names[2])  # shapely has z where there is none
@@ -69,7 +73,9 @@ def _is_complex(x) -> bool:
 
 def points_of(points, place: Optional[str] = None):
     """Returns an array of points; that of complex numbers as points of the plane, that of objects with x and y as their coordinates,
-    everything else as it is. With the name of a function it refuses two rows of coordinates."""
+    everything else as it is. With the name of a function it refuses two rows of coordinates, and what is no array."""
+    if hasattr(points, "__next__"):  # e.g. zip(x, y)
+        points = list(points)
     if isinstance(points, numpy.ndarray):
         is_complex = points.dtype.kind == "c"
     else:
@@ -81,13 +87,24 @@ def points_of(points, place: Optional[str] = None):
         z = numpy.asarray(points, dtype=complex)
         return numpy.stack([z.real, z.imag], axis=-1)
     if place is not None:
+        if isinstance(points, str) or not (hasattr(points, "__len__") or hasattr(points, "__array__")):
+            of_shapely = "; give its .coords" if hasattr(points, "coords") else ""
+            raise Error("wrong_number_of_points", place, f"a {type(points).__name__} is no array of points{of_shapely}")
         refuse_rows(points, place, are_curve=False)
     return points
 
 
 def refuse_rows(points, place: str, are_curve: bool = True) -> None:
-    """Refuses an array of shape (2, n), n > 3, which has a row for each coordinate."""
-    if isinstance(points, (list, tuple, numpy.ndarray)) and len(points) == 2 and numpy.ndim(points[0]) == 1 and len(points[0]) > 3:
+    """Refuses an array of shape (2, n), n > 3, which has a row for each coordinate, and for a curve one of three indices."""
+    arrays = (list, tuple, numpy.ndarray)
+    is_list = isinstance(points, arrays) and len(points) > 0
+    if is_list and all(isinstance(p, numbers.Real) for p in points):
+        raise Error("wrong_number_of_points", place, f"{len(points)} numbers are no points: give [(x, y), ...], as numpy.column_stack([x, y]) "
+                    "or numpy.reshape(numbers, (-1, 2))")
+    if are_curve and is_list and isinstance(points[0], arrays) and len(points[0]) > 0 and isinstance(points[0][0], arrays):
+        raise Error("wrong_number_of_points", place, "the points of a point are a patch or curves: edge_continuity(a, b) decides two patches, "
+                    "chain_joins(curves) the joins of curves")
+    if is_list and len(points) == 2 and numpy.ndim(points[0]) == 1 and len(points[0]) > 3:
         n = len(points[0])
         hint = f"; a line in the space of {n} coordinates is Bezier_curve(points)" if are_curve else ""
         raise Error("wrong_number_of_points", place, f"an array of shape (2, {n}) has a row for each coordinate, and not for each point: "
@@ -100,7 +117,7 @@ class Curve:
     points: Any
 
     def __call__(self, parameters):
-        from .evaluation import evaluate
+        from ._evaluation import evaluate
 
         return evaluate(self, parameters)
 
@@ -108,6 +125,7 @@ class Curve:
         missing_member(self, name)
 
 
+@keywords()
 @dataclass(frozen=True)
 class Bezier_curve(Curve):
     """A Bezier curve, rational where it has weights."""
@@ -149,6 +167,7 @@ class Bezier_curve(Curve):
         return numpy.array(rows, dtype=object)
 
 
+@keywords()
 @dataclass(frozen=True)
 class Spline(Curve):
     """A B-spline curve, rational where it has weights, in the form of `scipy.interpolate.BSpline`."""
@@ -159,9 +178,13 @@ class Spline(Curve):
     weights: Any = None  #: shape (n,), positive; None where all are equal
 
     def __post_init__(self):
+        if not isinstance(self.degree, (int, numpy.integer)):
+            raise Error("parameter_outside_domain", "Spline", "the degree comes first: call Spline(degree, points, knots)")
         _take_arrays(self)
         knots = self.knots if isinstance(self.knots, numpy.ndarray) else numpy.array(self.knots, dtype=object)
         object.__setattr__(self, "knots", knots)
+        if knots.ndim != 1:
+            raise Error("wrong_number_of_points", "Spline", "the knots are an array of one index, all knots with their multiplicities")
         n = len(self.points)
         if self.degree < 0 or n <= self.degree or len(knots) != n + self.degree + 1:
             raise Error("wrong_number_of_points", "Spline", f"{n} points and {len(knots)} knots; the degree {self.degree} needs "
@@ -180,7 +203,8 @@ def _take_arrays(curve) -> None:
     points = points if isinstance(points, numpy.ndarray) else numpy.array(points, dtype=object)
     place, weights = type(curve).__name__, curve.weights
     if points.ndim != 2 or points.shape[1] == 0:
-        raise Error("wrong_number_of_points", place, "an array of shape (points, dimension) is needed")
+        order = "; the order of arguments is Spline(degree, points, knots)" if isinstance(curve, Spline) else ""
+        raise Error("wrong_number_of_points", place, f"an array of shape (points, dimension) is needed{order}")
     object.__setattr__(curve, "points", points)
     if weights is None:
         return
@@ -287,6 +311,8 @@ def spline_of(curve, place: str) -> Spline:
     if call is not None:
         raise Error("wrong_number_of_points", place, f"the {kind.__name__} of {library} is none of the curves that are taken: {call}")
     if numpy.array(points, dtype=object).ndim == 0 or isinstance(points, str):
+        if isinstance(points, str) and points.lstrip()[:1] in ("M", "m"):
+            raise Error("wrong_number_of_points", place, "path data is no curve here: give svgpathtools.parse_path(d), or call verify(file) for a drawing")
         raise Error("wrong_number_of_points", place, f"a {kind.__name__} is no curve: give an array of control points of shape "
                     "(degree + 1, dimension), a Bezier_curve, a Spline or a BSpline of SciPy")
     refuse_rows(points, place)
@@ -360,6 +386,7 @@ def _de_boor(rows, around, u):
     return rows[0]
 
 
+@keywords()
 def pieces(curve, low=None, high=None) -> List[Bezier_curve]:
     """Returns the Bezier curves of a spline, or of its part between the parameters low and high, each with its span as domain: in
     fractions, nothing is rounded.

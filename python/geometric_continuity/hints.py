@@ -19,12 +19,21 @@ _READ = "verify(file) reads drawings, fonts and CAD models; modules of geometric
 _WRITE = "the module writes no files: results are arrays, which numpy.savetxt(file, curve.points) writes"
 _PLOT = "evaluate(curve, numpy.linspace(0, 1, 200)) returns the points that matplotlib draws; curvature(curve, parameters) their curvatures"
 
+_ELSEWHERE = "the module decides joins and makes curves that join smoothly; what SciPy, geomdl or svgpathtools returns can be given as a curve"
+_CHECK = ("call continuity(left, right) for two curves, chain_joins(spline) for a spline or a list of curves, edge_continuity(a, b) for surfaces, "
+          "verify(file) for files")
+_REPAIR = "call `geometric_continuity repair` for files; representable_blend(left, right) and align_handles(left, right) for curves"
+_SURFACE = ("an array of shape (p + 1, q + 1, 3) is a Bezier surface: edge_continuity(a, b) decides two of them, match(a, b) changes b so that it "
+            "continues a")
+_SAMPLE = "call evaluate(curve, parameters), e.g. at numpy.linspace(0, 1, 200)"
+_ARC = "an arc is a curve with weights, a quarter of a circle Bezier_curve([(1, 0), (1, 1), (0, 1)], [1, 1, 2])"
+
 # Verbs, which count more than what follows them in a name.
 _VERBS = {"read": _READ, "load": _READ, "open": _READ, "import": _READ, "parse": _READ, "svg": _READ, "write": _WRITE, "save": _WRITE,
           "export": _WRITE, "plot": _PLOT, "draw": _PLOT, "show": _PLOT,
           "verify": "chain_joins(curves) and failing_joins(curves, \"G2\") decide the joins of a spline or a list, "
                     "verify(file) those of files",
-          "check": "call continuity(left, right) for two curves, chain_joins(spline) for a spline or a list of curves, verify(file) for files"}
+          "check": _CHECK, "analyze": _CHECK, "analyse": _CHECK, "mend": _REPAIR, "fix": _REPAIR, "repair": _REPAIR}
 
 # Names that other libraries have, and the call here.
 _GUESSED = {
@@ -50,30 +59,77 @@ _GUESSED = {
     "tangent": "call evaluate(curve, parameters, 1)",
     "measure": "call deviation(left, right)",
     "distance": "call deviation(left, right), which has the gap",
-    "repair": "call `geometric_continuity repair` for files; representable_blend(left, right) and align_handles(left, right) for curves",
-    "fillet": "call round_corner(left, right, distance)",
-    "round_corner": "round_corner(left, right, distance) rounds one corner; call it for each pair of neighbours",
+    "fillet": "call round_corner(left, right, distance) for two curves, round_corners(points, distance) for a polyline or a polygon",
+    "round": "call round_corners(points, distance) for a polyline or a polygon, round_corner(left, right, distance) for two curves",
+    "polygon": "an array of points is a polygon: round_corners(points, distance, closed=True), interpolate(points, closed=True)",
+    "path": "a list of curves is a path: chain_joins(curves); paths of svgpathtools and matplotlib are curves, too; verify(file) reads drawings",
+    "svg2paths": _READ, "font": _READ, "step": _READ,
+    "surface": _SURFACE, "patch": _SURFACE, "face": _SURFACE,
+    "join": "continuity(left, right) decides the join of two curves, chain_joins(curves) all joins of a spline or a list",
+    "order": "call continuity(left, right).g_order, or order_within(left, right, tolerance)",
+    "kink": "failing_joins(curves, \"G1\") tells where a spline or a list of curves has kinks, kink_size(left, right) how large one is",
+    "angle": "call deviation(left, right).tangent_angle", "gap": "call deviation(left, right).gap",
+    "curvature_jump": "call deviation(left, right).curvature_jump",
+    "tolerance": "decisions are exact; order_within(left, right, tolerance) and failing_joins(curves, \"G1\", tolerance=1e-6) have tolerances",
+    "split": "call pieces(curve, low, high)", "subdivide": "call pieces(curve, low, high)", "decompose": "call pieces(curve)",
+    "reverse": "points[::-1] is the curve run through backwards, and Bezier_curve(...).reverse()",
+    "degree": "a Bezier curve has the degree len(points) - 1", "knot": "call chain_joins(spline), which decides the joins at its .knots",
+    "knotvector": "call Spline(degree, points, knots) with all knots", "normal": "call curvature_vector(curve, parameters)",
+    "sample": _SAMPLE, "linspace": _SAMPLE, "splev": _SAMPLE, "splprep": "call interpolate(points), or give the tuple (t, c, k) of splprep",
+    "fair_spline": "call interpolate_fair(points)", "fair_curve": "call interpolate_fair(points) through points, fair(left, right) between curves",
+    "approximate": "call fit(points, tolerance)", "simplify": "call fit(points, tolerance)", "square": "call fit(points, tolerance)",
+    "hermite": "call interpolate(points), or give a CubicHermiteSpline of SciPy", "catmull": "call interpolate(points)",
+    "spiral": "call clothoid_blend(start, end)", "circle": _ARC, "arc": _ARC, "ellipse": _ARC, "version": "it is geometric_continuity.__version__",
+    "extend": "call `geometric_continuity extend` for files", "adapter": "import geometric_continuity.adapters.fonttools, and the like",
+    **dict.fromkeys(("length", "offset", "intersect", "intersection", "bound", "bounding", "area", "elevate", "insert", "operation", "transform"),
+                    _ELSEWHERE),
 }
 
-# Members that other libraries have, and those here.
-_MEMBERS = {"curves": "segments", "beziers": "segments", "control_points": "points", "order": "g_order"}
+# Arguments and members here, and what other libraries call them.
+_SYNONYMS = {"segments": "curves beziers", "points": "control_points ctrlpts nodes vertices c curve curves",
+             "blend": "curves points control_points", "left": "points control_points", "curve": "points", "curves": "points",
+             "knots": "t u knotvector", "parameters": "t u", "degree": "k p order", "weights": "w", "derivative": "nu der n order",
+             "order": "continuity degree", "g_order": "order", "tolerance": "tol eps epsilon max_error s", "tangent_angle": "angle",
+             "closed": "periodic per cyclic", "radius": "r", "distance": "d error max_error", "strategy": "method"}
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
+def _synonym(name: str, names: Iterable[str]) -> Optional[str]:
+    return next((n for n, others in _SYNONYMS.items() if n in names and name in others.split()), None)
+
+
 def keywords(**meant: str) -> Callable[[_Function], _Function]:
-    """Returns a decorator for a function, which answers arguments that it does not have by what is meant."""
+    """Returns a decorator for a function, or a class, which answers arguments that it does not have by what is meant, and otherwise by
+    those that it has."""
     def decorate(function: _Function) -> _Function:
-        assert not set(meant) & set(inspect.signature(function).parameters)
+        signature = inspect.signature(function).parameters
+        parameters = [name for name in signature if signature[name].kind != inspect.Parameter.VAR_KEYWORD]
+        others = len(parameters) < len(signature)
+        assert not set(meant) & set(parameters)
 
-        @functools.wraps(function)
-        def call(*arguments, **named):
-            for name in named:
-                if name in meant:
-                    raise TypeError(f"{function.__name__}() has no argument {name!r}: {meant[name]}")
-            return function(*arguments, **named)
+        def answer(name: str) -> str:
+            best = name if name in meant else _synonym(name, [*meant, *parameters]) or nearest(name, parameters)
+            if best in meant:
+                return meant[best]
+            return f"{f'did you mean {best}? It' if best else 'it'} has {', '.join(parameters)}"
 
-        return cast(_Function, call)
+        def checked(called):
+            @functools.wraps(called)
+            def call(*arguments, **named):
+                for name in named:
+                    if name in meant or not (others or name in parameters):
+                        raise TypeError(f"{function.__name__}() has no argument {name!r}: {answer(name)}")
+                    if name in parameters[:len(arguments) - isinstance(function, type)]:  # without self
+                        raise TypeError(f"{name!r} is given twice: call {function.__name__}({', '.join(parameters)})")
+                return called(*arguments, **named)
+
+            return call
+
+        if isinstance(function, type):
+            setattr(function, "__init__", checked(getattr(function, "__init__")))
+            return function
+        return cast(_Function, checked(function))
 
     return decorate
 
@@ -109,23 +165,50 @@ def check_name(place: str, what: str, name: Any, names: Iterable[str]) -> None:
     raise Error("parameter_outside_domain", place, f"there is no {what} '{name}'{meant} is one of {', '.join(names)}")
 
 
-def missing_in_module(name: str, names: Iterable[str]) -> str:
-    """Returns what to call instead of a name that a module does not have."""
+def _guess(name: str, names: Iterable[str] = ()) -> Optional[str]:
+    """Returns what to call instead of a name that other libraries have; names are those that are there."""
     words = [word.lower() for word in re.findall("[A-Z]*[a-z0-9]+|[A-Z]+", name)] or [""]
-    if words[0] == "is" and len(words) > 1 and words[1][:1] in ("c", "g", "f") and words[1][1:].isdigit():
-        return f"call continuity(left, right).{words[1][0]}_order >= {words[1][1:]}"
+    stems = {*words, *(re.sub("(s|ness|ly|ed)$", "", word) for word in words), "".join(words)}
+    order = next((word for word in words if re.fullmatch("[cgf][0-9]", word)), None)
+    if order and (words[0] == "is" or len(words) == 1 or {"continuous", "continuity"} & stems):
+        return f"call continuity(left, right).{order[0]}_order >= {order[1]}"
+    if stems & {"surface", "patch", "face"}:
+        return _SURFACE
     if words[0] in _VERBS:
         return _VERBS[words[0]]
-    stems = {*words, *(re.sub("(s|ness|ly)$", "", word) for word in words), "".join(words)}
     guessed = sorted((g for g in _GUESSED if stems.issuperset(g.split("_"))), key=len)
-    if guessed and ("_" in guessed[-1] or guessed[-1] == "".join(words)):
+    if guessed and ("_" in guessed[-1] or len(words) == 1 or not any(n.lower() in name.lower() or name.lower() in n.lower() for n in names)):
         return _GUESSED[guessed[-1]]
+    return None
+
+
+def missing_in_module(name: str, names: Iterable[str]) -> AttributeError:
+    """Returns the error of a module that does not have a name, which tells what to call instead."""
     functions = [n for n in names if n[0].islower() == name[0].islower()]
-    parts = [n for n in functions if n.lower() in name.lower()] or [n for n in functions if name.lower() in n.lower()]
-    if guessed and not parts:
-        return _GUESSED[guessed[-1]]
-    best = max(parts, key=len) if parts else nearest(name, functions, 0.7)
-    return f"did you mean {best}?" if best else "help(geometric_continuity) lists what there is"
+    text = _guess(name, functions)
+    if text is None:
+        parts = [n for n in functions if n.lower() in name.lower()] or [n for n in functions if name.lower() in n.lower()]
+        best = max(parts, key=len) if parts else nearest(name, functions, 0.7)
+        text = f"did you mean {best}{_required(best)}?" if best else "help(geometric_continuity) lists what there is"
+    return _attribute_error(f"module 'geometric_continuity' has no attribute {name!r}: {text}", name)
+
+
+def _required(name: str) -> str:
+    """Returns the arguments that a name of the module cannot do without."""
+    import geometric_continuity
+
+    try:
+        parameters = inspect.signature(getattr(geometric_continuity, name)).parameters.values()
+    except (TypeError, ValueError):
+        return ""
+    names = [p.name for p in parameters if p.default is p.empty or p.default is None and p.kind == p.POSITIONAL_OR_KEYWORD]
+    return f"({', '.join(names)})"
+
+
+def _attribute_error(text: str, name: str) -> AttributeError:
+    error = AttributeError(text)
+    setattr(error, "name", name)  # with a name, and without an object, the interpreter adds no suggestion of its own
+    return error
 
 
 def missing_member(thing: Any, name: str) -> Any:
@@ -136,7 +219,11 @@ def missing_member(thing: Any, name: str) -> Any:
     if name.startswith("_"):
         raise AttributeError(text)
     if name in geometric_continuity.__all__:
-        raise AttributeError(f"{text}: call {name}(...) of geometric_continuity with it")
+        raise _attribute_error(f"{text}: call {name}(...) of geometric_continuity with it", name)
     members = sorted(m for m in dir(thing) if not m.startswith("_"))
-    best = _MEMBERS[name] if _MEMBERS.get(name) in members else nearest(name, members)
-    raise AttributeError(f"{text}{f': did you mean {best}? It' if best else ': it'} has {', '.join(members)}")
+    order = re.fullmatch("(is_?)?([cgf])([0-9]?)", name.lower())
+    if order and f"{order[2]}_order" in members:
+        raise _attribute_error(f"{text}: ask .{order[2]}_order >= {order[3] or 1}", name)
+    best = _synonym(name, members) or nearest(name, members, 0.75)
+    meant = f"did you mean {best}? It" if best else f"{_guess(name)}; it" if _guess(name) else "it"
+    raise _attribute_error(f"{text}: {meant} has {', '.join(members)}", name)

@@ -106,6 +106,67 @@ class Outlines(unittest.TestCase):
                 self.assertGreater(ax * bx + ay * by, 0)
         self.assertGreater(mended, 60)
 
+    def test_curvature_of_masters(self):
+        """Curvatures made equal: one contour as the program does it, masters with one direction or one ratio of handles, compared with the
+        curvatures of mixtures on fractions."""
+        harm = [(40, 0, "move"), (40, 180, None), (110, 320, None), (240, 320, "curve"), (330, 320, None), (420, 250, None), (420, 60, "curve")]
+        points = [Point(*p) for p in harm]
+        self.assertEqual([(m.index, m.after) for m in outlines.mend(points, to="G2")], [(2, (107, 320)), (4, (334, 320))])
+        [(node, jump)] = outlines.curvature_jumps([points])
+        self.assertEqual(node, 3)
+        self.assertAlmostEqual(jump, 0.0009610, 6)
+        self.assertEqual(outlines.mend(points, to="G2"), [])
+        self.assertEqual(outlines.mend([Point(*p) for p in harm]), [])
+        with self.assertRaises(ValueError):
+            outlines.mend(points, to="G3")
+
+        def curve(p):  # its node is 0
+            return [Point(*p) for p in ((-700, -900, "move"), (*(-c for c in p[0]), None), (*(-c for c in p[1]), None), (0, 0, "curve"),
+                                        (*p[2], None), (*p[3], None), (900, -700, "curve"))]
+
+        def jumps_of_mixture(masters, weights):
+            u, a, b, v = ([sum(w * (s * getattr(m[i], c)) for w, m in zip(weights, masters)) for c in "xy"]
+                          for i, s in ((1, -1), (2, -1), (4, 1), (5, 1)))
+            left, right = u[0] * a[1] - u[1] * a[0], b[0] * v[1] - b[1] * v[0]
+            self.assertEqual(a[0] * b[1], a[1] * b[0])
+            return left * left * (b[0] ** 2 + b[1] ** 2) ** 3 - right * right * (a[0] ** 2 + a[1] ** 2) ** 3
+
+        random_numbers = numpy.random.default_rng(11)
+        print("seed 11")
+        exact = {"direction": 0, "ratio": 0}
+        for trial in range(60):
+            kind = ("direction", "ratio")[trial % 2]
+            masters = []
+            p, q = ((1, 1), (2, 1), (3, 2), (1, 2))[random_numbers.integers(4)]
+            c = int(random_numbers.integers(8, 12))
+            for _ in range(random_numbers.integers(1, 4)):
+                x, y = (int(n) for n in random_numbers.integers((20, 5), (45, 20)))
+                if kind == "direction":
+                    height, off = int(random_numbers.integers(20, 60)), int(random_numbers.integers(-2, 3))
+                    masters.append(curve(((300, q * q * height), (q * x + off, 0), (p * x, 0), (300, -p * p * height))))
+                    continue
+                # s = k^2 u + v is a multiple of the handle a = q t, so that all mixtures agree
+                a, u = (q * x, q * y), (int(random_numbers.integers(100, 140)) * q * q, int(random_numbers.integers(-40, 0)) * q * q)
+                v = [c * t - p * p * s // (q * q) for t, s in zip(a, u)]
+                masters.append(curve((u, a, (p * x, p * y), v)))
+            if kind == "ratio":  # the left handle is off in one of them, and its partner with it
+                dx = int(random_numbers.integers(0, 2))
+                masters[0][2].x, masters[0][4].x = masters[0][2].x - q * dx, masters[0][4].x + p * dx
+            old = outlines.curvature_jumps(masters)
+            before = [[(m.x, m.y) for m in points] for points in masters]
+            moves = outlines.mend_masters(masters, to="G2")
+            new = outlines.curvature_jumps(masters)
+            self.assertLessEqual(sum(j for _, j in new), sum(j for _, j in old))
+            self.assertEqual([[(m.x, m.y) for i, m in enumerate(points) if i not in (2, 4)] for points in masters],
+                             [[p for i, p in enumerate(points) if i not in (2, 4)] for points in before])
+            weights = random_numbers.integers(1, 10, len(masters)).tolist()
+            self.assertEqual(jumps_of_mixture(masters, weights) == 0, not new)
+            self.assertEqual(outlines.mend_masters(masters, to="G2"), [[] for _ in masters])
+            exact[kind] += bool(old) and not new
+            self.assertEqual(bool(old or any(moves)), bool(old))
+        print(exact)
+        self.assertGreater(min(exact.values()), 5)
+
     def test_which_handles_move(self):
         def moved(*points, **options):
             return [(m.index, m.after) for m in outlines.mend([Point(*p) for p in points], **options)]
@@ -401,6 +462,14 @@ class Sources(unittest.TestCase):
             sources.mend_source(given, result)
         self.assertEqual(run("repair", self.path("a.ufo"), self.path("a.ufo"))[0], 0)
         self.assertEqual(run("verify", "--require", "G1", self.path("a.ufo"))[0], 0)
+        code, text = run("repair", "--to", "G2", result, result)
+        self.assertEqual(code, 0, text)
+        self.assertIn("curvatures: ", text)
+        self.assertNotIn("moves: 0 ", text)
+        self.assertIn("moves: 0 ", run("repair", "--to", "G2", result, result)[1])
+        self.assertEqual(sources.between_masters(result), 0)
+        jumps = sources.source_jumps(result)
+        self.assertLess(sum(jumps), sum(sources.source_jumps(self.path("a.ufo"))))
 
     @needs("fontmake")
     def test_compiled_font(self):

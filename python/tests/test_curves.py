@@ -2,6 +2,7 @@
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
 
+import importlib
 import inspect
 import os
 import random
@@ -117,6 +118,39 @@ class Blends(unittest.TestCase):
             chain = [corner.left, *corner.blend, corner.right]
             self.assertTrue(all(join.g_order >= 2 for join in gc.chain_joins(chain)))
         self.assertEqual(gc.round_corner(left, right, 1, "cubic").blend.points.tolist(), [[3, 0], [4, 0], [4, 0], [4, 1]])
+
+    def test_corners_of_polygons(self):
+        square = [(0, 0), (4, 0), (4, 3), (0, 3)]
+        rounded = gc.round_corners(square, 1, closed=True)
+        self.assertEqual([len(c) for c in rounded], [2, 6] * 4)
+        self.assertEqual([rounded[0].tolist(), rounded[6].tolist()], [[[1, 0], [3, 0]], [[0, 2], [0, 1]]])
+        self.assertEqual([join.g_order for join in gc.chain_joins(rounded, closed=True)], [2] * 8)
+        corner = gc.round_corner(square[:2], square[1:3], 1)
+        self.assertEqual(gc.continuity(rounded[0], corner.blend).g_order, 2)
+        again = gc.round_corners([*square, square[0]], 1)  # ends where it starts
+        self.assertEqual([c.tolist() for c in again], [c.tolist() for c in rounded])
+        # a quarter remains of each side, and a vertex on a line is no corner
+        bent = gc.round_corners([(0, 0), (4, 0), (8, 0), (8, 8)], 100)
+        self.assertEqual([c.tolist()[0] for c in bent], [[0, 0], [4, 0], [5, 0], [8, 3]])
+        self.assertEqual([c.tolist()[0] for c in gc.round_corners([(0, 0), (8, 0), (8, 8), (0, 8)], 100)], [[0, 0], [5, 0], [8, 3], [8, 5], [5, 8]])
+        tips = gc.round_corners([(0, 0), (5, 0), (8, 4)], radius=2)  # tan(theta / 2) = 1/2
+        self.assertEqual([tips[0].tolist(), tips[2].tolist()], [[[0, 0], [4, 0]], [[Fraction(28, 5), Fraction(4, 5)], [8, 4]]])
+        cubics = gc.round_corners(numpy.array(square, float), 1, True, "cubic")
+        self.assertEqual((cubics[1].tolist(), cubics[1].dtype), ([[3, 0], [4, 0], [4, 0], [4, 1]], numpy.float64))
+        self.assertEqual(len(gc.round_corners([(0, 0, 0), (1, 0, 0), (1, 1, 1)], 0.25)), 3)
+        self.assertEqual(len(gc.round_corners([0, 4, 4 + 3j], 1)), 3)
+        for code, text, arguments in (("parameter_outside_domain", "the vertices 1 and 2 are one point", ([(0, 0), (1, 0), (1, 0)], 1)),
+                                      ("zero_tangent", "vertex 1: the curves turn back", ([(0, 0), (2, 0), (1, 0)], 1)),
+                                      ("parameter_outside_domain", "vertex 1: the distance is not positive", (square, 0)),
+                                      ("parameter_outside_domain", "the distance is a number, not [1, 2]", (square, [1, 2])),
+                                      ("parameter_outside_domain", "a distance is needed, or a radius", (square,)),
+                                      ("parameter_outside_domain", "closed is True or False, not 1", (square, 1, 1)),
+                                      ("wrong_number_of_points", "round_corner(left, right, distance)", ([square, square], 1)),
+                                      ("wrong_number_of_points", "the vertices of a polyline", ([(0, 0)], 1))):
+            with self.assertRaises(gc.Error) as caught:
+                gc.round_corners(*arguments)
+            self.assertEqual((caught.exception.code, caught.exception.place), (code, "round_corners"))
+            self.assertIn(text, caught.exception.reason)
 
     def test_curvature_excess(self):
         parabola = [(-1, 1), (0, -1), (1, 1)]
@@ -253,7 +287,7 @@ class Documentation(unittest.TestCase):
     def test_examples_of_docstrings(self):
         import doctest
 
-        for module in (gc, gc.evaluation):
+        for module in (gc, importlib.import_module("geometric_continuity._evaluation")):
             self.assertEqual(doctest.testmod(module).failed, 0)
 
 

@@ -7,6 +7,8 @@ import importlib.util
 import os
 import random
 import re
+import subprocess
+import sys
 import types
 import unittest
 from fractions import Fraction
@@ -237,7 +239,7 @@ class Sentences(unittest.TestCase):
         self.says("call continuity(left, right).g_order >= 2", lambda: gc.is_g2, AttributeError)
         self.says("Bezier_curve(points, weights, domain)", lambda: gc.Bezier, AttributeError)
         self.says("Spline(degree, points, knots)", lambda: gc.BSpline, AttributeError)
-        self.says("did you mean interpolate?", lambda: gc.interpolation, AttributeError)
+        self.says("did you mean interpolate(points)?", lambda: gc.interpolation, AttributeError)
         self.says("call continuity(left, right) for two curves", lambda: gc.check_continuity, AttributeError)
         self.says("call evaluate(curve, parameters, 1)", lambda: gc.tangent_vector, AttributeError)
         self.says("call curvature(...) of geometric_continuity with it", lambda: gc.blend(LEFT, RIGHT).curvature, AttributeError)
@@ -255,9 +257,29 @@ class Sentences(unittest.TestCase):
         self.says("verify(file) reads drawings", lambda: gc.read_curve, AttributeError)
         self.says("numpy.savetxt", lambda: gc.save, AttributeError)
         self.says("matplotlib", lambda: gc.plot_curvature, AttributeError)
+        for name in ("surface_continuity", "surfaces", "Patch", "match_surfaces"):
+            self.says("edge_continuity(a, b) decides two of them, match(a, b)", lambda: getattr(gc, name), AttributeError)
+        for name, call in (("joins", "chain_joins(curves)"), ("curves", "Spline(degree, points, knots)"), ("evaluation", "did you mean evaluate(curve, parameters)?"),
+                           ("g1_continuous", "continuity(left, right).g_order >= 1"), ("C2", "continuity(left, right).c_order >= 2"),
+                           ("find_kinks", "failing_joins(curves, \"G1\")"), ("splev", "evaluate(curve, parameters)"), ("fix_kinks", "repair"),
+                           ("knotvector", "Spline(degree, points, knots)"), ("split_curve", "pieces(curve, low, high)"), ("parse_path", "verify(file)"),
+                           ("kink_angle", "deviation(left, right).tangent_angle"), ("simplify", "fit(points, tolerance)"), ("arc", "Bezier_curve([("),
+                           ("arc_length", "what SciPy, geomdl or svgpathtools returns"), ("round", "round_corners(points, distance)"),
+                           ("tolerance", "order_within(left, right, tolerance)"), ("analyze_svg", "verify(file) for files"), ("version", "__version__")):
+            self.says(call, lambda: getattr(gc, name), AttributeError)
+        join, spline = gc.continuity(LEFT, RIGHT), gc.interpolate(LEFT)
+        for name, order in (("G", "g_order >= 1"), ("is_g2", "g_order >= 2"), ("c1", "c_order >= 1")):
+            self.says(f"ask .{order}", lambda: getattr(join, name), AttributeError)
+        for name, text in (("ctrlpts", "did you mean points?"), ("t", "did you mean knots?"), ("k", "did you mean degree?"), ("joins", "chain_joins(curves)"),
+                           ("derivative", "evaluate(curve, parameters, 1); it has degree,"), ("split", "pieces(curve, low, high); it has")):
+            self.says(text, lambda: getattr(spline, name), AttributeError)
+        for code in ("gc.surface_continuity", "gc.fite", "gc.continuity([(0, 0)], [(0, 0)]).g_ordr"):  # to which the interpreter adds nothing
+            done = subprocess.run([sys.executable, "-c", f"import geometric_continuity as gc; {code}"], stderr=subprocess.PIPE, text=True, check=False)
+            self.assertIn("AttributeError: ", done.stderr)
+            self.assertNotIn("Did you mean", done.stderr)
         self.says("did you mean segments?", lambda: gc.fit(LEFT, 0.1).curves, AttributeError)
         self.says("did you mean tangent_angle? It has curvature_jump, gap,", lambda: gc.deviation(LEFT, RIGHT).angle, AttributeError)
-        self.says("it has blend, left, left_cut, right, right_cut", lambda: gc.round_corner([(0, 0), (4, 0)], [(4, 0), (4, 4)], 1).points, AttributeError)
+        self.says("did you mean blend? It has blend, left, left_cut, right, right_cut", lambda: gc.round_corner([(0, 0), (4, 0)], [(4, 0), (4, 4)], 1).points, AttributeError)
 
     def test_curves(self):
         path = type("CubicBezier", (), {"__module__": "svgelements.svgelements"})()
@@ -271,6 +293,23 @@ class Sentences(unittest.TestCase):
         self.says("zero_weight: Bezier_curve", lambda: gc.Bezier_curve(LEFT, [1, 0, 1, 1]))
         self.says("the degree 3 needs at least 4 points, and 4 knots more than there are points", lambda: gc.Spline(3, LEFT, [0, 1]))
         self.says("not_finite", lambda: gc.evaluate([(0, 0), (1, float("inf"))], 0.5))
+        patch = numpy.zeros((4, 4, 3))
+        for call in (lambda: gc.continuity(patch, patch), lambda: gc.blend(patch.tolist(), patch), lambda: gc.evaluate(patch, 0)):
+            self.says("edge_continuity(a, b) decides two patches, chain_joins(curves) the joins of curves", call)
+        for flat in ([0, 0, 1, 1], numpy.arange(8.)):
+            self.says(f"{len(flat)} numbers are no points: give [(x, y), ...], as numpy.column_stack([x, y])", lambda: gc.continuity(flat, RIGHT))
+            self.says("numpy.column_stack([x, y])", lambda: gc.interpolate(flat, flat))
+        self.says("call verify(file) for a drawing", lambda: gc.continuity("M0 0L1 1", RIGHT))
+        dicts = [{"x": x, "y": y} for x, y in RIGHT]
+        self.assertEqual(gc.continuity(LEFT, dicts).g_order, gc.continuity(LEFT, RIGHT).g_order)
+        self.assertEqual(gc.evaluate(dicts, 0).tolist(), list(RIGHT[0]))
+        self.assertEqual(str(gc.continuity(RIGHT, zip(*zip(*RIGHT[::-1])))), str(gc.continuity(RIGHT, RIGHT[::-1])))
+        self.assertEqual(gc.interpolate(zip(*zip(*LEFT))).points.tolist(), gc.interpolate(LEFT).points.tolist())
+        self.says("a SimpleNamespace is no array of points; give its .coords", lambda: gc.fit(types.SimpleNamespace(coords=LEFT), 0.1))
+        self.says("a str is no array of points", lambda: gc.interpolate("0,0 1,1"))
+        self.says("two curves are a list: chain_joins([left, right])", lambda: gc.chain_joins(LEFT, RIGHT))
+        self.says("the order is 1 or 2, not 'G2'", lambda: gc.fit(LEFT, 0.1, "G2"))
+        self.says("the knots are an array", lambda: gc.Spline(1, LEFT, None))
 
     def test_arguments(self):
         spline = gc.interpolate(LEFT)
@@ -295,7 +334,23 @@ class Sentences(unittest.TestCase):
                 self.assertEqual([gc.continuity(LEFT, gamma).g_order, gc.continuity(gamma, RIGHT).g_order], [3, 3], strategy)
         self.says("max_order=3", lambda: gc.continuity(LEFT, RIGHT, order=2), TypeError)
         self.says("order_within(left, right, tolerance)", lambda: gc.continuity(LEFT, RIGHT, tolerance=1e-3), TypeError)
-        self.says("unexpected keyword argument 'colour'", lambda: gc.blend(LEFT, RIGHT, colour=2), TypeError)
+        self.says("blend() has no argument 'colour': it has left, right, strategy, beta,", lambda: gc.blend(LEFT, RIGHT, colour=2), TypeError)
+        for call in (lambda: gc.interpolate(LEFT, degree=3), lambda: gc.interpolate(LEFT, k=3)):
+            self.says("the degree is always 3; interpolate_fair(points) has the degree 5", call, TypeError)
+        self.says("the degree is always 5", lambda: gc.interpolate_fair(LEFT, degree=3), TypeError)
+        self.says("order=1 has cubics with G1 joins", lambda: gc.fit(LEFT, 0.1, degree=3), TypeError)
+        self.says("strategies of G3 are c3", lambda: gc.blend(LEFT, RIGHT, continuity=3), TypeError)
+        self.says("order_within(left, right, tolerance)", lambda: gc.continuity(LEFT, RIGHT, eps=1e-6), TypeError)
+        for meant, call in (("tolerance", lambda: gc.fit(LEFT, tol=0.1)), ("closed", lambda: gc.interpolate(LEFT, periodic=True)),
+                            ("derivative", lambda: gc.evaluate(LEFT, 0, nu=1)), ("parameters", lambda: gc.curvature(LEFT, t=0)),
+                            ("points", lambda: gc.Spline(1, control_points=LEFT)), ("points", lambda: gc.Bezier_curve(ctrlpts=LEFT)),
+                            ("radius", lambda: gc.round_corners(LEFT, r=1)), ("order", lambda: gc.match(LEFT, LEFT, continuity=2))):
+            self.says(f"did you mean {meant}? It has ", call, TypeError)
+        self.says("'edge_a' is given twice: call edge_continuity(a, edge_a, b, edge_b)", lambda: gc.edge_continuity(1, 2, edge_a="u1"), TypeError)
+        self.says("max_order is the highest order that is decided, such as 3, not 'G2'", lambda: gc.continuity(LEFT, RIGHT, "G2"))
+        self.says("call edge_continuity(a, \"u1\", b, \"u0\")", lambda: gc.edge_continuity(LEFT, RIGHT, "u1", "u0"))
+        self.says("the degree comes first: call Spline(degree, points, knots)", lambda: gc.Spline([0, 0, 1, 1], LEFT, 1))
+        self.says("the order of arguments is Spline(degree, points, knots)", lambda: gc.Spline(1, [0, 0, 1, 1], LEFT))
         for function in (gc.verify, gc.file_record):
             self.says('require="G1"', lambda: function("x.g2", order=1), TypeError)
             self.says('within="', lambda: function("x.g2", tolerance=0.1), TypeError)

@@ -25,6 +25,14 @@ typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Plane;
 typedef GC::Bezier_curve<Plane> Curve;
 typedef GC::Bezier_patch<GC::Traits_3<CGAL::Simple_cartesian<double>>> Patch;
 
+#ifdef OTHER_CALL // a name that there is not, and the sentence about it
+extern const GC::Bezier_curve<Plane> curve;
+extern const Patch patch;
+std::vector<Plane::Point> points;
+extern const std::vector<Curve> curves;
+std::vector<Curve> out;
+void call() { GC::OTHER_CALL; }
+#else
 std::optional<GC::Join_grade> grade(const Curve& a, const Curve& b, const GC::Kink_bound& bound) {
   return GC::join_grade(a, b, bound);
 }
@@ -41,6 +49,9 @@ GC::Svg_figure picture(const Curve& c) { return GC::Svg_figure().add(GC::Svg_pan
 // of other packages
 GC::B_spline_curve<Plane> spline(const GC::NURBS_curve<Plane>&);
 GC::Bezier_surface<Patch::Traits> same(const Patch& p) { return p; }
+GC::Bezier_curve_2<Plane::Kernel> same(const Curve& c) { return c; }
+GC::Bezier_patch_3<Patch::Traits::Kernel> same_patch(const Patch& p) { return p; }
+GC::Nurbs_curve_3<Plane::Kernel> nurbs(const GC::Rational_bspline_curve<Patch::Traits>&);
 bool smooth(const GC::Bspline_curve<Plane>& c, const Patch& p, const std::vector<Curve>& chain) {
   return GC::is_G2(c) && GC::is_g1(p, p) && GC::is_G3(chain) && GC::chain_joins(c).empty() && GC::continuity(c).empty();
 }
@@ -50,12 +61,4 @@ std::pair<double, double> ends(const Curve& c, const GC::Bspline_curve<Plane>& s
   return {c.start_parameter() + s.start_parameter(), p.end_parameter() + r.end_parameter()};
 }
 bool common(const Patch& p) { return GC::edge_continuity(p, GC::U_MAX, p, GC::Patch_edge::V_MIN).g_order >= 0; }
-
-#ifdef OTHER_CALL // a name that there is not, and the sentence about it
-extern const GC::Bezier_curve<Plane> curve;
-extern const Patch patch;
-std::vector<Plane::Point> points;
-extern const std::vector<Curve> curves;
-std::vector<Curve> out;
-void call() { GC::OTHER_CALL; }
 #endif

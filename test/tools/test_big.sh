@@ -74,7 +74,7 @@ for size in 1e308 -1e308 1e-308 1e-4000; do
   holds [ "$(grep -ciE 'nan|inf[^o]' size.svg)" -eq 0 ]
 done
 curves 1e4000 >large.g2
-run 2 plot large.g2 -o no.svg && says err "large.g2" "curve 2: control point 2 is too far away"
+run 2 plot large.g2 -o no.svg && says err "large.g2" "curve 1: control point 1 is too far away"
 printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 0 0\n1 0 0\n0 1 0\n1 1 %s\n' 0 1e4000 >large.g2
 run 2 plot --surfaces large.g2 -o no.svg && says err "surface 1 cannot be drawn"
 holds [ ! -e no.svg ]

@@ -184,6 +184,11 @@ echo '{"file":"x","exit_code":7}' >bad.jsonl && run 2 merge bad.jsonl && says er
 : >empty.jsonl && run 2 merge empty.jsonl && says err 'there is no record'
 run 2 merge && run 2 merge missing.jsonl
 
+# a road network
+line='<geometry s="%d" x="%s" y="0" hdg="0" length="10"><line/></geometry>'
+printf "<OpenDRIVE><road id=\"1\" length=\"20\"><planView>$line$line</planView></road></OpenDRIVE>" 0 0 10 10.5 >gap.xodr
+echo gap.xodr >roads && run 1 verify --jsonl roads --gap 0.1 && says out '"met":false'
+
 # refused
 run 2 verify --jsonl list "$S" && says err 'the files are those of the list'
 run 2 verify --jsonl missing && says err missing

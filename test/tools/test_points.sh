@@ -10,18 +10,20 @@ holds grep -q "<svg" five.svg
 for parameters in uniform chordal centripetal; do
   run 0 interpolate five.txt --closed --parameters $parameters -o closed.g2 && says out "5 joins, C2"
   run 0 verify closed.g2 --closed --require C2
-  run 0 interpolate five.txt --parameters $parameters --kernel double -o double.g2 && run 0 verify double.g2 --require C2
+  run 0 interpolate five.txt --parameters $parameters --kernel double -o double.g2 && run 0 verify double.g2 --require C2 --kernel double
 done
 run 0 interpolate five.txt --json && says out '{"points":5,"closed":false,"curve":"cubic","parameters":"chordal","pieces":4,"joins":3,"c_order":2,"g_order":2}'
 "$program" interpolate - -o - <five.txt >out 2>err && cmp -s out five.g2 || holds false
 # fair quintics: with rounded numbers, too, where points with many digits are moved a little
 for kernel in exact double; do
   run 0 interpolate five.txt --fair --kernel $kernel -o fair.g2 --plot fair.svg && says out "4 fair quintics" "3 joins, G2, proved" && lacks out moved
-  run 0 verify fair.g2 --require G2
-  run 0 interpolate five.txt --fair --closed --kernel $kernel -o fair.g2 && run 0 verify fair.g2 --closed --require G2
+  run 0 verify fair.g2 --require G2 --kernel $kernel
+  run 0 interpolate five.txt --fair --closed --kernel $kernel -o fair.g2 && run 0 verify fair.g2 --closed --require G2 --kernel $kernel
 done
 awk 'BEGIN { for (i = 0; i < 9; ++i) print cos(i * .7) * 1e3 / 3, sin(i * .7) * 1e3 / 3, i / 7 }' OFMT=%.17g >helix.txt
-run 0 interpolate helix.txt --fair --kernel double -o fair.g2 && says out "moved by at most" && run 0 verify fair.g2 --require G2
+run 0 interpolate helix.txt --fair --kernel double -o fair.g2 && says out "moved by at most" && run 0 verify fair.g2 --require G2 --kernel double
+printf '0 0\n1 2.3\n2.7 3.1\n4 0.3\n' >four.txt && run 0 interpolate four.txt --fair --kernel double -o fair4.g2 && says err "the decimals stand for doubles: verify --kernel double"
+holds [ "$(grep -c / fair4.g2)" -eq 0 ] && run 1 verify fair4.g2 --require G2 && run 0 verify fair4.g2 --require G2 --kernel double
 run 0 interpolate helix.txt --fair --json && says out '"curve":"fair","parameters":null,"pieces":8,"joins":7' '"g_order":2'
 run 2 interpolate helix.txt --fair --parameters uniform && says err "--parameters: not with --fair"
 printf '0 0 0\n1/3 1 0.5\n' >two.txt && run 0 interpolate two.txt --json && says out '"joins":0,"c_order":null'

@@ -116,6 +116,62 @@ compare vf.ttf vf2.ttf >differences && says differences "tables: glyf gvar" "K (
 run 1 repair vf.ttf -o vf3.ttf --max-move 50 && says out "not mended: glyph K, contour 0, node (120, 120): a handle would move by 135.8 units"
 run 2 verify vf.ttf --all-instances --max-kink -1 && says err "--max-kink: -1 is not at least 0 and less than 90 degrees"
 
+# CFF2: operands with deltas of two regions; a kink, and with --to G2 curvatures, which another
+# reader finds equal at the masters.
+$python - <<'END'
+from fontTools.fontBuilder import FontBuilder
+from fontTools.misc.psCharStrings import T2CharString
+def operands(*values):
+    program = []
+    for value in values:
+        program += [value] if isinstance(value, int) else [*value, 1, "blend"]
+    return program
+builder = FontBuilder(1000, isTTF=False)
+builder.setupGlyphOrder([".notdef", "o", "k"])
+builder.setupCharacterMap({111: "o", 107: "k"})
+builder.setupNameTable({"familyName": "T", "styleName": "R"})
+builder.setupHorizontalMetrics({".notdef": (500, 0), "o": (700, 0), "k": (700, 0)})
+builder.setupHorizontalHeader(), builder.setupPost()
+builder.setupFvar([("wght", 400, 400, 700, "Weight"), ("wdth", 50, 100, 100, "Width")], [])
+# (40, 0) (40, 180) (110, 320) (240, 320) (330, 320) (420, 250) (420, 60), and two more masters
+o = operands(40, 0) + ["rmoveto"] + operands(0, 180, (70, 5, 20), (140, 0, 8), (130, 11, -7), 0) + ["rrcurveto"]
+o += operands((90, 12, -3), 0, (90, 2, 10), (-70, 0, -4), 0, (-190, 0, 30)) + ["rrcurveto", -380, 0, "rlineto"]
+k = operands(0, 0) + ["rmoveto"] + operands(0, 100, 60, (97, 40, 3), (140, -30, 20), (3, 24, 0)) + ["rrcurveto"]
+k += operands((90, 10, -9), (2, 20, 0), 70, -90, 40, (-112, -4, 6)) + ["rrcurveto"]
+strings = {name: T2CharString(program=program) for name, program in ((".notdef", []), ("o", o), ("k", k))}
+builder.setupCFF2(strings, regions=[{"wght": (0, 1, 1)}, {"wdth": (-1, -1, 0)}])
+builder.save("cff2.otf")
+END
+run 1 verify cff2.otf --all-instances --max-kink 0
+run 0 repair cff2.otf -o cff2_g1.otf && says out "1 join is mended for all masters together" && run 0 verify cff2_g1.otf --all-instances --max-kink 0
+run 0 repair cff2.otf --to G2 -o cff2_g2.otf && says out "1 join is mended for all masters together" "curvatures: 2 jumps of up to"
+run 0 verify cff2_g2.otf --all-instances --max-kink 0 && run 0 repair cff2_g2.otf --to G2 -o cff2_again.otf && holds cmp -s cff2_g2.otf cff2_again.otf
+run 1 repair cff2.otf -o cff2_no.otf --max-move 1/2 && says out "not mended: glyph k, contour 0, node (200, 200)"
+compare cff2.otf cff2_g1.otf >differences && says differences "tables: CFF2" && says differences "k (" && holds [ "$(wc -l <differences)" -le 3 ]
+holds $python - <<'END'
+from fontTools.pens.recordingPen import RecordingPen
+from fontTools.ttLib import TTFont
+def jumps(name, at):
+    """The relative jumps of the curvature in the middle of the first two curves of both glyphs, as fontTools draws them."""
+    found = []
+    for glyph in "ok":
+        pen = RecordingPen()
+        TTFont(name).getGlyphSet(location=at)[glyph].draw(pen)
+        (_, p), (_, q) = [x for x in pen.value if x[0] == "curveTo"][:2]
+        a, b = complex(*p[2]) - complex(*p[1]), complex(*q[0]) - complex(*p[2])
+        u, v = complex(*p[2]) - complex(*p[0]), complex(*q[1]) - complex(*p[2])
+        assert abs((a.conjugate() * b).imag) < 1e-9 * abs(a * b) or name == "cff2.otf"
+        x, y = (u.conjugate() * a).imag / abs(a) ** 3, (b.conjugate() * v).imag / abs(b) ** 3
+        found.append(abs(x - y) / max(abs(x), abs(y)))
+    return found
+for at in ({}, {"wght": 700}, {"wdth": 50}):
+    before, after = jumps("cff2_g1.otf", at), jumps("cff2_g2.otf", at)
+    assert (before[0] > 0.02 or "wdth" in at) and after[0] < 0.005, (at, before, after)
+for at in ({"wght": 531}, {"wght": 600, "wdth": 61}):
+    assert jumps("cff2_g2.otf", at)[0] < 0.02, at
+END
+run 0 repair vf.ttf --to G2 -o vf4.ttf && says out "1 join is mended for all masters together" "curvatures: no jump before, no jump after" && holds cmp -s vf2.ttf vf4.ttf
+
 # Without fontTools there is a way.
 GEOMETRIC_CONTINUITY_PYTHON=/nowhere/python3 run 2 repair given.ttf -o none.ttf && holds [ ! -e none.ttf ]
 says err "python3-fonttools" "GEOMETRIC_CONTINUITY_PYTHON" "repair given.ttf -o MOVES.json" "write_font.py given.ttf MOVES.json RESULT.ttf"

@@ -4,7 +4,7 @@
 """Writes a font whose handles have moved, with fontTools; `geometric_continuity repair FONT -o NEW.ttf` calls this:
 
     python3 write_font.py FONT MOVES.json RESULT       the moves that `geometric_continuity repair FONT -o MOVES.json` has written
-    python3 write_font.py FONT --masters [KINK_ANGLE [MAX_MOVE]] RESULT    a variable font: its masters, mended together
+    python3 write_font.py FONT --masters [G1|G2 [KINK_ANGLE [MAX_MOVE]]] RESULT   a variable font: its masters, mended together
 
 RESULT is a .ttf, .otf, .woff or .woff2, of a collection .ttc or .otc; standard output for -.ttf etc. Each handle is found by its contour, its node and its position, so that
 nothing moves where the font is not the one that was repaired. Only the outlines of glyphs whose handles move are written anew, with their
@@ -26,6 +26,25 @@ except ImportError:
     sys.stderr.write("write_font.py: this Python has no fontTools\n")
     sys.exit(WITHOUT_FONTTOOLS)
 
+
+# masters.py is part of this text where the program calls it; otherwise it lies beside this file, or
+# in the tree of the project here:
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(sys.argv[0])), "..", "..", "python", "geometric_continuity", "adapters"))
+from masters import (  # noqa: E402
+    Curves,
+    Masters,
+    can_agree,
+    cross,
+    curvature_jump,
+    dot,
+    harmonised,
+    is_smooth,
+    longest_move,
+    minus,
+    nearest,
+    smooth_handles,
+    times,
+)
 
 logging.disable(logging.WARNING)  # such as those about dates in a font
 
@@ -172,133 +191,82 @@ def move_in_cff(font, by_glyph):
         string.setProgram(specializer.commandsToProgram(commands))
 
 
-# Variable fonts: the handles at a node are sums over the default and the regions of gvar,
-# a = sum s_r a_r and b = sum s_r b_r. They have one direction at every instance where b_r = k a_r
-# for all r, or all a_r and b_r are multiples of one vector.
+# Variable fonts. The handles at a node are sums over the default and the regions of gvar or CFF2.
 
 
-def cross(a, b):
-    return a[0] * b[1] - a[1] * b[0]
+class Region_masters(Masters):
+    """The default and regions, each by the start, the peak and the end of its axes."""
 
-
-def dot(a, b):
-    return a[0] * b[0] + a[1] * b[1]
-
-
-def minus(a, b):
-    return a[0] - b[0], a[1] - b[1]
-
-
-def length(a):
-    return math.hypot(float(a[0]), float(a[1]))
-
-
-class Masters:
-    """The scalars of the regions at their peaks, and at the default."""
-
-    def __init__(self, variations):
+    def __init__(self, regions):
         from fontTools.varLib.models import supportScalar
 
-        peaks = [{}] + [{tag: peak for tag, (_, peak, _) in v.axes.items() if peak != 0} for v in variations]
-        self.scalars = [[Fraction(1)] + [Fraction(supportScalar(at, v.axes)) for v in variations] for at in peaks]
-
-    def at(self, shares):
-        """The values at the masters of what has these shares of the default and the regions."""
-        return [tuple(sum(s * v[c] for s, v in zip(row, shares)) for c in (0, 1)) for row in self.scalars]
-
-    def shares(self, wanted, snap):
-        """The shares, each of a form that snap(x, y, r) finds, which lead as near as they can to what is wanted at the masters."""
-        found = []
-        for r, row in enumerate(self.scalars):
-            rest = [wanted[r][c] - sum(s * v[c] for s, v in zip(row, found)) for c in (0, 1)]
-            found.append(snap(rest, r))
-        return found
-
-    def is_triangular(self):
-        return all(row[r] == 1 and not any(row[r + 1 :]) for r, row in enumerate(self.scalars))
+        peaks = [{}] + [{tag: peak for tag, (_, peak, _) in axes.items() if peak != 0} for axes in regions]
+        super().__init__([[Fraction(1)] + [Fraction(supportScalar(at, axes)) for axes in regions] for at in peaks])
 
 
-def is_smooth(a, b):
-    n = len(a)
-    return all(cross(a[r], b[t]) + cross(a[t], b[r]) == 0 for r in range(n) for t in range(r, n))
+class Variable_outline:
+    """Points of contours, of which each row has the shares of the default or of a region; each contour is a list of their numbers."""
 
+    def shares(self, i):
+        return [row[i] for row in self.rows]
 
-def nearest(x):
-    return math.floor(Fraction(x) + Fraction(1, 2))
+    def set(self, i, shares):
+        for row, share in zip(self.rows, shares):
+            row[i] = tuple(int(c) for c in share)
 
+    def is_whole(self, i):
+        return all(int(c) == c for row in self.rows for c in row[i])
 
-def by_ratio(a, b, masters, p, q, both):
-    """One ratio p : q."""
-    if not both:  # only b moves
-        if any((p * c) % q for v in a for c in v):
+    def joins(self):
+        """The number of the contour and three points: before a node, the node, behind it."""
+        for number, contour in enumerate(self.contours):
+            for k, i in enumerate(contour):
+                if self.is_node(i) and len(contour) > 2:
+                    yield number, contour[k - 1], i, contour[(k + 1) % len(contour)]
+
+    def sides(self, before, node, behind):
+        n = self.shares(node)
+        a = [minus(p, q) for p, q in zip(n, self.shares(before))]
+        b = [minus(p, q) for p, q in zip(self.shares(behind), n)]
+        return a, b
+
+    def beyond(self, handle, node):
+        """The point of the contour on the other side of a handle."""
+        contour = next(c for c in self.contours if handle in c)
+        k = contour.index(handle)
+        beside = contour[k - 1], contour[(k + 1) % len(contour)]
+        return beside[0] if beside[1] == node else beside[1]
+
+    def curves(self, before, node, behind):
+        """The curves beside a node; None where one of them is a line."""
+        if self.is_node(before) or self.is_node(behind):
             return None
-        return a, [tuple(p * c // q for c in v) for v in a]
-    wanted_a, wanted_b = masters.at(a), masters.at(b)
-    # t is nearest to a / q and b / p, the larger one counting more
-    wanted = [tuple(Fraction(q * u[c] + p * v[c], p * p + q * q) for c in (0, 1)) for u, v in zip(wanted_a, wanted_b)]
-    t = masters.shares(wanted, lambda rest, r: tuple(nearest(c) for c in rest))
-    return [(q * x, q * y) for x, y in t], [(p * x, p * y) for x, y in t]
+        n = self.shares(node)
+        u, v = self.second(before, node), self.second(behind, node)
+        return Curves(self.degree, self.degree, [minus(p, q) for p, q in zip(n, u)], [minus(q, p) for p, q in zip(n, v)])
+
+    def is_corner(self, join, tangent):
+        """Whether the join is a corner at all masters; None where it is one at some of them, or a handle has no length."""
+        a, b = self.sides(*join[1:])
+        found = set()
+        for u, v in zip(self.masters.at(a), self.masters.at(b)):
+            if not any(u) or not any(v):
+                return None
+            found.add(dot(u, v) <= 0 or abs(cross(u, v)) > tangent * float(dot(u, v)))
+        return found.pop() if len(found) == 1 else None
 
 
-def by_direction(a, b, masters, e, both):
-    """One direction e."""
-
-    def along(shares):
-        square = dot(e, e)
-        multiples = masters.shares(masters.at(shares), lambda rest, r: tuple(nearest(Fraction(dot(rest, e), square)) * c for c in e))
-        return multiples
-
-    if not both and any(cross(v, e) for v in a):
-        return None
-    return (along(a) if both else a), along(b)
-
-
-def candidates(a, b, masters, both):
-    """Pairs of handles that are smooth at every instance."""
-    at_a, at_b = masters.at(a), masters.at(b)
-    lengths = [(length(u), length(v)) for u, v in zip(at_a, at_b)]
-    ratios = [v / u for u, v in lengths if u > 0 and v > 0]
-    if not ratios:
-        return
-    low, high = min(ratios), max(ratios)
-    if both:
-        pairs = {(Fraction(p, q).numerator, Fraction(p, q).denominator) for p in range(1, 17) for q in range(1, 17)}
-        pairs |= {(f.numerator, f.denominator) for x in ratios for f in [Fraction(x).limit_denominator(16)] if f > 0}
-        for p, q in sorted(pairs):
-            if low / 1.5 <= p / q <= high * 1.5:
-                yield by_ratio(a, b, masters, p, q, True)
-        directions = set()
-        for u, v in zip(at_a, at_b):
-            s = (float(u[0] + v[0]), float(u[1] + v[1]))
-            most = max(abs(s[0]), abs(s[1]))
-            if most == 0:
-                continue
-            for n in range(1, 17):
-                e = nearest(s[0] * n / most), nearest(s[1] * n / most)
-                g = math.gcd(*e)
-                if g:
-                    directions.add((e[0] // g, e[1] // g))
-        for e in sorted(directions):
-            yield by_direction(a, b, masters, e, True)
-    else:
-        g = math.gcd(*[abs(int(c)) for v in a for c in v])
-        if g:
-            first, last = math.floor(low * g), math.ceil(high * g)
-            for p in range(max(1, first), last + 1) if last - first < 2000 else ():
-                yield by_ratio(a, b, masters, p, g, False)
-            e = next((v for v in a if any(v)))
-            d = math.gcd(*[abs(int(c)) for c in e])
-            yield by_direction(a, b, masters, (e[0] // d, e[1] // d), False)
-
-
-class Variable_glyph:
+class Glyf_outline(Variable_outline):
     """A glyph of glyf and gvar; its points have integers for the default and for each region, inferred ones rounded."""
+
+    degree = 2
 
     def __init__(self, font, name):
         from fontTools.varLib.iup import iup_delta
 
+        self.font, self.name = font, name
         self.glyph, self.variations = font["glyf"][name], font["gvar"].variations[name]
-        self.masters = Masters(self.variations)
+        self.masters = Region_masters([v.axes for v in self.variations])
         points = [tuple(p) for p in self.glyph.coordinates]
         ends = self.glyph.endPtsOfContours
         phantoms = [(0, 0)] * 4
@@ -319,44 +287,18 @@ class Variable_glyph:
     def is_node(self, i):
         return bool(self.glyph.flags[i] & 1)
 
-    def shares(self, i):
-        return [row[i] for row in self.rows]
-
-    def joins(self):
-        """The number of the contour and three points: before a node, the node, behind it."""
-        for number, contour in enumerate(self.contours):
-            for k, i in enumerate(contour):
-                if self.is_node(i) and len(contour) > 2:
-                    yield number, contour[k - 1], i, contour[(k + 1) % len(contour)]
-
-    def sides(self, before, node, behind):
-        n = self.shares(node)
-        a = [minus(p, q) for p, q in zip(n, self.shares(before))]
-        b = [minus(p, q) for p, q in zip(self.shares(behind), n)]
-        return a, b
-
-    def is_corner(self, join, tangent):
-        """Whether the join is a corner at all masters; None where it is one at some of them, or a handle has no length."""
-        a, b = self.sides(*join[1:])
-        found = set()
-        for u, v in zip(self.masters.at(a), self.masters.at(b)):
-            if not any(u) or not any(v):
-                return None
-            found.add(dot(u, v) <= 0 or abs(cross(u, v)) > tangent * float(dot(u, v)))
-        return found.pop() if len(found) == 1 else None
-
     def is_free(self, handle, node, corners):
         """Whether a handle may move: it does not belong to another node, unless that is a corner."""
         if self.is_node(handle):
             return False
-        contour = next(c for c in self.contours if handle in c)
-        k = contour.index(handle)
-        other = [i for i in (contour[k - 1], contour[(k + 1) % len(contour)]) if i != node]
-        return len(other) == 1 and (not self.is_node(other[0]) or other[0] in corners)
+        other = self.beyond(handle, node)
+        return other != handle and (not self.is_node(other) or other in corners)
 
-    def set(self, i, shares):
-        for row, share in zip(self.rows, shares):
-            row[i] = share
+    def second(self, handle, node):
+        other = self.beyond(handle, node)
+        if self.is_node(other):
+            return self.shares(other)
+        return [times(Fraction(1, 2), (p[0] + q[0], p[1] + q[1])) for p, q in zip(self.shares(handle), self.shares(other))]
 
     def write(self):
         from fontTools.varLib.iup import iup_delta_optimize
@@ -375,90 +317,263 @@ class Variable_glyph:
                 if all(d is None for d in deltas):
                     deltas = list(row) + [p for p in phantoms]
             v.coordinates = deltas
+        reach, record = box(self.glyph.coordinates), self.glyph
+        if reach[0] < record.xMin or reach[1] < record.yMin or reach[2] > record.xMax or reach[3] > record.yMax:
+            grow(self.font, self.name, reach)
 
 
-def longest_move(a, b):
-    """How far a handle may move unless it is told: eight times what the kink is off at a master or halfway between two, and one unit more."""
-    halfway = [[tuple((u[c] + v[c]) / 2 for c in (0, 1)) for u in side for v in side] for side in (a, b)]
-    lengths = [(abs(cross(u, v)), min(length(u), length(v))) for u, v in zip(*halfway)]
-    return 1 + 8 * max(float(c) / least for c, least in lengths if least > 0)
+class Cff2_outline(Variable_outline):
+    """A glyph of CFF2, whose operands are blended."""
+
+    degree = 3
+
+    def __init__(self, font, name):
+        from fontTools.cffLib import specializer
+        from fontTools.misc.psCharStrings import SimpleT2Decompiler
+
+        top = font["CFF2"].cff.topDictIndex[0]
+        self.string = string = top.CharStrings[name]
+        local = getattr(string.private, "Subrs", [])
+        SimpleT2Decompiler(local, string.globalSubrs, string.private).execute(string)  # reads the subroutines, too
+        program = inlined(string, local, string.globalSubrs)
+        self.commands = specializer.generalizeCommands(specializer.programToCommands(program, string.private.getNumRegions))
+        index = next((args[0] for operator, args in self.commands if operator == "vsindex"), getattr(string.private, "vsindex", 0))
+        store = top.VarStore.otVarStore if hasattr(top, "VarStore") else None
+        regions = []
+        for number in store.VarData[index].VarRegionIndex if store else ():
+            axes = zip(font["fvar"].axes, store.VarRegionList.Region[number].VarRegionAxis)
+            regions.append({axis.axisTag: (a.StartCoord, a.PeakCoord, a.EndCoord) for axis, a in axes if a.PeakCoord != 0})
+        self.masters = Region_masters(regions)
+        self.rows = [[] for _ in self.masters.scalars]
+        self.contours, self.places, self.nodes = [], [], set()
+        at = [(0, 0)] * len(self.rows)
+        for number, (operator, args) in enumerate(self.commands):
+            if operator not in ("rmoveto", "rlineto", "rrcurveto"):
+                continue
+            for i in range(0, len(args), 2):
+                at = [(p[0] + x, p[1] + y) for p, x, y in zip(at, self.operand(args[i]), self.operand(args[i + 1]))]
+                self.add(at, i + 2 == len(args), (number, i), operator == "rmoveto")
+        for contour in self.contours:
+            if len(contour) > 1 and self.shares(contour[0]) == self.shares(contour[-1]):
+                contour[0] = contour.pop()
+
+    def operand(self, value):
+        """The shares of an operand."""
+        shares = list(value[:-1]) if isinstance(value, list) else [value]
+        return [int(x) if int(x) == x else Fraction(x) for x in shares + [0] * (len(self.rows) - len(shares))]
+
+    def add(self, shares, is_node, place, begins):
+        number = len(self.places)
+        for row, p in zip(self.rows, shares):
+            row.append(p)
+        self.places.append(place)
+        if is_node:
+            self.nodes.add(number)
+        if begins:
+            self.contours.append([])
+        self.contours[-1].append(number)
+
+    def is_node(self, i):
+        return i in self.nodes
+
+    def is_free(self, handle, node, corners):
+        """Whether a handle may move: the one at the other end of its curve has a length, so that the tangent there does not depend on it."""
+        if self.is_node(handle):
+            return False
+        other = self.beyond(handle, node)
+        end = self.beyond(other, handle)
+        return all(p != q for p, q in zip(self.masters.at(self.shares(other)), self.masters.at(self.shares(end))))
+
+    def second(self, handle, node):
+        return self.shares(self.beyond(handle, node))
+
+    def set(self, i, shares):
+        shifts = [minus(p, q) for p, q in zip(shares, self.shares(i))]
+        super().set(i, shares)
+        number, k = self.places[i]
+        args = self.commands[number][1]
+        for c in (0, 1):
+            for place, sign in ((k + c, 1), (k + 2 + c, -1)):  # what follows a handle in its curve is relative to it
+                value = [int(x + sign * s[c]) for x, s in zip(self.operand(args[place]), shifts)]
+                args[place] = value + [1] if any(value[1:]) else value[0]
+
+    def write(self):
+        from fontTools.cffLib import specializer
+
+        # not specialised again, which leaves out segments without length
+        self.string.setProgram(specializer.commandsToProgram(self.commands))
+
+
+def outlines(font):
+    """Yields the name of each glyph that varies, and a function that reads it."""
+    if "CFF2" in font:
+        for name in font.getGlyphOrder():
+            yield name, Cff2_outline
+        return
+    if "gvar" not in font or "glyf" not in font:
+        refuse("a variable font without gvar and CFF2: its outlines do not vary")
+    for name in font.getGlyphOrder():
+        record = font["glyf"][name]
+        if not record.isComposite() and record.numberOfContours > 0 and font["gvar"].variations.get(name):
+            yield name, Glyf_outline
 
 
 def mend_node(glyph, join, corners, bound):
     """Mends the handles at a node. Returns the largest move, or the reason why it is not mended."""
-    number, before, node, behind = join
+    _, before, node, behind = join
     a, b = glyph.sides(before, node, behind)
     free_a, free_b = glyph.is_free(before, node, corners), glyph.is_free(behind, node, corners)
     if not free_a and not free_b:
         return "no handle can move: each is the end of a line or belongs to another smooth node"
-    turned = free_a and not free_b
-    if turned:
-        a, b = b, a
-    masters, best = glyph.masters, None
-    for found in candidates(a, b, masters, free_a and free_b):
-        if found is None:
-            continue
-        x, y = found
-        if not is_smooth(x, y) or any(dot(u, v) <= 0 for u, v in zip(masters.at(x), masters.at(y))):
-            continue
-        moves = [length(minus(u, v)) for old, new in ((a, x), (b, y)) for u, v in zip(masters.at(old), masters.at(new))]
-        cost = max(moves), sum(moves)
-        if best is None or cost < best[0]:
-            best = cost, x, y
+    best = smooth_handles(a, b, glyph.masters, free_a, free_b)
     if best is None:
         return "neither one ratio nor one direction is on the grid for all masters"
-    cost, x, y = best
-    if cost[0] > (longest_move(masters.at(a), masters.at(b)) if bound is None else bound):
-        return "a handle would move by %.4g units" % cost[0]
-    if turned:
-        x, y = y, x
+    if best[0] > (longest_move(a, b, glyph.masters) if bound is None else bound):
+        return "a handle would move by %.4g units" % best[0]
+    set_handles(glyph, join, *best[1:])
+    return best[0]
+
+
+def set_handles(glyph, join, a, b):
+    _, before, node, behind = join
     n = glyph.shares(node)
-    if free_a:
-        glyph.set(before, [minus(p, v) for p, v in zip(n, x)])
-    if free_b:
-        glyph.set(behind, [(p[0] + v[0], p[1] + v[1]) for p, v in zip(n, y)])
-    return cost[0]
+    for i, shares in ((before, [minus(p, v) for p, v in zip(n, a)]), (behind, [(p[0] + v[0], p[1] + v[1]) for p, v in zip(n, b)])):
+        if glyph.shares(i) != shares:
+            glyph.set(i, shares)
 
 
-def mend_masters(font, angle, bound):
-    if "gvar" not in font or "glyf" not in font:
-        refuse("the masters of this variable font are in CFF2, whose handles are not moved; mend its sources with the Python module")
-    tangent = math.tan(math.radians(angle))
-    mended, largest, left = 0, 0.0, []
-    for name in font.getGlyphOrder():
-        record = font["glyf"][name]
-        if record.isComposite() or record.numberOfContours <= 0 or not font["gvar"].variations.get(name):
-            continue
-        glyph = Variable_glyph(font, name)
-        corner = {join: glyph.is_corner(join, tangent) for join in glyph.joins()}
-        kinks = [join for join in corner if corner[join] is False and not is_smooth(*glyph.sides(*join[1:]))]
-        if not kinks:
-            continue
+PASSES = 16  # over the joins to be harmonised: each changes the curvatures next to it
+
+
+class Harmoniser:
+    """Makes the curvatures at the smooth nodes of a glyph agree."""
+
+    def __init__(self, glyph, joins, corners, bound):
+        self.glyph, self.joins, self.corners, self.bound = glyph, joins, corners, bound
+        self.tried = {}  # the states of joins in which nothing was better
+
+    def state(self, join):
+        a, b = self.glyph.sides(*join[1:])
+        return a, b, self.glyph.curves(*join[1:])
+
+    def jump(self, state):
+        """The jump of the curvature; None where no lengths of handles make it smaller."""
+        a, b, curves = state
+        masters = self.glyph.masters
+        if curves is None or not all(any(v) for side in (a, b) for v in masters.at(side)):
+            return None
+        if not is_smooth(a, b) or not can_agree(a, b, curves, masters):
+            return None
+        return curvature_jump(a, b, curves, masters)
+
+    def jumps(self):
+        return [x for x in (self.jump(self.state(join)) for join in self.joins) if x]
+
+    def harmonise(self, join):
+        """Whether the curvatures at a node agree better than before, and none next to it is worse by more than that."""
+        glyph = self.glyph
+        a, b, curves = self.state(join)
+        if self.tried.get(join) == (a, b, curves) or not self.jump((a, b, curves)):
+            return False
+        free = [glyph.is_free(handle, join[2], self.corners) for handle in (join[1], join[3])]
+        for free_a, free_b in ((True, True), (True, False), (False, True)):  # a handle may be needed at its other node as it is
+            free_a, free_b = free_a and free[0], free_b and free[1]
+            best = harmonised(a, b, curves, glyph.masters, free_a, free_b, self.bound) if free_a or free_b else None
+            if best is None:
+                continue
+            before = [self.state(j) for j in self.joins]
+            set_handles(glyph, join, *best[2:])
+            after = [self.state(j) for j in self.joins]
+            changed = [(self.jump(x), self.jump(y)) for x, y in zip(before, after) if x != y]
+            lost = any(old is not None and (new is None or old == 0 < new) for old, new in changed)
+            if not lost and sum(new or 0 for _, new in changed) < sum(old or 0 for old, _ in changed):
+                return True
+            set_handles(glyph, join, a, b)
+        self.tried[join] = a, b, curves
+        return False
+
+    def run(self):
+        """Whether handles have moved."""
+        rows, moved = [list(row) for row in self.glyph.rows], False
+        for _ in range(PASSES):
+            is_new = not self.tried
+            if any([self.harmonise(join) for join in self.joins]):
+                moved = True
+            elif is_new:
+                return moved
+            else:
+                self.tried.clear()  # what is next to them may have changed
+        for i, shares in enumerate(zip(*rows)):  # the handles find no rest
+            if self.glyph.shares(i) != list(shares):
+                self.glyph.set(i, list(shares))
+        return False
+
+
+class Font_mender:
+    def __init__(self, angle, bound, to):
+        self.tangent, self.bound, self.to = math.tan(math.radians(angle)), bound, to
+        self.mended, self.largest, self.left = 0, 0.0, []
+        self.jumps_before, self.jumps_after = [], []
+
+    def mend(self, name, glyph):
+        corner = {join: glyph.is_corner(join, self.tangent) for join in glyph.joins()}
         corners = {join[2]: join for join in corner if corner[join]}
-        place = lambda join: "glyph %s, contour %d, node (%d, %d)" % (name, join[0], *glyph.rows[0][join[2]])  # noqa: E731
-        if not glyph.masters.is_triangular():
-            left += ["%s: the regions overlap at their peaks" % place(join) for join in kinks]
-            continue
+        smooth = [join for join in corner if corner[join] is False]
+        kinks = [join for join in smooth if not is_smooth(*glyph.sides(*join[1:]))]
+        if not kinks and self.to == "G1":
+            return
+        place = lambda join: "glyph %s, contour %d, node (%s, %s)" % (name, join[0], *map(float_text, glyph.rows[0][join[2]]))  # noqa: E731
+        if not glyph.masters.has_order():
+            self.left += ["%s: the regions overlap at their peaks" % place(join) for join in kinks]
+            return
         moved = False
         for join in kinks:
-            rows = [list(row) for row in glyph.rows]
-            done = mend_node(glyph, join, corners, bound)
-            if not all(glyph.is_corner(c, tangent) for c in corners.values()):
-                glyph.rows, done = rows, "a corner would be none any more"
-            if isinstance(done, str):
-                left.append("%s: %s" % (place(join), done))
+            if not all(map(glyph.is_whole, join[1:])):
+                self.left.append("%s: fractions of a unit, no grid to move handles on" % place(join))
                 continue
-            moved, mended, largest = True, mended + 1, max(largest, done)
+            shares = {i: glyph.shares(i) for i in join[1:]}
+            done = mend_node(glyph, join, corners, self.bound)
+            if not isinstance(done, str) and not all(glyph.is_corner(c, self.tangent) for c in corners.values()):
+                for i, old in shares.items():
+                    if glyph.shares(i) != old:
+                        glyph.set(i, old)
+                done = "a corner would be none any more"
+            if isinstance(done, str):
+                self.left.append("%s: %s" % (place(join), done))
+                continue
+            moved, self.mended, self.largest = True, self.mended + 1, max(self.largest, done)
+        if self.to == "G2":
+            harmoniser = Harmoniser(glyph, [join for join in smooth if all(map(glyph.is_whole, join[1:]))], corners, self.bound)
+            self.jumps_before += harmoniser.jumps()
+            moved = harmoniser.run() or moved
+            self.jumps_after += harmoniser.jumps()
         if moved:
             glyph.write()
-            record = glyph.glyph
-            reach = box(record.coordinates)
-            if reach[0] < record.xMin or reach[1] < record.yMin or reach[2] > record.xMax or reach[3] > record.yMax:
-                grow(font, name, reach)
-    for line in left:
-        sys.stderr.write("not mended: %s\n" % line)
-    text = "%d %s mended for all masters together" % (mended, "join is" if mended == 1 else "joins are")
-    sys.stderr.write(text + (", with moves of at most %.4g units\n" % largest if mended else "\n"))
+
+    def report(self):
+        for line in self.left:
+            sys.stderr.write("not mended: %s\n" % line)
+        text = "%d %s mended for all masters together" % (self.mended, "join is" if self.mended == 1 else "joins are")
+        sys.stderr.write(text + (", with moves of at most %.4g units\n" % self.largest if self.mended else "\n"))
+        if self.to == "G2":
+            sys.stderr.write("curvatures: %s before, %s after\n" % (jumps_text(self.jumps_before), jumps_text(self.jumps_after)))
+
+
+def float_text(x):
+    return "%.10g" % x
+
+
+def jumps_text(jumps):
+    if not jumps:
+        return "no jump"
+    return "%d %s of up to %.3g %%" % (len(jumps), "jump" if len(jumps) == 1 else "jumps", 100 * max(jumps))
+
+
+def mend_masters(font, angle, bound, to):
+    mender = Font_mender(angle, bound, to)
+    for name, read in outlines(font):
+        mender.mend(name, read(font, name))
+    mender.report()
 
 
 def apply_moves(font, moves):
@@ -482,8 +597,11 @@ def main():
     if what == "--masters":
         if is_collection:
             refuse("a collection of fonts; extract the variable fonts first")
-        options = [float(x) for x in sys.argv[3:-1]]
-        mend_masters(font, options[0] if options else 5.0, options[1] if len(options) > 1 else None)
+        options = sys.argv[3:-1]
+        to = options.pop(0) if options else "G1"
+        if to not in ("G1", "G2"):
+            sys.exit(__doc__)
+        mend_masters(font, *([float(Fraction(x)) for x in options] + [5.0, None][len(options) :]), to)
     else:
         with open(what, encoding="utf-8") as file:
             moves = json.load(file)["moves"]

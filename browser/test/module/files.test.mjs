@@ -58,6 +58,10 @@ test('chains and models', async () => {
 });
 
 test('bad files are refused with code, line and reason', async () => {
+  await rejects('malformed_input', gc.verifySvg('drawing.svg'), 'give the text of a file, and not its name');
+  await rejects('malformed_input', gc.verifyFont('font.ttf'), 'a font is bytes');
+  await rejects('malformed_input', gc.verifySvg('M0 0L1 1', { requires: 'G1' }), "did you mean 'require'?");
+  await rejects('malformed_input', gc.repairSvg('M0 0L1 1', { tolerance: 0.1 }), 'there are kinkAngle, maxMove, harmonise');
   await rejects('malformed_input', gc.verifySvg('<svg xmlns="http://www.w3.org/2000/svg">\n<path></svg>'), 'drawing.svg:2:');
   await rejects('malformed_input', gc.verifySvg('no drawing'));
   await rejects('malformed_input', gc.verifySvg('<html/>'));
@@ -92,6 +96,22 @@ test('the curves of a drawing are those that joins name', async () => {
   assert.equal(curves[4].exact, '1/10,0;1,1');
   for (const { left, right } of joins)
     for (const k of [0, 1]) assert.ok(Math.abs(curves[left].points.at(k - 2) - curves[right].points[k]) < 1e-12); // arcs are rounded
+});
+
+// FreeType reads tables of characters within setjmp(). This font has no names of glyphs, of which
+// such a table could be made.
+test('glyphs are found by their character', { skip: !source }, async () => {
+  const font = new Uint8Array(readFileSync(join(source, 'conformance/data/font/one-unit.ttf')));
+  for (const glyphs of ['A', 'U+0041', 'A-Z']) {
+    const { summary } = await gc.verifyFont(font, { glyphs });
+    assert.deepEqual([summary.glyphs, summary.joins], [1, 4]);
+  }
+  await rejects('malformed_input', gc.verifyFont(font, { glyphs: 'B' }));
+  const place = new DataView(font.buffer), tables = place.getUint16(4);
+  for (let i = 0; i < tables; ++i)
+    if (String.fromCharCode(...font.slice(12 + 16 * i, 16 + 16 * i)) === 'cmap') place.setUint16(place.getUint32(20 + 16 * i) + 18, 3); // segments times 2
+  await rejects('malformed_input', gc.verifyFont(font, { glyphs: 'A' }));
+  assert.equal((await gc.verifyFont(font)).summary.joins, 4);
 });
 
 test('bad fonts are refused', async () => {

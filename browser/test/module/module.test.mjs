@@ -5,8 +5,10 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import load, { GeometricContinuityError } from 'geometric-continuity';
+import load, * as named from 'geometric-continuity';
 
+const { GeometricContinuityError } = named;
+assert.throws(() => named.continuity(), /^Error: continuity: the module is not loaded yet; call const gc = await load\(\); gc.continuity\(\.\.\.\)$/);
 const gc = await load();
 const phi = [[-3, 0], [-3, 2], [-2, 3], [0, 3]], psi = [[4, 0], [5, -1]];
 
@@ -168,6 +170,67 @@ test('a corner rounded by cubics', () => {
   assert.deepEqual(one.curves.map((c) => c.points), [[[7, 0], [10, 0], [10, 0], [10, 3]]]);
   assert.deepEqual([one.start_join.g_order, one.end_join.g_order, one.inner_join, two.curves.length], [2, 2, undefined, 2]);
   assert.ok(two.start_join.g_order >= 2 && two.inner_join.g_order >= 2 && two.end_join.g_order >= 2 && two.fairness < one.fairness);
+});
+
+test('the corners of polygons', () => {
+  const square = [[0, 0], [4, 0], [4, 3], [0, 3]], rounded = gc.roundCorners(square, 1, { closed: true });
+  assert.deepEqual(rounded.map((c) => c.points.length), [2, 6, 2, 6, 2, 6, 2, 6]);
+  assert.deepEqual([rounded[0].control_points, rounded[6].points], [[['1', '0'], ['3', '0']], [[0, 2], [0, 1]]]);
+  assert.deepEqual([...gc.failingJoins(rounded, { order: 'G2', closed: true })], []);
+  assert.deepEqual(rounded[1], gc.roundCorner([[0, 0], [4, 0]], [[4, 0], [4, 3]], 1).blend.curve);
+  assert.deepEqual(gc.roundCorners([...square, square[0]].map(([x, y]) => ({ x, y })), '1'), rounded, 'it ends where it starts');
+  // a quarter remains of each side, and a vertex on a line is no corner
+  assert.deepEqual(gc.roundCorners([[0, 0], [4, 0], [8, 0], [8, 8]], 100).map((c) => c.points[0]), [[0, 0], [4, 0], [5, 0], [8, 3]]);
+  assert.deepEqual(gc.roundCorners([[0, 0], [8, 0], [8, 8], [0, 8]], 100).map((c) => c.points[0]), [[0, 0], [5, 0], [8, 3], [8, 5], [5, 8]]);
+  const exact = gc.roundCorners([['1/3', '0.1'], [0.1, 5], [3, '7e0']], 1);
+  assert.deepEqual([exact[0].control_points[0], exact[2].control_points[1], exact[0].points[0]], [['1/3', '0.1'], ['3', '7e0'], [1 / 3, 0.1]]);
+  assert.deepEqual(gc.roundCorners([[0.1, 0], [1, 0]], 1)[0].control_points[0], ['3602879701896397/36028797018963968', '0']);
+  assert.deepEqual([...gc.failingJoins(exact, { order: 'G2' })], []);
+  const cubics = gc.roundCorners(square, 1, { closed: true, strategy: 'two_cubics' });
+  assert.deepEqual([cubics.length, ...gc.failingJoins(cubics, { order: 'G2', closed: true })], [12]);
+  fails('parameter_outside_domain', () => gc.roundCorners([[0, 0], [1, 0], [1, 0]], 1), 'the vertices 1 and 2 are one point');
+  fails('zero_tangent', () => gc.roundCorners([[0, 0], [2, 0], [1, 0]], 1), 'vertex 1');
+  fails('parameter_outside_domain', () => gc.roundCorners(square, 0), 'vertex 1');
+  fails('malformed_input', () => gc.roundCorners(square), 'distance: a number is expected');
+  fails('malformed_input', () => gc.roundCorners(square, 1, true), 'the options are an object { closed, strategy,');
+  fails('malformed_input', () => gc.roundCorners(square, 1, { radius: 1 }), 'r * Math.tan(turn / 2); there are closed,');
+  fails('wrong_number_of_points', () => gc.roundCorners([[1, 1]], 1));
+  fails('not_finite', () => gc.roundCorners([[0, 0], [1, NaN]], 1), 'vertices[1]');
+});
+
+test('names that are not there are answered by the call that is meant', async () => {
+  const answers = (name, text) => assert.throws(() => gc[name], (error) => error instanceof TypeError && error.message.startsWith(`gc.${name} is not there: `) && error.message.includes(text), name);
+  for (const [name, text] of [['analyzePath', 'call verifySvg(d)'], ['smoothPath', 'call repairSvg(d)'], ['isG1', 'call continuity(left, right).g_order >= 1'], ['is_g2', 'g_order >= 1'],
+    ['failing_joins', 'did you mean failingJoins(...)?'], ['chainJoins', 'call failingJoins(curves'], ['visual_class', 'call joinGrade('], ['surfaceContinuity', 'call edgeContinuity(patchA'],
+    ['joinContinuity', 'did you mean continuity(...)?'], ['fillet', 'call roundCorner('], ['Bezier', 'arrays of control points or path data'], ['evaluate', 'evaluate(), interpolate() or fit() of the Python module'],
+    ['load', 'the module is loaded'], ['loadFont', 'call verifyFont(bytes)'], ['blendCurves', 'did you mean blend(...)?'], ['xyzzy', 'there are continuity, deviation,']]) answers(name, text);
+  for (const name of ['then', 'toJSON', '$$typeof', '__v_isRef', Symbol.iterator, Symbol.toStringTag]) assert.equal(gc[name], undefined);
+  assert.equal(await gc, gc);
+  assert.ok(!('analyzePath' in gc) && 'blend' in gc && gc.constructor === Object);
+  assert.equal(named.load, load);
+  for (const name of Object.keys(gc)) assert.equal(typeof named[name], 'function', name);
+  assert.deepEqual(named.continuity(phi, psi), gc.continuity(phi, psi));
+});
+
+test('options and shapes that are something else', () => {
+  fails('malformed_input', () => gc.blend(phi, psi, 'fair'), 'blend: the options are an object { strategy, beta,');
+  fails('malformed_input', () => gc.blend(phi, psi, { stratgy: 'fair' }), "there is no option 'stratgy'; did you mean 'strategy'? There are strategy, beta,");
+  fails('malformed_input', () => gc.blend(phi, psi, { order: 3 }), "'fair' G2, 'fair_g3' G3");
+  fails('malformed_input', () => gc.continuity(phi, psi, 'G2'), 'continuity: the options are an object { maxOrder }');
+  fails('malformed_input', () => gc.continuity(phi, psi, { tolerance: 1 }), 'deviation(left, right) encloses');
+  fails('malformed_input', () => gc.joinGrade(phi, psi, 5), 'options');
+  fails('malformed_input', () => gc.failingJoins([phi, psi], 'G2'), 'options');
+  const patch = [[[0, 0, 0], [0, 1, 0]], [[1, 0, 0], [1, 1, 0]]];
+  fails('malformed_input', () => gc.continuity(patch, patch), "edgeContinuity(patchA, 'u1', patchB, 'u0') decides two patches; failingJoins(curves)");
+  fails('malformed_input', () => gc.edgeContinuity(patch, patch), 'each patch stands before its edge');
+  // of three.js, opentype.js and the DOM
+  const at = ([x, y]) => ({ x, y, isVector2: true }), [v0, v1, v2, v3] = phi.map(at);
+  const cubic = { type: 'CubicBezierCurve', v0, v1, v2, v3 }, line = { type: 'LineCurve', v1: v3, v2: at([1, 3]) };
+  assert.deepEqual(gc.continuity(cubic, line), gc.continuity(phi, [[0, 3], [1, 3]]));
+  assert.deepEqual([...gc.failingJoins({ type: 'CurvePath', curves: [cubic, line, { v0: at([1, 3]), v1: at([1, 4]), v2: at([0, 5]) }] })], [1]);
+  assert.equal(gc.continuity({ getAttribute: (name) => (name === 'd' ? 'M0 0H3' : null) }, 'M3 0H4').g_order, 3);
+  fails('malformed_input', () => gc.continuity({ type: 'SplineCurve', points: [v0, v1] }, psi), 'SplineCurve of three.js is no Bézier curve');
+  fails('malformed_input', () => gc.continuity({ commands: [] }, psi), 'path.toPathData(17)');
 });
 
 test('a bound on the curvature', () => {

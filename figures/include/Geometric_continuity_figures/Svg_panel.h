@@ -177,8 +177,8 @@ private:
       points.emplace_back(3);
       for (int i = 0; i < row.dimension(); ++i) {
         if (!std::isfinite(row[i]))
-          throw Error(Error_code::not_finite, "Svg_panel: curve " + std::to_string(curves_.size() + 1) +
-                                                  ": control point " + std::to_string(points.size()) +
+          throw Error(Error_code::not_finite, "Svg_panel: curve " + std::to_string(curves_.size()) +
+                                                  ": control point " + std::to_string(points.size() - 1) +
                                                   " is too far away to be drawn");
         points.back()[i] = row[i];
       }

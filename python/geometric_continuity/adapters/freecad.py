@@ -9,7 +9,7 @@ from typing import Iterator, List, Tuple
 
 from .._native import Join_continuity, Order_within
 from ..curve_types import Bezier_curve, Spline, pieces
-from ..joins import continuity, order_within
+from .._joins import continuity, order_within
 
 _CONVERTED = ("Line", "LineSegment", "Circle", "ArcOfCircle", "Ellipse", "ArcOfEllipse", "Hyperbola", "ArcOfHyperbola", "Parabola", "ArcOfParabola")
 

@@ -8,10 +8,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, Iterator, List, Optional, Sequence, Tuple
+from typing import Any, Dict, Iterator, List, Optional, Sequence, Tuple
 
-from .. import joins as _joins
+from .. import _joins
 from .._native import Visual_class
+from .masters import (Curves, Masters, can_agree, curvature_jump, dot, harmonised, is_smooth, longest_move, minus, smooth_handles)
 
 
 @dataclass
@@ -117,11 +118,14 @@ def _whole(point: Point) -> bool:
     return int(point.x) == point.x and int(point.y) == point.y
 
 
-def mend(points: List[Point], kink_angle=5, max_move: Optional[float] = None, glyph: str = "", contour: int = 0) -> List[Move]:
+def mend(points: List[Point], kink_angle=5, max_move: Optional[float] = None, glyph: str = "", contour: int = 0, to: str = "G1") -> List[Move]:
     """Makes the kinks of a contour exactly smooth, in place, and returns what was moved: handles of cubic curves, on the grid of whole units.
     On-curve points, lines and quadratic curves stay as they are, and so does a kink whose handle would move by more than `max_move` units
-    (by default twice what it is off, plus one)."""
-    moves = []
+    (by default twice what it is off, plus one). With `to="G2"` the curvatures at nodes are made to agree as well, see `mend_masters()`."""
+    return mend_masters([points], kink_angle, max_move, glyph, contour, to)[0]
+
+
+def _mend_kinks(points: List[Point], kink_angle, max_move: Optional[float]) -> None:
     for join in list(joins(points)):
         node, before, behind = points[join.node], points[join.before], points[join.behind]
         if not (_whole(node) and _whole(before) and _whole(behind)):
@@ -150,103 +154,55 @@ def mend(points: List[Point], kink_angle=5, max_move: Optional[float] = None, gl
         (p, q), (r, s) = handles
         if max((p - a[0]) ** 2 + (q - a[1]) ** 2, (r - b[0]) ** 2 + (s - b[1]) ** 2) > bound * bound:
             continue
-        for index, point, x, y in ((join.before, before, node.x - p, node.y - q), (join.behind, behind, node.x + r, node.y + s)):
-            if (point.x, point.y) != (x, y):
-                moves.append(Move(glyph, contour, index, (int(point.x), int(point.y)), (int(x), int(y))))
-                point.x, point.y = type(point.x)(x), type(point.y)(y)
-    return moves
-
-
-# Masters: the handles of a mixture of masters are the same mixtures of theirs, a = sum c_i a_i and
-# b = sum c_i b_i. Their cross product vanishes for all c exactly if a_i x b_j + a_j x b_i = 0 for
-# all i, j. So it does where b_i = k a_i for all i (one ratio), and where all handles are multiples
-# of one vector (one direction).
-
-_Vector = Tuple[int, int]
-_Pair = Tuple[List[_Vector], List[_Vector]]
-_LARGEST = 16  # numerator, denominator and coordinate of ratios and directions
-
-
-def _cross(a: _Vector, b: _Vector) -> int:
-    return a[0] * b[1] - a[1] * b[0]
-
-
-def _dot(a: _Vector, b: _Vector) -> int:
-    return a[0] * b[0] + a[1] * b[1]
-
-
-def _nearest(p: int, q: int) -> int:
-    return (2 * p + q) // (2 * q)
-
-
-def _are_smooth_together(a: List[_Vector], b: List[_Vector]) -> bool:
-    n = range(len(a))
-    return all(_cross(a[i], b[j]) + _cross(a[j], b[i]) == 0 for i in n for j in n if i <= j) and all(_dot(u, v) > 0 for u, v in zip(a, b))
-
-
-def _by_ratio(a: List[_Vector], b: List[_Vector], p: int, q: int) -> _Pair:
-    """Handles q t and p t with the whole vectors t nearest to both."""
-    t = [tuple(_nearest(q * u[c] + p * v[c], p * p + q * q) for c in (0, 1)) for u, v in zip(a, b)]
-    return [(q * x, q * y) for x, y in t], [(p * x, p * y) for x, y in t]
-
-
-def _along(handles: List[_Vector], e: _Vector) -> List[_Vector]:
-    steps = [_nearest(_dot(v, e), _dot(e, e)) for v in handles]
-    return [(k * e[0], k * e[1]) for k in steps]
-
-
-def _primitive(v: _Vector) -> _Vector:
-    divisor = math.gcd(*v)
-    return v[0] // divisor, v[1] // divisor
-
-
-def _pairs(a: List[_Vector], b: List[_Vector], both: bool) -> Iterator[_Pair]:
-    """Handles in the place of these that may be smooth together; only those of b move unless both do."""
-    ratios = [math.hypot(*v) / math.hypot(*u) for u, v in zip(a, b)]
-    if not both:
-        divisor = math.gcd(*(c for v in a for c in v))
-        for p in range(max(1, math.floor(min(ratios) * divisor)), math.ceil(max(ratios) * divisor) + 1):
-            yield a, [(p * x // divisor, p * y // divisor) for x, y in a]
-        if all(_cross(a[0], v) == 0 for v in a):
-            yield a, _along(b, _primitive(a[0]))
-        return
-    fractions = {Fraction(p, q) for p in range(1, _LARGEST + 1) for q in range(1, _LARGEST + 1)}
-    for f in sorted(fractions | {Fraction(r).limit_denominator(_LARGEST) for r in ratios}):
-        if f > 0 and min(ratios) / 1.5 <= f <= max(ratios) * 1.5:
-            yield _by_ratio(a, b, f.numerator, f.denominator)
-    directions = set()
-    for u, v in zip(a, b):
-        x, y = u[0] + v[0], u[1] + v[1]
-        largest = max(abs(x), abs(y))
-        if largest:
-            directions |= {_primitive((_nearest(x * n, largest), _nearest(y * n, largest))) for n in range(1, _LARGEST + 1)}
-    for e in sorted(directions):
-        yield _along(a, e), _along(b, e)
+        _set_handles([points], join, [(p, q)], [(r, s)])
 
 
 @dataclass(frozen=True)
 class _Master_join:
-    """A join at the same points of all masters, with the handles a and b of each."""
+    """A join at the same points of all masters, with the handles a and b of each, and the curves beside it."""
 
     at: Join
-    a: List[_Vector]
-    b: List[_Vector]
+    a: List[Tuple]
+    b: List[Tuple]
+    curves: Optional[Curves]  # None where one of them is a line
+    free_a: bool  # whether the handle belongs to this node alone
+    free_b: bool
 
 
-def _master_joins(masters: Sequence[List[Point]], kink_angle) -> Iterator[_Master_join]:
-    """Yields the joins of compatible contours that are a corner in none of them, on the grid."""
+def _xy(points: List[Point], index: int) -> Tuple:
+    return points[index].x, points[index].y
+
+
+def _exact(v: Tuple) -> Tuple:
+    return tuple(int(c) if int(c) == c else Fraction(c) for c in v)
+
+
+def _all_joins(masters: Sequence[List[Point]]) -> Iterator[_Master_join]:
+    """Yields the joins of compatible contours on the grid, those without handles at the node."""
     found = [{(j.before, j.node, j.behind): j for j in joins(points)} for points in masters]
     for key, at in found[0].items():
         if not all(key in others for others in found) or not all(_whole(points[i]) for points in masters for i in key):
             continue
-        before, node, behind = ([(int(points[i].x), int(points[i].y)) for points in masters] for i in key)
-        a = [(n[0] - p[0], n[1] - p[1]) for n, p in zip(node, before)]
-        b = [(p[0] - n[0], p[1] - n[1]) for n, p in zip(node, behind)]
+        before, node, behind = ([_exact(_xy(points, i)) for points in masters] for i in key)
+        a, b = list(map(minus, node, before)), list(map(minus, behind, node))
         if any(v == (0, 0) for v in a + b):
             continue  # a handle that is retracted
-        grades = [_joins.visual_class([p, n], [n, q], kink_angle) for p, n, q in zip(before, node, behind)]
+        here = [others[key] for others in found]
+        free_a = masters[0][at.before].type is None and all(len(j.left) == 4 and j.left[0] != j.left[1] for j in here)
+        free_b = masters[0][at.behind].type is None and all(len(j.right) == 4 and j.right[2] != j.right[3] for j in here)
+        curves = None
+        if len(at.left) > 2 and len(at.right) > 2:
+            seconds = [(minus(j.left[-1], j.left[-3]), minus(j.right[2], j.right[0])) for j in here]
+            curves = Curves(len(at.left) - 1, len(at.right) - 1, [_exact(u) for u, _ in seconds], [_exact(v) for _, v in seconds])
+        yield _Master_join(at, a, b, curves, free_a, free_b)
+
+
+def _master_joins(masters: Sequence[List[Point]], kink_angle) -> Iterator[_Master_join]:
+    """Yields those of the joins that are a corner in no master."""
+    for join in _all_joins(masters):
+        grades = [_joins.visual_class([minus((0, 0), u), (0, 0)], [(0, 0), v], kink_angle) for u, v in zip(join.a, join.b)]
         if all(g in (Visual_class.kink, Visual_class.g1, Visual_class.g2) for g in grades):
-            yield _Master_join(at, a, b)
+            yield join
 
 
 def are_compatible(masters: Sequence[List[Point]]) -> bool:
@@ -257,51 +213,109 @@ def are_compatible(masters: Sequence[List[Point]]) -> bool:
 def kinks_between(masters: Sequence[List[Point]], kink_angle=5) -> List[int]:
     """Returns the numbers of the nodes of compatible contours at which some mixture of the masters has a kink, exactly: neither one ratio nor
     one direction of handles nor anything else keeps it smooth. Corners, also of one master, are left out."""
-    return [j.at.node for j in _master_joins(masters, kink_angle) if not _are_smooth_together(j.a, j.b)]
+    return [j.at.node for j in _master_joins(masters, kink_angle) if not _is_smooth(j)]
 
 
-def mend_masters(masters: Sequence[List[Point]], kink_angle=5, max_move: Optional[float] = None, glyph: str = "", contour: int = 0
-                 ) -> List[List[Move]]:
+def curvature_jumps(masters: Sequence[List[Point]], kink_angle=5) -> List[Tuple[int, float]]:
+    """Returns the numbers of the nodes of compatible contours, or of a single one, where curves meet that are smooth at all mixtures of the
+    masters, but not G2 at all of them, exactly, and whose curvatures have one sign at each master, so that other lengths of handles can make
+    them agree; and the largest relative jump of the curvature at a master or halfway between two."""
+    all_masters = Masters.independent(len(masters))
+    return [(j.at.node, jump) for j in _master_joins(masters, kink_angle)
+            if _can_agree(j, all_masters) and (jump := curvature_jump(j.a, j.b, j.curves, all_masters)) > 0]
+
+
+def _is_smooth(join: _Master_join) -> bool:
+    return is_smooth(join.a, join.b) and all(dot(u, v) > 0 for u, v in zip(join.a, join.b))
+
+
+def _can_agree(join: _Master_join, masters: Masters) -> bool:
+    return join.curves is not None and _is_smooth(join) and can_agree(join.a, join.b, join.curves, masters)
+
+
+def _set_handles(masters: Sequence[List[Point]], join: Join, a, b) -> None:
+    for points, u, v in zip(masters, a, b):
+        node = points[join.node]
+        for index, to in ((join.before, minus(_xy(points, join.node), u)), (join.behind, (node.x + v[0], node.y + v[1]))):
+            point = points[index]
+            if (point.x, point.y) != to:
+                point.x, point.y = type(point.x)(to[0]), type(point.y)(to[1])
+
+
+def mend_masters(masters: Sequence[List[Point]], kink_angle=5, max_move: Optional[float] = None, glyph: str = "", contour: int = 0,
+                 to: str = "G1") -> List[List[Move]]:
     """Makes compatible contours, one of each master, smooth together, in place: the handles at a node get one ratio or one direction in all of
     them, so that no mixture has a kink, by the least moves on the grid of whole units (the longest first, then the sum). Returns what was
     moved in each master. A move is at most `max_move` units, by default eight times what the kink is off at a master or halfway between two,
-    and one unit more. Kinks that cannot be mended together are mended in each master alone, see `mend()`."""
-    moves: List[List[Move]] = [[] for _ in masters]
-    for join in list(_master_joins(masters, kink_angle)):
-        a, b = join.a, join.b
-        if _are_smooth_together(a, b):
+    and one unit more. Kinks that cannot be mended together are mended in each master alone, see `mend()`.
+
+    to: with "G2" the curvatures of both curves at a node are made to agree as well, in all masters and mixtures of them, where they have one
+    sign: exactly where the grid allows it, otherwise as nearly as it does, see `curvature_jumps()` for what is left. Handles of one direction
+    get other lengths, those of one ratio turn. Each moves by at most `max_move`, by default a tenth of the shortest handle at the node,
+    or one unit. No move makes the jumps at the other ends of its curves larger by more than it gains. To repeat it changes nothing."""
+    given = [[(p.x, p.y) for p in points] for points in masters]
+    if to not in ("G1", "G2"):
+        raise ValueError(f"to={to!r}: \"G1\" or \"G2\"")
+    all_masters = Masters.independent(len(masters))
+    for join in list(_master_joins(masters, kink_angle)) if len(masters) > 1 else ():
+        if _is_smooth(join) or not (join.free_a or join.free_b):
             continue
-        first = masters[0]
-        free_a = first[join.at.before].type is None and len(join.at.left) == 4
-        free_b = first[join.at.behind].type is None and len(join.at.right) == 4
-        if not free_a and not free_b:
-            continue
-        sides = (a, b) if free_b else (b, a)
-        best = None
-        for x, y in _pairs(*sides, free_a and free_b):
-            if not _are_smooth_together(x, y):
+        best = smooth_handles(join.a, join.b, all_masters, join.free_a, join.free_b)
+        if best is not None and best[0] <= (longest_move(join.a, join.b, all_masters) if max_move is None else max_move):
+            _set_handles(masters, join.at, *best[1:])
+    for points in masters:
+        _mend_kinks(points, kink_angle, max_move)
+    if to == "G2":
+        _harmonise(masters, kink_angle, max_move, all_masters)
+    return [_moves(points, before, glyph, contour) for points, before in zip(masters, given)]
+
+
+_PASSES = 16  # over the joins to be harmonised: each changes the curvatures next to it
+
+
+def _harmonise(masters: Sequence[List[Point]], kink_angle, max_move: Optional[float], all_masters: Masters) -> None:
+    given = [[_xy(points, i) for i in range(len(points))] for points in masters]
+    nodes = [j.at.node for j in _master_joins(masters, kink_angle)]
+
+    def current() -> Dict[int, _Master_join]:
+        return {j.at.node: j for j in _all_joins(masters) if j.at.node in nodes}
+
+    def jump(join: _Master_join) -> Optional[float]:
+        return curvature_jump(join.a, join.b, join.curves, all_masters) if _can_agree(join, all_masters) else None
+
+    state = current()
+    tried: Dict[int, Tuple] = {}
+    for _ in range(_PASSES):
+        moved, is_new = False, not tried
+        for node in nodes:
+            join = state[node]
+            if tried.get(node) == (join.a, join.b, join.curves) or not _can_agree(join, all_masters):
                 continue
-            shifts = [math.dist(u, v) for old, new in zip(sides, (x, y)) for u, v in zip(old, new)]
-            cost = max(shifts), sum(shifts)
-            if best is None or cost < best[0]:
-                best = cost, x, y
-        if best is None or best[0][0] > (_longest_move(a, b) if max_move is None else max_move):
-            continue
-        (_, x, y) = best
-        x, y = (x, y) if free_b else (y, x)
-        for points, moved, u, v in zip(masters, moves, x, y):
-            node = points[join.at.node]
-            for index, to in ((join.at.before, (int(node.x) - u[0], int(node.y) - u[1])), (join.at.behind, (int(node.x) + v[0], int(node.y) + v[1]))):
-                point = points[index]
-                if (point.x, point.y) != to:
-                    moved.append(Move(glyph, contour, index, (int(point.x), int(point.y)), to))
-                    point.x, point.y = type(point.x)(to[0]), type(point.y)(to[1])
-    for points, moved in zip(masters, moves):
-        moved += mend(points, kink_angle, max_move, glyph, contour)
-    return moves
+            for free in ((True, True), (True, False), (False, True)):  # a handle may be needed at its other node as it is
+                free_a, free_b = free[0] and join.free_a, free[1] and join.free_b
+                best = harmonised(join.a, join.b, join.curves, all_masters, free_a, free_b, max_move) if free_a or free_b else None
+                if best is None:
+                    continue
+                _set_handles(masters, join.at, *best[2:])
+                after = current()
+                changed = [(jump(state[n]), jump(after[n])) for n in nodes
+                           if (state[n].a, state[n].b, state[n].curves) != (after[n].a, after[n].b, after[n].curves)]
+                lost = any(old is not None and (new is None or old == 0 < new) for old, new in changed)
+                if not lost and sum(new or 0 for _, new in changed) < sum(old or 0 for old, _ in changed):
+                    state, moved = after, True
+                    break
+                _set_handles(masters, join.at, join.a, join.b)
+            else:
+                tried[node] = join.a, join.b, join.curves
+        if not moved and is_new:
+            return
+        if not moved:
+            tried.clear()  # what is next to them may have changed
+    for points, old in zip(masters, given):  # the handles find no rest
+        for point, (x, y) in zip(points, old):
+            point.x, point.y = x, y
 
 
-def _longest_move(a: List[_Vector], b: List[_Vector]) -> float:
-    halves = [[(u[0] + v[0], u[1] + v[1]) for u in side for v in side] for side in (a, b)]  # twice the handles halfway between two
-    lengths = [(abs(_cross(u, v)), min(math.hypot(*u), math.hypot(*v))) for u, v in zip(*halves)]
-    return 1 + 8 * max((off / least / 2 for off, least in lengths if least > 0), default=0.0)
+def _moves(points: List[Point], before: Sequence[Tuple], glyph: str, contour: int) -> List[Move]:
+    return [Move(glyph, contour, i, (int(old[0]), int(old[1])), (int(p.x), int(p.y)))
+            for i, (p, old) in enumerate(zip(points, before)) if (p.x, p.y) != old]

@@ -17,7 +17,7 @@ import sys
 from fractions import Fraction
 from typing import Dict, List, Optional
 
-from .outlines import Kink, Move, Point, are_compatible, joins, kinks, kinks_between, mend, mend_masters
+from .outlines import Kink, Move, Point, are_compatible, curvature_jumps, joins, kinks, kinks_between, mend, mend_masters
 
 
 def _ufo_points(contour) -> List[Point]:
@@ -30,13 +30,21 @@ def ufo_kinks(font, kink_angle=5) -> List[Kink]:
             for k in kinks(_ufo_points(contour), kink_angle, glyph.name, number)]
 
 
-def mend_ufo_font(font, kink_angle=5, max_move: Optional[float] = None) -> List[Move]:
-    """Mends the kinks of the outlines of a `ufoLib2.Font` in memory, and returns what was moved."""
+def mend_ufo_font(font, kink_angle=5, max_move: Optional[float] = None, to: str = "G1") -> List[Move]:
+    """Mends the kinks of the outlines of a `ufoLib2.Font` in memory, with `to="G2"` also the curvatures, see `outlines.mend()`; returns what
+    was moved."""
+    return _mend_ufo_contours(font, set(), kink_angle, max_move, to)
+
+
+def _mend_ufo_contours(font, done, kink_angle, max_move: Optional[float], to: str) -> List[Move]:
+    """Mends all contours but those that are done, given by the name of the glyph and their number."""
     moves = []
     for glyph in font:
         for number, contour in enumerate(glyph):
+            if (glyph.name, number) in done:
+                continue
             points = _ufo_points(contour)
-            moved = mend(points, kink_angle, max_move, glyph.name or "", number)
+            moved = mend(points, kink_angle, max_move, glyph.name or "", number, to)
             for m in moved:
                 contour.points[m.index].x, contour.points[m.index].y = points[m.index].x, points[m.index].y
             moves += moved
@@ -73,9 +81,9 @@ def _write_points(path: str, moves: List[Move]) -> None:
         output.write(text.encode("utf-8"))
 
 
-def mend_ufo(path, output=None, kink_angle=5, max_move: Optional[float] = None) -> List[Move]:
-    """Mends the kinks of the UFO in the folder `path`, or of a copy of it in the new folder `output`, and returns what was moved. In the
-    files of glyphs the coordinates of moved points are written anew, and every other byte stays as it is.
+def mend_ufo(path, output=None, kink_angle=5, max_move: Optional[float] = None, to: str = "G1") -> List[Move]:
+    """Mends the kinks of the UFO in the folder `path`, or of a copy of it in the new folder `output`, with `to="G2"` also the curvatures, and
+    returns what was moved. In the files of glyphs the coordinates of moved points are written anew, and every other byte stays as it is.
 
     Raises FileExistsError where `output` exists, and what ufoLib2 raises for a bad UFO.
     """
@@ -84,7 +92,7 @@ def mend_ufo(path, output=None, kink_angle=5, max_move: Optional[float] = None) 
     font = ufoLib2.Font.open(path)
     if output is not None:
         shutil.copytree(path, output)
-    moves = mend_ufo_font(font, kink_angle, max_move)
+    moves = mend_ufo_font(font, kink_angle, max_move, to)
     _write_ufo(os.fspath(path if output is None else output), font, moves)
     return moves
 
@@ -135,23 +143,25 @@ def _ufo_masters(fonts):
     return found
 
 
-def mend_designspace(path, kink_angle=5, max_move: Optional[float] = None) -> Dict[str, List[Move]]:
+def mend_designspace(path, kink_angle=5, max_move: Optional[float] = None, to: str = "G1") -> Dict[str, List[Move]]:
     """Mends the masters of a designspace where they are, and returns what was moved in each. Where the contours of a glyph are compatible the
-    masters are mended together, so that no instance has a kink, see `outlines.mend_masters()`; what is left, and other glyphs, in each master
-    alone. Points keep their numbers and types, so that masters that were compatible are."""
+    masters are mended together, so that no instance has a kink, and with `to="G2"` the curvatures agree in all of them, see
+    `outlines.mend_masters()`; other glyphs in each master alone. Points keep their numbers and types, so that masters that were compatible are."""
     import ufoLib2
 
     paths = designspace_sources(path)
     fonts = [ufoLib2.Font.open(source) for source in paths]
     moves: List[List[Move]] = [[] for _ in paths]
+    done = set()
     for name, number, numbers, masters in _ufo_masters(fonts):
-        for i, points, moved in zip(numbers, masters, mend_masters(masters, kink_angle, max_move, name, number)):
+        done.add((name, number))
+        for i, points, moved in zip(numbers, masters, mend_masters(masters, kink_angle, max_move, name, number, to)):
             for m in moved:
                 point = fonts[i][name][number].points[m.index]
                 point.x, point.y = points[m.index].x, points[m.index].y
             moves[i] += moved
     for source, font, moved in zip(paths, fonts, moves):
-        moved += mend_ufo_font(font, kink_angle, max_move)
+        moved += _mend_ufo_contours(font, done, kink_angle, max_move, to)
         _write_ufo(source, font, moved)
     return dict(zip(paths, moves))
 
@@ -196,17 +206,21 @@ def _move_nodes(path, points: List[Point], moved: List[Move]) -> None:
         node.position = type(node.position)(points[m.index].x, points[m.index].y)
 
 
-def mend_glyphs(font, kink_angle=5, max_move: Optional[float] = None) -> List[Move]:
+def mend_glyphs(font, kink_angle=5, max_move: Optional[float] = None, to: str = "G1") -> List[Move]:
     """Mends the kinks of all layers of a `glyphsLib.GSFont` in memory, and returns what was moved: of masters with compatible paths together,
-    so that no instance has a kink, see `outlines.mend_masters()`; of other layers, and what is left, each alone."""
-    moves = []
+    so that no instance has a kink, and with `to="G2"` the curvatures agree in all of them, see `outlines.mend_masters()`; of other layers each
+    alone."""
+    moves, done = [], set()
     for name, number, paths, masters in _glyphs_masters(font):
-        for path, points, moved in zip(paths, masters, mend_masters(masters, kink_angle, max_move, name, number)):
+        for path, points, moved in zip(paths, masters, mend_masters(masters, kink_angle, max_move, name, number, to)):
             _move_nodes(path, points, moved)
             moves += moved
+            done.add(id(path))
     for name, number, path in _glyphs_paths(font):
+        if id(path) in done:
+            continue
         points = _glyphs_points(path)
-        moved = mend(points, kink_angle, max_move, name, number)
+        moved = mend(points, kink_angle, max_move, name, number, to)
         _move_nodes(path, points, moved)
         moves += moved
     return moves
@@ -249,23 +263,40 @@ def verify_source(path, kink_angle=5, require: Optional[str] = None) -> Dict:
     return {"file": os.fspath(path), "met": counts["joins"] > 0 and (require is None or failing == 0), "summary": counts, "kinks": found}
 
 
-def between_masters(path, kink_angle=5) -> int:
-    """Returns at how many nodes of a designspace, or of a .glyphs, some mixture of its masters has a kink, where no master has a corner."""
+def _all_masters(path):
+    """Yields the points of each contour in all masters: of those that are compatible together, otherwise of one master alone."""
     kind = os.path.splitext(os.fspath(path).rstrip("/"))[1].lower()
     if kind == ".glyphs":
         import glyphsLib
 
-        return sum(len(kinks_between(masters, kink_angle)) for *_, masters in _glyphs_masters(glyphsLib.GSFont(path)))
-    if kind != ".designspace":
-        return 0
+        font = glyphsLib.GSFont(path)
+        together = _glyphs_masters(font)
+        done = {id(p) for _, _, paths, _ in together for p in paths}
+        yield from (masters for *_, masters in together)
+        yield from ([_glyphs_points(p)] for _, _, p in _glyphs_paths(font) if id(p) not in done)
+        return
     import ufoLib2
 
-    fonts = [ufoLib2.Font.open(source) for source in designspace_sources(path)]
-    return sum(len(kinks_between(masters, kink_angle)) for *_, masters in _ufo_masters(fonts))
+    fonts = [ufoLib2.Font.open(source) for source in (designspace_sources(path) if kind == ".designspace" else [path])]
+    found = _ufo_masters(fonts)
+    done = {(name, number) for name, number, *_ in found}
+    yield from (masters for *_, masters in found)
+    yield from ([_ufo_points(contour)] for font in fonts for glyph in font for number, contour in enumerate(glyph) if (glyph.name, number) not in done)
 
 
-def mend_source(path, output, kink_angle=5, max_move: Optional[float] = None) -> List[Move]:
-    """Mends the kinks of a source and writes it to `output`, which may be `path`; a designspace is written with its UFOs, which have the
+def between_masters(path, kink_angle=5) -> int:
+    """Returns at how many nodes of a designspace, or of a .glyphs, some mixture of its masters has a kink, where no master has a corner."""
+    return sum(len(kinks_between(masters, kink_angle)) for masters in _all_masters(path) if len(masters) > 1)
+
+
+def source_jumps(path, kink_angle=5) -> List[float]:
+    """Returns the largest relative jump of the curvature at each node of a source that other lengths of handles would lessen, in all masters
+    together where these are compatible, see `outlines.curvature_jumps()`."""
+    return [jump for masters in _all_masters(path) for _, jump in curvature_jumps(masters, kink_angle)]
+
+
+def mend_source(path, output, kink_angle=5, max_move: Optional[float] = None, to: str = "G1") -> List[Move]:
+    """Mends the kinks of a source, with `to="G2"` also the curvatures, and writes it to `output`, which may be `path`; a designspace is written with its UFOs, which have the
     same places beside it. Returns what was moved.
 
     Raises FileExistsError where another UFO is there already, ValueError for UFOs that are not in the folder of their designspace.
@@ -276,11 +307,11 @@ def mend_source(path, output, kink_angle=5, max_move: Optional[float] = None) ->
         import glyphsLib
 
         font = glyphsLib.GSFont(path)
-        moves = mend_glyphs(font, kink_angle, max_move)
+        moves = mend_glyphs(font, kink_angle, max_move, to)
         font.save(output)
         return moves
     if kind != ".designspace":
-        return mend_ufo(path, None if same else output, kink_angle, max_move)
+        return mend_ufo(path, None if same else output, kink_angle, max_move, to)
     folder, copies = os.path.dirname(os.path.abspath(path)), os.path.dirname(os.path.abspath(output))
     if not same:
         for source in designspace_sources(path):
@@ -289,12 +320,16 @@ def mend_source(path, output, kink_angle=5, max_move: Optional[float] = None) ->
                 raise ValueError(f"{place}: not in the folder of the designspace; write the result over the designspace")
             shutil.copytree(source, os.path.join(copies, place))
         shutil.copyfile(path, output)
-    return [m for moved in mend_designspace(output, kink_angle, max_move).values() for m in moved]
+    return [m for moved in mend_designspace(output, kink_angle, max_move, to).values() for m in moved]
 
 
 def _counts_text(counts: Dict) -> str:
     words = {"corner": "corners", "kink": "kinks", "g1": "G1", "g2": "G2 or more", "undecided": "undecided"}
     return f"{counts['joins']} joins: " + ", ".join(f"{counts[k]} {word}" for k, word in words.items() if counts[k] or k != "undecided")
+
+
+def _jumps_text(jumps: List[float]) -> str:
+    return "no jump" if not jumps else f"{len(jumps)} {'jump' if len(jumps) == 1 else 'jumps'} of up to {100 * max(jumps):.3g} %"
 
 
 def _print_record(record: Dict, require: Optional[str]) -> None:
@@ -318,18 +353,22 @@ def main(arguments: List[str]) -> int:
     verify.add_argument("--require", choices=("G1", "G2"))
     verify.add_argument("--json", action="store_true")
     verify.add_argument("files", nargs="+")
-    repair.add_argument("--max-move", type=float)
+    repair.add_argument("--max-move", type=Fraction)
+    repair.add_argument("--to", choices=("G1", "G2"), default="G1")
     repair.add_argument("file")
     repair.add_argument("output")
     given = parser.parse_args(arguments)
     try:
         if given.command == "repair":
             before, between = verify_source(given.file, given.kink_angle), between_masters(given.file, given.kink_angle)
-            moves = mend_source(given.file, given.output, given.kink_angle, given.max_move)
+            jumps = source_jumps(given.file, given.kink_angle) if given.to == "G2" else []
+            moves = mend_source(given.file, given.output, given.kink_angle, given.max_move, given.to)
             record = verify_source(given.output, given.kink_angle, "G1")
             print(f"moves: {len(moves)} handles\nbefore: {_counts_text(before['summary'])}")
             if between:
                 print(f"nodes with a kink between masters: {between} before, {between_masters(given.output, given.kink_angle)} after")
+            if given.to == "G2":
+                print(f"curvatures: {_jumps_text(jumps)} before, {_jumps_text(source_jumps(given.output, given.kink_angle))} after")
             _print_record(record, "G1")
             return 0 if record["met"] else 1
         records = [verify_source(file, given.kink_angle, given.require) for file in given.files]

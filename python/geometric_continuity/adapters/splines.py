@@ -5,7 +5,7 @@
 
 import warnings
 
-from .. import curve_types, joins
+from .. import _joins, curve_types
 from ..curve_types import Bezier_curve as Piece  # noqa: F401
 
 
@@ -18,4 +18,4 @@ def pieces(degree, knots, points, weights=None, low=None, high=None):
 def continuity(left, right):
     """Returns `geometric_continuity.continuity(left, right)`."""
     warnings.warn("adapters.splines.continuity is now continuity", DeprecationWarning, stacklevel=2)
-    return joins.continuity(left, right)
+    return _joins.continuity(left, right)

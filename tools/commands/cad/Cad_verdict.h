@@ -67,28 +67,11 @@ inline bool has_verdict(const Cad_edge& edge) {
   return edge.kind == Cad_edge_kind::inner || edge.kind == Cad_edge_kind::seam || edge.kind == Cad_edge_kind::knot_line;
 }
 
-// The verdict on an edge within the tolerance.
-struct Cad_verdict {
-  std::optional<GC::Edge_enclosure> enclosure; // if the edge has two sides that can be compared
-  // why they cannot, or why the edge is not what it is said to be
-  std::string reason;
-  // the order with no tolerance, -1 for a gap, where it can be decided
-  std::optional<int> exact;
-  // For each order: the edges are the same; in addition the tangent planes agree; the curvatures
-  // across the edge.
+// The orders of an edge, or of a join of curves, within the tolerance.
+struct Cad_orders {
+  // For each order: edges or ends are the same; in addition tangent planes or tangents agree; the
+  // curvatures across the edge or the curvature vectors.
   std::array<GC::Verdict, 3> within{GC::Verdict::undecided, GC::Verdict::undecided, GC::Verdict::undecided};
-  Cad_shape shape = Cad_shape::undecided;
-  GC::Verdict is_corner = GC::Verdict::undecided; // of what is not smooth
-  // of the curve in space from the side that is farther from it
-  std::optional<GC::Edge_maximum> deviation;
-  // the curves in the parameter planes are foot points of that in space, which the program has
-  // computed
-  bool computed = false;
-  // Ranges of parameters that belong to a pole within the tolerance of gaps: angle and curvature
-  // jump leave them out.
-  std::vector<std::pair<double, double>> poles;
-  bool is_exhausted = false; // the work did not suffice
-  bool in_doubt = false;     // what is wrong may be wrong with projections only
 
   // Returns the highest order that is proved, or -1.
   int order() const {
@@ -102,6 +85,27 @@ struct Cad_verdict {
     if (order() >= 0) return 'G' + std::to_string(order());
     return within[0] == GC::Verdict::refuted ? "gap" : "undecided";
   }
+};
+
+// The verdict on an edge within the tolerance.
+struct Cad_verdict : Cad_orders {
+  std::optional<GC::Edge_enclosure> enclosure; // if the edge has two sides that can be compared
+  // why they cannot, or why the edge is not what it is said to be
+  std::string reason;
+  // the order with no tolerance, -1 for a gap, where it can be decided
+  std::optional<int> exact;
+  Cad_shape shape = Cad_shape::undecided;
+  GC::Verdict is_corner = GC::Verdict::undecided; // of what is not smooth
+  // of the curve in space from the side that is farther from it
+  std::optional<GC::Edge_maximum> deviation;
+  // the curves in the parameter planes are foot points of that in space, which the program has
+  // computed
+  bool computed = false;
+  // Ranges of parameters that belong to a pole within the tolerance of gaps: angle and curvature
+  // jump leave them out.
+  std::vector<std::pair<double, double>> poles;
+  bool is_exhausted = false; // the work did not suffice
+  bool in_doubt = false;     // what is wrong may be wrong with projections only
 
   // Returns the order that holds with no tolerance: "G2", "G1", "G0" or "gap"; nothing where it
   // cannot be decided.
@@ -123,27 +127,12 @@ struct Cad_verdict {
 };
 
 // The verdict on a join of curves within the tolerance.
-struct Cad_join_verdict {
+struct Cad_join_verdict : Cad_orders {
   std::optional<GC::Wire_enclosure> enclosure; // if it can be computed
   std::string reason;                          // why it cannot
-  // For each order: the ends are the same; in addition the tangents agree; the curvature vectors.
-  std::array<GC::Verdict, 3> within{GC::Verdict::undecided, GC::Verdict::undecided, GC::Verdict::undecided};
   // In addition to the ends the first and the second derivatives agree.
   std::array<GC::Verdict, 3> c_within = within;
   Cad_shape shape = Cad_shape::undecided; // never one that only faces have
-
-  // Returns the highest order that is proved, or -1.
-  int order() const {
-    int order = -1;
-    while (order < 2 && within[static_cast<std::size_t>(order + 1)] == GC::Verdict::proved) ++order;
-    return order;
-  }
-
-  // Returns "G2", "G1", "G0", "gap" or "undecided".
-  std::string order_name() const {
-    if (order() >= 0) return 'G' + std::to_string(order());
-    return within[0] == GC::Verdict::refuted ? "gap" : "undecided";
-  }
 
   // Returns whether the join has an order. A corner is meant, unless a C order is asked for.
   GC::Verdict meets(GC::Continuity_kind kind, int asked) const {

@@ -62,14 +62,12 @@ int verify_font_sources(const Command_line& line) {
 
 int repair_font_source(const Command_line& line) {
   line.refuse({"closed", "json", "off-by"}, "not for sources of fonts");
-  if (line.choice("to", {"G1", "G2"}) == "G2")
-    throw std::invalid_argument("--to G2: sources of fonts are mended to G1 only; leave it out");
   const std::string file = line.files()[0], output = line.text("output");
   std::string name = file;
   name.erase(name.find_last_not_of('/') + 1);
   if (extension(output) != extension(name))
     throw std::invalid_argument("--output: " + output + ": the format is " + extension(name) + ", as of " + file);
-  Arguments arguments{"repair", "--kink-angle", line.text("kink-angle")};
+  Arguments arguments{"repair", "--to", line.choice("to", {"G1", "G2"}), "--kink-angle", line.text("kink-angle")};
   if (line.has("max-move")) arguments.insert(arguments.end(), {"--max-move", line.text("max-move")});
   arguments.insert(arguments.end(), {as_argument(file), as_argument(output)});
   return call_module(arguments, file);

@@ -89,7 +89,7 @@ Written_curve fair_spline(const Command_line& line, const std::vector<typename P
     remark += curve.waves.empty()
                   ? "no more inflections than the polygon, proved\n"
                   : "more inflections than the polygon, or not proved: " + counted(curve.waves.size(), "piece") +
-                        ", the first one from the point " + std::to_string(curve.waves[0] + 1) + " on\n";
+                        ", the first one from the point " + std::to_string(curve.waves[0]) + " on\n";
   }
   return {os.str(), decide_joins<Number>(os.str(), closure_of(line)), remark, curve.waves};
 }

@@ -49,16 +49,18 @@ moving handles, not nodes, on the grid of the file: the decimals of each path,
 or of the curves. Of all positions that are allowed the one that changes the
 curves least is taken, and one that keeps joins G2 where there is any; a join
 that falls to G1 is told. A kink is an angle of at most --kink-angle degrees, as
-it is drawn; corners, lines, arcs and handles that lie at their nodes stay as
-they are, and so does what is smooth. Where an arc meets a kink, the other
-handle moves to its tangent. The handle of a quadratic belongs to both of its
-nodes, and moves only where neither is harmed. No handle moves farther than
---max-move units of the last decimal: twice what the kink is off and one more.
+it is drawn; corners, lines and arcs stay as they are, and so does what is
+smooth. Where a handle lies at its node the point behind it moves. Where an arc
+meets a kink, the other handle moves to its tangent. The handle of a quadratic
+belongs to both of its nodes, and moves only where neither is harmed. No handle
+moves farther than --max-move units of the last decimal: twice what the kink is
+off and one more.
 
 With --to G2 the lengths of handles are changed, too, so that the curvatures
-agree: exactly where the grid allows it, otherwise as nearly as it does, and the
-jump that is left is told. It is not changed where it would harm a join that is
-G2. To repair again changes nothing.
+agree: exactly where the grid allows it, if need be with other lengths of the
+handles at free ends and corners as well, otherwise as nearly as it does, and
+the jump that is left is told. It is not changed where it would harm a join that
+is G2. To repair again changes nothing.
 
 Where numbers have more digits than a grid of their last decimal can hold (17
 digits, fractions, handles longer than 2^28 units), nodes keep all of theirs,
@@ -87,11 +89,13 @@ A font is written where FILE ends with .ttf, .otf, .woff or .woff2, a collection
 where it ends with .ttc or .otc: fontTools, in the Python that
 GEOMETRIC_CONTINUITY_PYTHON names or in python3, moves the handles, every table
 that need not change keeps its bytes, and what is written is decided again. The
-masters of a variable font (glyf, gvar) are mended
-together: at each node that is no corner in any of them the handles get one
-ratio or one direction in all masters, by the least moves on the grid, so that
-no instance has a kink; all instances are verified with --max-kink 0. These
-moves can be long, --max-move bounds them, and other joins stay.
+masters of a variable font (gvar or CFF2) are mended together: at each node that
+is no corner in any of them the handles get one ratio or one direction in all
+masters, by the least moves on the grid, so that no instance has a kink; all
+instances are verified with --max-kink 0. These moves can be long, --max-move
+bounds them, and other joins stay. With --to G2 the curvatures of all masters
+are made to agree as well, and the largest jump that is left at them and halfway
+between two is told.
 -o FILE.json is the list of moves in the units of the font instead, which
 scripts of font editors can apply, {"moves":[{"glyph":"S","index":54,
 "contour":0,"point":7,"node":[x,y],"from":[x,y],"to":[x,y]},...]}. A component
@@ -113,7 +117,8 @@ stay, and all that verify decides is counted before and after.
 
 The source of a font, a folder .ufo, .glyphs or .designspace with its UFOs, is
 repaired by the Python module, where that is installed: masters with compatible
-contours together, other outlines each by itself.
+contours together, other outlines each by itself, with --to G2 the curvatures,
+too.
 
 examples:
   geometric_continuity repair drawing.svg -o drawing.svg
@@ -164,7 +169,7 @@ std::string curve_numbers(const std::vector<bool>& curves) {
   std::string numbers;
   std::size_t count = 0;
   for (std::size_t i = 0; i < curves.size(); ++i)
-    if (curves[i] && ++count <= 10) numbers += (count == 1 ? "" : ", ") + std::to_string(i + 1);
+    if (curves[i] && ++count <= 10) numbers += (count == 1 ? "" : ", ") + std::to_string(i);
   return (count == 1 ? "curve " : "curves ") + numbers + (count > 10 ? ", ..." : "");
 }
 
@@ -209,7 +214,7 @@ std::string repaired_chain(const std::string& given, const std::string& name, co
     if (line.has("reverse")) {
       text = given_curves.with_reversed(found.curves);
       for (std::size_t i = 0; i < found.curves.size(); ++i)
-        if (found.curves[i]) report.add_reversed(i + 1);
+        if (found.curves[i]) report.add_reversed(i);
     } else if (found.gaps_after < found.gaps_before)
       report.add_hint("chain: " + curve_numbers(found.curves) + " reversed would close " +
                       counted(found.gaps_before - found.gaps_after, "gap") + "; --reverse does that");
@@ -220,7 +225,7 @@ std::string repaired_chain(const std::string& given, const std::string& name, co
   if (contour.is_beside_grid && done.is_of_use())
     report.add_grid("chain", "\"element\":\"chain\"", contour.unit(), reason);
   report.add("chain", "\"element\":\"chain\"", contour, done,
-             [](std::size_t curve) { return "curve " + std::to_string(curve + 1); });
+             [](std::size_t curve) { return "curve " + std::to_string(curve); });
   std::string result = curves.with(contour);
   check_curves(result, name);
   const G2_curves_text written(result, name);
@@ -263,10 +268,8 @@ Instance_demand smooth_instances(const Repair_options& options) {
 int repair_variable_font(const Command_line& line, const std::string& bytes, const Repair_options& options,
                          const Report_mode& mode) {
   line.refuse({"off-by"}, "not where the masters of a variable font are mended together");
-  if (options.harmonise)
-    throw std::invalid_argument("--to G2: the masters of a variable font are mended to G1 only; leave it out");
   const std::string file = line.files()[0], output = line.text("output");
-  Arguments numbers{line.text("kink-angle")};
+  Arguments numbers{line.text("to"), line.text("kink-angle")};
   if (line.has("max-move")) numbers.push_back(line.text("max-move"));
   const Written_font written = font_with_mended_masters(bytes, numbers, extension(output), input_name(file));
   write_output(output, [&](std::ostream& os) { os << written.bytes; });

@@ -10,6 +10,7 @@
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <set>
@@ -95,6 +96,17 @@ class Contour_mender {
   };
   typedef std::vector<Move> Moves;
 
+  // The control point of a curve that tells its tangent at an end: the next one, or where that lies
+  // at the node the one behind it.
+  std::size_t tip(std::size_t curve, bool at_end) const {
+    const Grid_curve& c = contour_.curves[curve];
+    const std::size_t n = c.points.size() - 1, node = at_end ? n : 0;
+    const auto at = [&](std::size_t k) { return at_end ? n - k : k; };
+    std::size_t k = 1;
+    while (k + 1 < n && c.points[at(k)] == c.points[node] && offset(c, at(k)) == offset(c, node)) ++k;
+    return at(k);
+  }
+
   // Returns the moves back.
   Moves execute(const Moves& moves) {
     Moves back;
@@ -153,7 +165,7 @@ class Contour_mender {
         const bool at_end = m.curve == before.join;
         const Grid_curve& c = contour_.curves[m.curve];
         const std::size_t node = at_end ? n : 0;
-        const bool next_to_node = m.point == (at_end ? n - 1 : 1);
+        const bool next_to_node = m.point == tip(m.curve, at_end);
         const Grid_offset u = difference(c.points[node], offset(c, node), m.to, m.offset),
                           v = exact_vector(c, node, m.point);
         if (next_to_node && (cross_product(u, v) != 0 || u * v <= 0)) return true;
@@ -245,14 +257,15 @@ class Contour_mender {
 
   bool is_movable(std::size_t curve) const { return is_free(curve) || is_free_quadratic(curve); }
 
-  // The direction in which a curve ends or starts: that of the chord for a line. Zero where a
-  // handle lies at the node, nothing where no vector of the grid has it.
+  // The direction in which a curve ends or starts: that of the chord for a line. Zero where all
+  // handles lie at the node, nothing where no vector of the grid has it.
   std::optional<Vector> first_difference(std::size_t curve, bool at_end) const {
     const Grid_curve& c = contour_.curves[curve];
     if (c.arc) return arc_direction(*c.arc, at_end);
     const Points& p = c.points;
     if (::is_line(c)) return p.back() - p.front();
-    return at_end ? p.back() - p[p.size() - 2] : p[1] - p[0];
+    const Vector& handle = p[tip(curve, at_end)];
+    return at_end ? p.back() - handle : handle - p[0];
   }
 
   static bool is_short(const Vector& v) {
@@ -279,7 +292,7 @@ class Contour_mender {
     if (!in || !out) return {join, {}, "no point of the grid lies in the direction of the arc"};
     if (contour_.is_beside_grid) return propose_beside_grid(join, *in, *out);
     const Vector zero{0, 0};
-    if (*in == zero || *out == zero) return {join, {}, "a handle lies at the node"};
+    if (*in == zero || *out == zero) return {join, {}, "all handles lie at the node"};
     // a long vector that does not move, such as a line, may have a short direction
     const Vector a = is_short(*in) || is_movable(left) ? *in : GC::primitive(*in),
                  b = is_short(*out) || is_movable(right) ? *out : GC::primitive(*out);
@@ -324,10 +337,11 @@ class Contour_mender {
 
   Move to_left(std::size_t join, const Vector& difference) const {
     const std::size_t n = points(join).size() - 1;
-    return {join, n - 1, points(join)[n] - difference, offset(contour_.curves[join], n)};
+    return {join, tip(join, true), points(join)[n] - difference, offset(contour_.curves[join], n)};
   }
   Move to_right(std::size_t join, const Vector& difference) const {
-    return {next(join), 1, points(next(join))[0] + difference, offset(contour_.curves[next(join)], 0)};
+    return {next(join), tip(next(join), false), points(next(join))[0] + difference,
+            offset(contour_.curves[next(join)], 0)};
   }
 
   // The move to a place beside the grid, which is given by the vector from a node of the curve.
@@ -347,7 +361,7 @@ class Contour_mender {
     }
     const std::size_t n = c.points.size() - 1;
     if (::is_line(c)) return exact_vector(c, 0, n);
-    return at_end ? exact_vector(c, n - 1, n) : exact_vector(c, 0, 1);
+    return at_end ? exact_vector(c, tip(curve, true), n) : exact_vector(c, 0, tip(curve, false));
   }
 
   // The multiple of a whole vector, at least itself, that is nearest to a handle.
@@ -376,7 +390,7 @@ class Contour_mender {
   Proposal propose_beside_grid(std::size_t join, const Vector& in, const Vector& out) {
     const std::size_t left = join, right = next(join), last = points(left).empty() ? 0 : points(left).size() - 1;
     const Grid_offset u = exact_direction(left, true), v = exact_direction(right, false);
-    if (u == CGAL::NULL_VECTOR || v == CGAL::NULL_VECTOR) return {join, {}, "a handle lies at the node"};
+    if (u == CGAL::NULL_VECTOR || v == CGAL::NULL_VECTOR) return {join, {}, "all handles lie at the node"};
     const CGAL::Exact_rational sine = cross_product(u, v);
     if (u * v < (sine < 0 ? CGAL::Exact_rational(-sine) : sine)) return {join, {}, "the angle is more than 45 degrees"};
     double off = 0;
@@ -405,14 +419,15 @@ class Contour_mender {
       // only one of them, to a whole multiple of a short direction of the other one
       if (const std::optional<Vector> d = primitive_direction(v)) choices.push_back({to_left(join, nearest(u, *d))});
       if (const std::optional<Vector> d = primitive_direction(u)) choices.push_back({to_right(join, nearest(v, *d))});
-      longer = {{to_place(left, last - 1, last, -along(u, v))}, {to_place(right, 1, 0, along(v, u))}};
+      longer = {{to_place(left, tip(left, true), last, -along(u, v))},
+                {to_place(right, tip(right, false), 0, along(v, u))}};
       if (rank(in) < rank(out)) std::swap(longer[0], longer[1]);
     } else if (is_free(left)) {
       if (const std::optional<Vector> d = primitive_direction(v)) choices.push_back({to_left(join, nearest(u, *d))});
-      longer.push_back({to_place(left, last - 1, last, -along(u, v))});
+      longer.push_back({to_place(left, tip(left, true), last, -along(u, v))});
     } else if (is_free(right)) {
       if (const std::optional<Vector> d = primitive_direction(u)) choices.push_back({to_right(join, nearest(v, *d))});
-      longer.push_back({to_place(right, 1, 0, along(v, u))});
+      longer.push_back({to_place(right, tip(right, false), 0, along(v, u))});
     }
     std::string reason;
     for (const bool of_right : {rank(in) < rank(out), !(rank(in) < rank(out))}) {
@@ -605,18 +620,90 @@ class Contour_mender {
     const CGAL::Exact_rational bound = max_change({a.handle, b.handle});
     if (contour_.is_beside_grid) return harmonise_beside_grid(join, a, b, bound);
     std::optional<GC::Aligned_handles> handles;
+    std::optional<Moves> exact; // with handles at the other ends, too
     try {
       const double squared = (std::min)(CGAL::to_double(bound * bound), 1e15);
       handles = GC::harmonise_handles(a, b, static_cast<std::int64_t>(squared));
+      if (handles && !is_exact(a, b, *handles)) exact = with_far_handles(join, a, b, bound);
     } catch (const GC::Error& error) {
       return error.what();
     }
     if (!handles) return "the curvatures have different signs, or one of them is zero";
+    if (exact && accept_if_better(join, *exact, bound).empty() && grade(join) == GC::Visual_class::g2) return "";
     if (handles->left == a.handle && handles->right == b.handle) return "";
     std::vector<Move> moves;
     if (a.movable) moves.push_back({left, points(left).size() - 2, node - handles->left});
     if (b.movable) moves.push_back({right, 1, node + handles->right});
     return accept_if_better(join, moves, bound);
+  }
+
+  // Returns whether handles of these lengths have one curvature: p n^2 = q m^2 for m d and n d.
+  static bool is_exact(const GC::Handle_side& a, const GC::Handle_side& b, const GC::Aligned_handles& handles) {
+    const Vector d = GC::primitive(handles.left);
+    const auto times_square = [&](int factor, std::int64_t turn, const Vector& handle) {
+      const CGAL::Exact_rational n = exact(dot(handle, d) / squared_length(d));
+      return CGAL::Exact_rational(factor * exact(turn) * n * n);
+    };
+    return times_square((a.degree - 1) * b.degree, cross(a.second, d), handles.right) ==
+           times_square((b.degree - 1) * a.degree, cross(d, b.second), handles.left);
+  }
+
+  // The handle at the other end of a cubic may move along itself where nothing depends on the
+  // curvature there: at a free end, and at a corner. Returns its direction, from the node to it.
+  std::optional<Vector> free_direction(std::size_t curve, bool at_end) const {
+    const Points& p = points(curve);
+    if (p.size() != 4 || !is_free(curve)) return std::nullopt;
+    const std::size_t other = at_end ? previous(curve) : curve;
+    const std::vector<std::size_t> joins = joins_of(curve);
+    if (std::count(joins.begin(), joins.end(), other) != 0 && grade(other) != GC::Visual_class::corner)
+      return std::nullopt;
+    const Vector handle = at_end ? p[1] - p[0] : p[2] - p[3];
+    if (handle == Vector{0, 0}) return std::nullopt;
+    return GC::primitive(handle);
+  }
+
+  // Moves that make curvatures agree exactly where no lengths of the handles at the node do: also
+  // the handles at the other ends get other lengths. Those of which the longest is shortest, then
+  // their sum.
+  std::optional<Moves> with_far_handles(std::size_t join, const GC::Handle_side& a, const GC::Handle_side& b,
+                                        const CGAL::Exact_rational& bound) const {
+    constexpr int most_steps = 12;
+    const std::optional<Vector> e = free_direction(join, true), f = free_direction(next(join), false);
+    const double most = (std::min)(CGAL::to_double(bound), 1e6);
+    const auto steps = [&](const std::optional<Vector>& d) {
+      return d ? (std::min)(most_steps, static_cast<int>(most / std::hypot(double(d->x), double(d->y)))) : 0;
+    };
+    const Vector zero{0, 0}, node = points(next(join)).front(), left = points(join)[points(join).size() - 3],
+                             right = points(next(join))[2];
+    const auto size = [](const Vector& v) { return std::hypot(double(v.x), double(v.y)); };
+    std::optional<Moves> best;
+    std::pair<double, double> least(most, 1e300);
+    const bool turned = rank(a.handle) < rank(b.handle); // so that mirror images of equal moves are one
+    const int outer = steps(turned ? f : e), inner = steps(turned ? e : f);
+    for (int k = -outer; k <= outer; ++k)
+      for (int l = -inner; l <= inner; ++l) {
+        const int i = turned ? l : k, j = turned ? k : l;
+        if (i == 0 && j == 0) continue;
+        const Vector u = e ? i * *e : zero, v = f ? j * *f : zero;
+        GC::Handle_side x = a, y = b;
+        x.second = x.second - u;
+        y.second = y.second + v;
+        const std::optional<GC::Aligned_handles> handles =
+            GC::harmonise_handles(x, y, static_cast<std::int64_t>(most * most));
+        if (!handles || !is_exact(x, y, *handles)) continue;
+        const std::array<double, 4> sizes{size(u), size(v), size(handles->left - a.handle),
+                                          size(handles->right - b.handle)};
+        const std::pair<double, double> cost(*std::max_element(sizes.begin(), sizes.end()),
+                                             sizes[0] + sizes[1] + sizes[2] + sizes[3]);
+        if (!(cost < least)) continue;
+        least = cost;
+        best = Moves{};
+        if (u != zero) best->push_back({join, points(join).size() - 3, left + u});
+        if (v != zero) best->push_back({next(join), 2, right + v});
+        if (handles->left != a.handle) best->push_back({join, points(join).size() - 2, node - handles->left});
+        if (handles->right != b.handle) best->push_back({next(join), 1, node + handles->right});
+      }
+    return best;
   }
 
   // Makes moves that lessen the sum of the jumps. Returns an objection to them.

@@ -158,7 +158,7 @@ public:
       const std::string command = std::to_string(path.segments[i].command);
       if (grade == GC::Visual_class::kink)
         report_.add_unread(element.text() + ", behind command " + command,
-                           members(element) + ",\"curve\":" + std::to_string(i + 1), "no handle can move");
+                           members(element) + ",\"curve\":" + std::to_string(i), "no handle can move");
     });
   }
 
@@ -229,7 +229,7 @@ private:
                       if (looked_through != 0)
                         report_.add_unread(
                             place + ", behind command " + std::to_string(text.subpath().segments[i].command),
-                            place_members + ",\"curve\":" + std::to_string(i + 1),
+                            place_members + ",\"curve\":" + std::to_string(i),
                             "a segment that is rounding lies between the curves; the kink can be mended without it");
                     });
       if (!has_kinks) continue;

@@ -61,7 +61,7 @@ class Repair_report {
     return numbers.size() == 1 ? numbers[0] : '(' + numbers[0] + ", " + numbers[1] + ')';
   }
   static std::string offer_object(const Arc_offer& o) {
-    return "{\"curve\":" + std::to_string(o.curve + 1) +
+    return "{\"curve\":" + std::to_string(o.curve) +
            (o.moves_start ? ",\"start\":"
             : o.moves_end ? ",\"end\":"
                           : ",\"radii\":") +
@@ -122,7 +122,7 @@ public:
                              : " at " + contour.text(points.back(), offset(contour.curves[join], points.size() - 1)));
     };
     const auto object = [&](std::size_t curve, const std::string& more) {
-      return '{' + members + ",\"curve\":" + std::to_string(curve + 1) + ',' + more + '}';
+      return '{' + members + ",\"curve\":" + std::to_string(curve) + ',' + more + '}';
     };
     for (const Closed_gap& x : done.closed)
       closed_.push_back(json_ ? object(x.join, "\"gap\":" + json_text(x.width))
@@ -191,7 +191,7 @@ public:
                        "; --grid takes another one");
   }
 
-  // Adds a curve that runs the other way, by its number from 1 on.
+  // Adds a curve that runs the other way, by its number.
   void add_reversed(std::size_t curve) {
     reversed_.push_back(json_ ? std::to_string(curve) : "reversed: curve " + std::to_string(curve));
   }

@@ -63,11 +63,16 @@ std::string with_decimals(const std::string& number, int digits) {
 // The text with each fraction and each long decimal rounded; the integers, with the headers among
 // them, stay.
 void write_decimals(std::ostream& os, const std::string& g2, const std::string& digits) {
-  std::size_t rounded = 0;
+  typedef CGAL::Exact_rational Exact;
+  std::size_t rounded = 0, doubles = 0;
   const auto number = [&](const std::string& token) {
     if (token.find_first_of("/.eE") == std::string::npos) return token;
     const std::string text = digits.empty() ? shortest(token) : with_decimals(token, std::stoi(digits));
-    if (GC::parse_number<CGAL::Exact_rational>(text) != GC::parse_number<CGAL::Exact_rational>(token)) ++rounded;
+    const Exact given = GC::parse_number<Exact>(token);
+    if (GC::parse_number<Exact>(text) != given) {
+      const bool is_double = digits.empty() && Exact(GC::parse_number<double>(token)) == given;
+      ++(is_double ? doubles : rounded);
+    }
     return text;
   };
   std::istringstream is(g2);
@@ -80,6 +85,8 @@ void write_decimals(std::ostream& os, const std::string& g2, const std::string& 
   if (rounded != 0)
     std::cerr << rounded << (rounded == 1 ? " number is" : " numbers are")
               << " rounded by --decimals: the joins of the file are exact no longer, see verify --within\n";
+  else if (doubles != 0)
+    std::cerr << "the decimals stand for doubles: verify --kernel double decides on the same numbers\n";
 }
 
 void write_list(std::ostream& os, std::size_t n, const std::function<void(std::size_t)>& write) {
@@ -191,8 +198,8 @@ void add_shape_output(po::options_description_easy_init& add, const std::string&
   add("output,o", po::value<std::string>(),
       ("write " + what + " to a file, .g2, .json, .step or .brep, or curves as .svg or .dxf").c_str());
   add("decimals", po::value<std::string>()->implicit_value(""),
-      "write .g2 with decimals in place of fractions: the shortest that lead to the nearest doubles, or "
-      "--decimals=N with N digits");
+      "write .g2 with decimals in place of fractions: the shortest that lead to the nearest doubles, as "
+      "--kernel double does anyway, or --decimals=N with N digits");
   add("flatness", po::value<std::string>(),
       "R > 0, how far a cubic of an .svg may be from a curve of a higher degree (default 1/10000 of the size)");
 }
@@ -219,7 +226,8 @@ void check_shape_output(const Command_line& line) {
 
 void write_shapes(const Command_line& line, const std::function<void(std::ostream&)>& write) {
   const std::string name = line.text("output"), ending = has_no_format(name) ? "" : extension(name);
-  if (!is_other_format(ending) && !line.has("decimals")) return write_output(name, write);
+  const bool of_doubles = line.has("kernel") && line.text("kernel") == "double";
+  if (!is_other_format(ending) && !line.has("decimals") && !of_doubles) return write_output(name, write);
   std::ostringstream g2;
   write(g2);
   write_output(name, [&](std::ostream& os) {

@@ -12,8 +12,8 @@
 #include <string>
 
 // Curves and surfaces that a command has made are written in the format of the ending of --output:
-//   .g2   as they are; with --decimals as the shortest decimals that lead to the nearest doubles, or
-//         with so many digits behind the point
+//   .g2   as they are; with --decimals or --kernel double as the shortest decimals that lead to the
+//         nearest doubles, or with so many digits behind the point
 //   .svg  plane polynomial curves as paths, those of degrees above 3 by cubics within --flatness
 //   .dxf  curves as splines
 //   .step, .stp, .brep, .brp  wires and faces, where OpenCASCADE is there

@@ -306,6 +306,9 @@ template <class Traits> struct Knot_continuity {
   typename Traits::FT knot;                   ///< the parameter
   int multiplicity;                           ///< how often it is repeated
   Join_continuity<Predicate_FT<Traits>> join; ///< of the pieces on both sides
+
+  /// Writes the parameter, a colon and the join.
+  friend std::ostream& operator<<(std::ostream& os, const Knot_continuity& k) { return os << k.knot << ": " << k.join; }
 };
 
 /// \ingroup PkgGeometricContinuityContinuity

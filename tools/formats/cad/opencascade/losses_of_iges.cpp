@@ -71,9 +71,12 @@ class Iges_losses {
     return true;
   }
 
-  // Returns whether an entity is said to be a part of another one, and none refers to it but those
-  // that say nothing.
+  // Returns whether a curve or a surface is said to be a part of another entity, and none refers to
+  // it but those that say nothing. Faces and shells are not asked: OpenCASCADE writes single ones
+  // as parts.
   bool is_orphan(const IGESData_IGESEntity& entity) const {
+    const int type = entity.TypeNumber();
+    if (!is_geometry(type) || type >= 500 || is_face(type)) return false;
     if (entity.SubordinateStatus() != 1 && entity.SubordinateStatus() != 3) return false;
     Interface_EntityIterator users = sharing_.Sharings(&entity);
     for (users.Start(); users.More(); users.Next())
@@ -148,8 +151,7 @@ public:
       const Handle(Standard_Transient) entity = model_->Value(i);
       const auto* const iges = dynamic_cast<const IGESData_IGESEntity*>(entity.get());
       if (iges == nullptr) continue;
-      if (is_geometry(iges->TypeNumber()) && is_orphan(*iges))
-        add(entity, "a part of another entity, to which none refers");
+      if (is_orphan(*iges)) add(entity, "a part of another entity, to which none refers");
       add_damaged(i, entity, iges->TypeNumber());
       add_lost(entity, iges->TypeNumber());
     }

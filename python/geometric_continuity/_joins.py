@@ -33,10 +33,14 @@ def continuity(left, right=None, max_order: int = 3) -> Join_continuity:
     if right is None:
         raise Error("wrong_number_of_points", "continuity", "a join is that of two curves, continuity(left, right); "
                     "chain_joins(curve) decides those inside of a spline or between the curves of a list")
+    if not isinstance(max_order, (int, numpy.integer)) or isinstance(max_order, bool):
+        raise Error("parameter_outside_domain", "continuity", f"max_order is the highest order that is decided, such as 3, not {max_order!r}; "
+                    "the result has .g_order, and order_within(left, right, tolerance) decides within tolerances")
     a, b = sides(left, right, "continuity", max_order)
     return _native.continuity(a.points, b.points, max_order)
 
 
+@keywords()
 def chain_joins(curves, closed: bool = False) -> List[Join_continuity]:
     """Decides the joins of consecutive curves as `continuity` does: those inside of a spline at its knots, or between the curves of a
     list, whose splines have joins, too.
@@ -47,11 +51,13 @@ def chain_joins(curves, closed: bool = False) -> List[Join_continuity]:
 
     Raises Error: as `continuity`, and `parameter_outside_domain` where `closed` is no bool.
     """
-    check_flag("chain_joins", "closed", closed, "every join is decided up to order 3: chain_joins(curves)[0].g_order")
+    check_flag("chain_joins", "closed", closed, "every join is decided up to order 3: chain_joins(curves)[0].g_order; "
+               "two curves are a list: chain_joins([left, right])")
     found = chain(curves, "chain_joins")
     return [continuity(a, b) for a, b in zip(found, found[1:] + (found[:1] if closed else []))]
 
 
+@keywords()
 def deviation(left, right) -> Join_deviation:
     """Returns how far the join between the end of `left` and the start of `right` is from being continuous: guaranteed enclosures
     of the gap (units of the coordinates), the angle of the tangents (radians), the relative jump of the curvature vector and the
@@ -65,6 +71,7 @@ def deviation(left, right) -> Join_deviation:
     return _native.deviation(a.points, b.points)
 
 
+@keywords()
 def order_within(left, right, tolerance=0, *, gap=None, tangent_angle=None, curvature_jump=None, torsion_jump=None,
                  curvature_derivative=None) -> Order_within:
     """Decides which order the join between the end of `left` and the start of `right` has within tolerances: each of the orders 0 to 3
@@ -82,6 +89,7 @@ def order_within(left, right, tolerance=0, *, gap=None, tangent_angle=None, curv
     return _native.order_within(a.points, b.points, *bounds)
 
 
+@keywords()
 def visual_class(left, right, kink_angle=5) -> Optional[Visual_class]:
     """Returns what a join of two plane curves looks like: gap, corner, kink, g1 or g2; None where a curve has no length.
 
@@ -94,6 +102,7 @@ def visual_class(left, right, kink_angle=5) -> Optional[Visual_class]:
     return _native.visual_class(a.points, b.points, kink_angle)
 
 
+@keywords()
 def kink_size(left, right) -> Optional[Kink_size]:
     """Returns how large the angle at a join of two plane curves is: enclosures of the angle (radians), of how far a handle is off and
     of the severity (units of the coordinates); None where a curve has no length.
@@ -107,6 +116,7 @@ def kink_size(left, right) -> Optional[Kink_size]:
     return _native.kink_size(a.points, b.points)
 
 
+@keywords()
 def align_handles(left: Tuple[int, int], right: Tuple[int, int], max_squared_move: int
                   ) -> Optional[Tuple[Tuple[int, int], Tuple[int, int]]]:
     """Returns handles of one direction, as whole vectors, as near as possible to those given, which is proved; None where they form an angle
@@ -120,6 +130,7 @@ def align_handles(left: Tuple[int, int], right: Tuple[int, int], max_squared_mov
     return _native.align_handles(left, right, max_squared_move)
 
 
+@keywords()
 def align_handle(handle: Tuple[int, int], direction: Tuple[int, int]) -> Tuple[int, int]:
     """Returns the whole vector nearest to a handle that has a direction, e.g. that of a line.
 
@@ -128,6 +139,7 @@ def align_handle(handle: Tuple[int, int], direction: Tuple[int, int]) -> Tuple[i
     return _native.align_handle(handle, direction)
 
 
+@keywords()
 def failing_joins(points, order: str = "G2", closed: bool = False, parallel: bool = False, tolerance=0, *, gap=None, tangent_angle=None,
                   curvature_jump=None, torsion_jump=None, curvature_derivative=None) -> numpy.ndarray:
     """Returns the joins of consecutive curves that do not have an order, exactly, or within tolerances: numbers i in increasing order, for
@@ -183,6 +195,7 @@ def failing_joins(points, order: str = "G2", closed: bool = False, parallel: boo
     return _native.failing_joins(points, order, closed, parallel)
 
 
+@keywords()
 def edge_continuity(a, edge_a=None, b=None, edge_b=None) -> Edge_continuity:
     """Decides the continuity of two Bezier surfaces along an edge of each, exactly, on the whole closed edge: `edge_continuity(a, "u1", b,
     "u0")`, or along the edge that they have in common, `edge_continuity(a, b)`. The edge of `b` may run backwards.
@@ -206,6 +219,9 @@ def edge_continuity(a, edge_a=None, b=None, edge_b=None) -> Edge_continuity:
         except Error as error:
             hint = {"several_common_edges": "; name one pair, as in edge_continuity(a, \"u1\", b, \"u0\")"}.get(error.code, "")
             raise Error(error.code, error.place, error.reason.partition(";")[0] + hint) from None
+    if not isinstance(edge_a, str):
+        raise Error("parameter_outside_domain", "edge_continuity", "each surface stands before its edge: call edge_continuity(a, \"u1\", b, \"u0\"), or "
+                    "edge_continuity(a, b)")
     for edge in (edge_a, edge_b):
         check_name("edge_continuity", "edge", edge, ("u0", "u1", "v0", "v1"))
     return _native.edge_continuity(a, edge_a, b, edge_b)

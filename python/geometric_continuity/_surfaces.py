@@ -6,13 +6,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, Optional, Tuple
+from typing import Any, Dict, Optional, Sequence, Tuple, Union
 
 from . import _native
 from ._native import Edge_continuity
 from .errors import Error
 from .hints import check_name, keywords, missing_member
-from .joins import edge_continuity
+from ._joins import edge_continuity
 
 _EDGES = ("u0", "u1", "v0", "v1")
 
@@ -34,7 +34,7 @@ class Matched_surface:
 
 @keywords(strategy="the numbers of a match are those nearest to the surface, or given: match(a, b, beta=1)",
           direction="the edge of b runs so that its ends are near those of a")
-def match(a, b, edges: Optional[Tuple[str, str]] = None, order="G2", *, alpha=None, beta=None, alpha2=None, delta=None, alpha3=None,
+def match(a, b, edges: Union[str, Sequence[str], None] = None, order="G2", *, alpha=None, beta=None, alpha2=None, delta=None, alpha3=None,
           delta3=None, exact: Optional[bool] = None) -> Matched_surface:
     """Returns the surface `b`, changed near one of its edges so that it has the edge of `a` and continues it along the whole edge: with one
     tangent plane (G1), one curvature (G2), or G3.
@@ -71,4 +71,4 @@ def match(a, b, edges: Optional[Tuple[str, str]] = None, order="G2", *, alpha=No
     record = _native.match(a, names[0], b, names[1], k, given, exact)
     points, names = record["points"], record["edges"]
     after = edge_continuity(a, names[0], points, names[1])
-    return Matched_surface(points, names, record["shape"], record["before"], after, record["has_order"])
+    return Matched_surface(points, (names[0], names[1]), record["shape"], record["before"], after, record["has_order"])

@@ -11,6 +11,8 @@ All release the lock of the interpreter, and Ctrl-C ends them within a second.
 
 from __future__ import annotations
 
+import math
+import numbers
 from dataclasses import dataclass
 from typing import Any, List, Optional, Sequence
 
@@ -18,7 +20,7 @@ import numpy
 
 from . import _native
 from ._native import Enclosure
-from .curve_types import Curve, Segmented_curve, Spline, bezier_points, pieces, points_of, sides
+from .curve_types import Curve, Segmented_curve, Spline, bezier_points, fractions_of, have_floats, pieces, points_of, sides
 from .errors import Error
 from .hints import check_flag, check_name, keywords, missing_member
 
@@ -27,6 +29,10 @@ STRATEGIES = _native.strategies
 
 _G3 = [name for name in STRATEGIES if name == "c3" or name.endswith("_g3")]
 _BLEND_ORDERS = f"G2 is the default; strategies of G3 are {', '.join(_G3)}"
+_DEGREES = "the degree is always 3; interpolate_fair(points) has the degree 5"
+_FAIR_DEGREE = "the degree is always 5; interpolate(points) has the degree 3"
+_FIT_DEGREES = "order=1 has cubics with G1 joins, order=2 quintics with G2 joins"
+_ENDS = "the spline is a natural one, or closed=True; scipy.interpolate.CubicSpline has others, and is taken as a curve"
 
 
 @dataclass(frozen=True)
@@ -97,6 +103,7 @@ class Fitted_curve(Segmented_curve):
     distance: float  #: a proved bound of the distance of curve and polyline, both ways
 
 
+@keywords()
 def clothoid_blend(start, end, *, exact: bool = False) -> Clothoid_blend:
     """Returns three clothoids from `start` to `end` with continuous curvature, also at both ends. Each starts where the one before ends,
     rounded to a decimal of 17 digits; what that leaves is enclosed.
@@ -113,7 +120,7 @@ def clothoid_blend(start, end, *, exact: bool = False) -> Clothoid_blend:
     return Clothoid_blend(**_native.clothoid_blend(start, end, exact))
 
 
-@keywords(order=_BLEND_ORDERS)
+@keywords(order=_BLEND_ORDERS, G=_BLEND_ORDERS)
 def blend(left, right, strategy: str = "energy3", *, beta=None, eta=None, parameters: Sequence = (),
           exact: Optional[bool] = None) -> Blend:
     """Returns the blend from the end of `left` to the start of `right`: a Bezier curve on [0, 1] of degree 5 with G2 joins, or of degree
@@ -136,6 +143,7 @@ def blend(left, right, strategy: str = "energy3", *, beta=None, eta=None, parame
     return Blend(**_native.blend(a.points, b.points, strategy, beta, eta, tuple(parameters), a.exact(b.exact(exact))))
 
 
+@keywords()
 def fair(left, right, order: int = 2, *, exact: Optional[bool] = None) -> Blend:
     """Returns the blend whose curvature varies least: that of `blend` with the strategy "fair", of degree 5 with G2 joins, or with
     `order=3` "fair_g3", of degree 7 with G3 joins.
@@ -147,6 +155,7 @@ def fair(left, right, order: int = 2, *, exact: Optional[bool] = None) -> Blend:
     return blend(left, right, "fair" if order == 2 else "fair_g3", exact=exact)
 
 
+@keywords()
 def representable_blend(left, right, strategy: str = "fair") -> Representable_blend:
     """Returns a blend of degree 5 whose control points are float64 and whose joins are exactly G2 nevertheless.
 
@@ -160,6 +169,15 @@ def representable_blend(left, right, strategy: str = "fair") -> Representable_bl
     return Representable_blend(**_native.representable_blend(left, right, strategy))
 
 
+def _check_size(place: str, distance, radius) -> None:
+    if (distance is None) == (radius is None):
+        raise Error("parameter_outside_domain", place, "a distance is needed, or a radius, and not both")
+    name, size = ("distance", distance) if radius is None else ("radius", radius)
+    if not isinstance(size, numbers.Number):
+        raise Error("parameter_outside_domain", place, f"the {name} is a number, not {size!r}")
+
+
+@keywords()
 def round_corner(left, right, distance=None, strategy: str = "fair", *, radius=None, exact: Optional[bool] = None) -> Rounded_corner:
     """Rounds the corner in which `left` ends and `right` starts: cuts off what is nearer to it than `distance` along the curves, and puts
     a blend there.
@@ -175,8 +193,7 @@ def round_corner(left, right, distance=None, strategy: str = "fair", *, radius=N
     """
     check_name("round_corner", "strategy", strategy, ("fair", "energy3", "fair_g3", "cubic", "two_cubics"))
     left, right = (bezier_points(curve, "round_corner") for curve in (left, right))
-    if (distance is None) == (radius is None):
-        raise Error("parameter_outside_domain", "round_corner", "a distance is needed, or a radius, and not both")
+    _check_size("round_corner", distance, radius)
     record = _native.round_corner(left, right, distance if radius is None else radius, radius is not None, strategy, exact)
     knots = record.pop("knots")
     if knots is not None:
@@ -184,6 +201,66 @@ def round_corner(left, right, distance=None, strategy: str = "fair", *, radius=N
     return Rounded_corner(**record)
 
 
+@keywords()
+def round_corners(points, distance=None, closed: bool = False, strategy: str = "fair", *, radius=None, exact: Optional[bool] = None
+                  ) -> List[numpy.ndarray]:
+    """Rounds all corners of the polyline or the polygon with these vertices, each as `round_corner` does. Returns the curves in their
+    order, arrays of control points: what remains of the sides, and the blends between them. `chain_joins` decides their joins.
+
+    points: the vertices, an array of shape (n, dimension).
+    distance, radius: as of `round_corner`; corners of short sides are cut nearer, so that a quarter of each side remains.
+    closed: whether the last vertex has a side to the first one; it is so too where both are one point.
+
+    Raises Error: `wrong_number_of_points`, `parameter_outside_domain` also for a side of no length, and as `round_corner`.
+    """
+    check_flag("round_corners", "closed", closed, "call round_corners(points, distance, closed=True)")
+    given = numpy.array(points_of(points, "round_corners"), dtype=object)
+    if given.ndim != 2 or len(given) < 2 or any(hasattr(x, "__len__") for x in given.flat):
+        raise Error("wrong_number_of_points", "round_corners", "the vertices of a polyline are needed, an array of shape (n, dimension), n > 1; "
+                    "round_corner(left, right, distance) rounds the corner of two curves")
+    _check_size("round_corners", distance, radius)
+    exact = not have_floats(points) if exact is None else exact
+    vertices = fractions_of(given)
+    if len(vertices) > 2 and (vertices[0] == vertices[-1]).all():
+        closed, vertices, given = True, vertices[:-1], given[:-1]
+    n = len(vertices)
+    sides = [(i, (i + 1) % n) for i in range(n if closed else n - 1)]
+    steps = [vertices[b] - vertices[a] for a, b in sides]
+    for (a, b), step in zip(sides, steps):
+        if not step.any():
+            raise Error("parameter_outside_domain", "round_corners", f"the vertices {a} and {b} are one point")
+    squares = [(v * v).sum() for v in steps]
+
+    def distance_at(i: int):
+        """That of both cuts from the vertex at the end of a side; None where the next side goes straight on."""
+        a, b = steps[i], steps[(i + 1) % len(steps)]
+        along, square = (a * b).sum(), squares[i] * squares[(i + 1) % len(steps)]
+        if along > 0 and along * along == square:
+            return None
+        cosine, sine = (math.copysign(math.sqrt(x / square), along) for x in (along * along, square - along * along))
+        return distance if radius is None else float(radius) * math.tan(math.atan2(abs(sine), cosine) / 2)
+
+    distances = [distance_at(i) for i in range(len(steps) if closed else len(steps) - 1)] + [None] * (not closed)
+    longest = [math.hypot(*map(float, v)) * (0.375 if None not in (distances[i], distances[i - 1]) else 0.75) for i, v in enumerate(steps)]
+    corners = vertices if exact else vertices.astype(float)
+    ends = [[corners[a], corners[b]] for a, b in sides]
+    blends: List[List[numpy.ndarray]] = [[] for _ in sides]
+    for i, d in enumerate(distances):
+        if d is None:
+            continue
+        following = (i + 1) % len(sides)
+        limit = min(longest[i], longest[following])
+        size = dict(distance=limit) if limit < d else dict(distance=distance, radius=radius)
+        try:
+            corner = round_corner(given[list(sides[i])], given[list(sides[following])], strategy=strategy, exact=exact, **size)
+        except Error as error:
+            raise Error(error.code, "round_corners", f"vertex {sides[i][1]}: {error.reason}") from None
+        ends[i][1], ends[following][0] = corner.left[-1], corner.right[0]
+        blends[i] = list(corner.blend) if isinstance(corner.blend, Segmented_curve) else [corner.blend]
+    return [curve for side, blend in zip(ends, blends) for curve in (numpy.array(side), *blend)]
+
+
+@keywords()
 def fairness(curve) -> float:
     """Returns the variation of curvature of a Bezier curve, L^3 times the integral of the squared derivative of the curvature vector
     with respect to arc length, without its tangential part. It does not depend on the size; the smaller, the fairer; inf at a cusp.
@@ -205,6 +282,7 @@ class Curvature_excess:
     unbounded: bool  #: whether the curvature has no bound there: a cusp, or a curve that turns back
 
 
+@keywords()
 def curvature_excess(curve, bound) -> Optional[Curvature_excess]:
     """Decides exactly whether the curvature of a curve is nowhere larger than a bound, in the plane its absolute value. Returns None if
     so, also where it reaches the bound, and otherwise the place where the curve is bent most.
@@ -227,6 +305,7 @@ def curvature_excess(curve, bound) -> Optional[Curvature_excess]:
     return worst
 
 
+@keywords(**dict.fromkeys(("degree", "k", "p"), _DEGREES), bc_type=_ENDS)
 def interpolate(points, closed: bool = False, parametrisation: str = "chordal", parameters: Sequence = (), *,
                 exact: Optional[bool] = None) -> Spline:
     """Returns the cubic spline through points, C2 inside: a natural one, or a closed one over periodic knots. Its parameter runs over the
@@ -241,11 +320,13 @@ def interpolate(points, closed: bool = False, parametrisation: str = "chordal", 
     Raises Error: `wrong_number_of_points`, `empty_domain` unless parameters increase, `dimension_mismatch`, `not_finite`, `work_limit`,
     `parameter_outside_domain` where `closed` is no bool.
     """
-    check_flag("interpolate", "closed", closed, "the degree is always 3; interpolate_fair(points) has the degree 5")
+    given = points_of(points, "interpolate")
+    check_flag("interpolate", "closed", closed, _DEGREES)
     check_name("interpolate", "parametrisation", parametrisation, ("uniform", "chordal", "centripetal"))
-    return Spline(**_native.interpolate(points_of(points, "interpolate"), closed, parametrisation, tuple(parameters), exact))
+    return Spline(**_native.interpolate(given, closed, parametrisation, tuple(parameters), exact))
 
 
+@keywords(**dict.fromkeys(("degree", "k", "p"), _FAIR_DEGREE))
 def interpolate_fair(points, closed: bool = False, *, exact: Optional[bool] = None) -> Fair_spline:
     """Returns a spline of fair quintics through points, whose joins are exactly G2, with float64 too (but at the points in `rounded`).
 
@@ -254,10 +335,11 @@ def interpolate_fair(points, closed: bool = False, *, exact: Optional[bool] = No
     Raises Error: `wrong_number_of_points`, `empty_domain` where consecutive points coincide, `not_finite`,
     `parameter_outside_domain` where `closed` is no bool.
     """
-    check_flag("interpolate_fair", "closed", closed, "the degree is always 5; interpolate(points) has the degree 3")
+    check_flag("interpolate_fair", "closed", closed, _FAIR_DEGREE)
     return Fair_spline(**_native.interpolate_fair(points_of(points, "interpolate_fair"), closed, exact))
 
 
+@keywords(**dict.fromkeys(("degree", "k", "p"), _FIT_DEGREES))
 def fit(points, tolerance, order: int = 1, closed: bool = False, corner_angle: float = 45, *,
         exact: Optional[bool] = None) -> Fitted_curve:
     """Returns few Bezier curves near a polyline, at most `tolerance` away from it, which is proved, and joined exactly.
@@ -269,5 +351,7 @@ def fit(points, tolerance, order: int = 1, closed: bool = False, corner_angle: f
 
     Raises Error: `wrong_number_of_points`, `parameter_outside_domain`, `unreachable_tolerance`, `not_finite`.
     """
+    if not isinstance(order, (int, numpy.integer)):
+        raise Error("parameter_outside_domain", "fit", f"the order is 1 or 2, not {order!r}: {_FIT_DEGREES}")
     check_flag("fit", "closed", closed, "call fit(points, tolerance, order=1, closed=False, corner_angle=45)")
     return Fitted_curve(**_native.fit(points_of(points, "fit"), tolerance, order, closed, corner_angle, exact))

@@ -11,6 +11,7 @@ import numpy
 
 from .curve_types import Spline, derivatives, fractions_of, have_floats, spline_of
 from .errors import Error
+from .hints import keywords
 
 
 def _doubles(numbers) -> numpy.ndarray:
@@ -38,6 +39,7 @@ def _jet(curve, parameters, order: int, exact: Optional[bool], place: str) -> Tu
     return [numpy.concatenate(rows, axis=1) for rows in zip(*parts)], u.shape
 
 
+@keywords()
 def evaluate(curve, parameters, derivative: int = 0, *, exact: Optional[bool] = None) -> numpy.ndarray:
     """Returns the points of a curve at parameters, or its derivatives of an order: an array of shape (dimension,) at one parameter, and
     of the shape of the parameters and (dimension,) at an array of them. At a knot it is the derivative on the right, at the end of the
@@ -68,6 +70,7 @@ def _first_two(curve, parameters, exact, place):
     return a, b, square, shape
 
 
+@keywords()
 def curvature_vector(curve, parameters, *, exact: Optional[bool] = None) -> numpy.ndarray:
     """Returns the second derivative of a curve with respect to arc length, :math:`(x'' - (x' x'' / x' x') x') / x' x'`: arrays as of
     `evaluate`, which takes the same arguments.
@@ -79,6 +82,7 @@ def curvature_vector(curve, parameters, *, exact: Optional[bool] = None) -> nump
     return ((b - along * a) / square).T.reshape((*shape, len(a)))
 
 
+@keywords()
 def curvature(curve, parameters) -> Union[float, numpy.ndarray]:
     """Returns the curvature of a curve at parameters, in 1/length: in the plane with its sign, which is positive where the curve turns
     to the left. It is a float at one parameter, and an array of float64 at an array of them. Arguments are those of `evaluate`.
@@ -95,6 +99,7 @@ def curvature(curve, parameters) -> Union[float, numpy.ndarray]:
     return float(kappa[0]) if shape == () else kappa.reshape(shape)
 
 
+@keywords()
 def torsion(curve, parameters, *, exact: Optional[bool] = None) -> Any:
     """Returns the torsion of a space curve at parameters, the determinant of the first three derivatives divided by the square of the
     cross product of the first two, in 1/length: positive where the curve winds like a right-handed screw. It is a number at one
