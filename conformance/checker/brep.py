@@ -64,11 +64,26 @@ class Shape:
         columns = list(zip(*(row[:3] for row in self.placement))) if self.placement else [(F(1), F(0), F(0)), (F(0), F(1), F(0)), (F(0), F(0), F(1))]
         return similarity(columns)
 
-    def verify(self):
-        """Each edge runs from vertex to vertex as its curve, and its image lies on that curve: at both ends and the middle. Loops are closed and run
-        counter-clockwise in the parameters."""
+    def side(self, surface, flat):
+        """The points and weights of a surface along a side, on which a line in its parameters runs."""
+        _, _, u, v, points, weights = self.surfaces[surface]
+        result = []
+        for grid in (points, weights or [[F(1)] * len(row) for row in points]):
+            if flat[0][0] == flat[1][0]:
+                need(flat[0][0] in (u[0], u[-1]) and sorted(p[1] for p in flat) == [v[0], v[-1]], "an image inside of the surface")
+                row = grid[0 if flat[0][0] == u[0] else -1]
+                forward = flat[0][1] == v[0]
+            else:
+                need(flat[0][1] == flat[1][1] in (v[0], v[-1]) and sorted(p[0] for p in flat) == [u[0], u[-1]], "an image inside of the surface")
+                row = [r[0 if flat[0][1] == v[0] else -1] for r in grid]
+                forward = flat[0][0] == u[0]
+            result.append(row if forward else row[::-1])
+        return result
+
+    def verify(self, apart=False):
+        """Each edge runs from vertex to vertex as its curve, which is the side of the surface on which its image runs; but of the second of two faces
+        that are apart. Loops are closed, and run counter-clockwise in the parameters."""
         for surface, _, loop in self.faces:
-            p, q, u, v, points, weights = self.surfaces[surface]
             area, last = F(0), None
             for e, runs, (degree, knots, flat, _) in loop:
                 need(degree == 1 and len(flat) == 2, "an image that is no line")
@@ -77,7 +92,10 @@ class Shape:
                 last = ends[1]
                 area += ends[0][0] * ends[1][1] - ends[0][1] * ends[1][0]
                 curve, vertices = self.edges[e]
+                row, weights = self.side(surface, flat)
                 if curve:
+                    ratio = [a / b for a, b in zip(weights, curve[3] or [F(1)] * len(weights))]
+                    need(row == curve[2] and all(r == ratio[0] for r in ratio) or apart and surface == 1, "an edge beside its surface")
                     need(curve[2][0] == vertices[0] and curve[2][-1] == vertices[1] and (curve[1][0], curve[1][-1]) == (knots[0], knots[-1]), "an edge that does not run between its vertices")
                 else:
                     need(vertices[0] == vertices[1], "an edge without a curve")

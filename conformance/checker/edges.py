@@ -241,10 +241,10 @@ def distances(first, second):
     return pairs
 
 
-def read_brep(data):
+def read_brep(data, apart=False):
     """The surfaces where they are placed, the shape, and how many edges two faces share."""
     shape = brep.Shape(data)
-    shape.verify()
+    shape.verify(apart)
     uses = [(e, runs) for _, forward, loop in shape.faces for e, runs, _ in loop for runs in [runs == forward]]
     names = [e for e, _ in uses]
     for e in set(names):
@@ -254,7 +254,7 @@ def read_brep(data):
 
 def check_brep(record, data):
     """A CAD model of two spline faces, which are decided as such."""
-    surfaces, shape, shared = read_brep(data)
+    surfaces, shape, shared = read_brep(data, record["section"] == "apart")
     need(len(surfaces) == 2 and shared == 1, "two faces with a common edge were expected")
     scale, mirrored = shape.scale_and_sign()
     if shape.placement:

@@ -292,7 +292,7 @@ def check_lanes(record, network):
     worst = 0
     for key, (a, b) in links.items():
         turned_around = a[3] == b[3]
-        # A lane that continues in several ones has its outer borders in common with those at the rims.
+        # A lane that continues in several ones shares its outer borders with those at the rims.
         mates = ([k[0][2] for k in links if k[1] == key[1]], [k[1][2] for k in links if k[0] == key[0]])
         for leftmost in (True, False):
             first, second = max(mates[0]) if leftmost else min(mates[0]), max(mates[1]) if leftmost != turned_around else min(mates[1])

@@ -210,7 +210,7 @@ def cases(suite):
     model("cap-with-pole", "curvature", "A rotated parabola that reaches the axis at a right angle, and the cylinder below it.", W, ["5,0 5,4", "5,4 5,9 0,9"], "G1")
     model("cap-with-tip", "tangent", "A rotated parabola that reaches the axis with a tip, and meets a cylinder at an angle of 0.573 degrees.", W, ["5,0 5,4", "5,4 4.95,9 0,14"], "G0")
 
-    # ---- Mirrors: all points are mirrored, circles run the other way, and products of derivatives point to the other side.
+    # ---- Mirrors: circles run the other way, products of derivatives point to the other side.
     osculating = Piece("8,4 8,7 4.625,10 1,12")
     half_parabolas = ["6,0 5,2 5,4", "5,4 5,6 6,8"]
     model("mirror-kink", "tangent", "Planes with a kink of 0.0573 degrees, mirrored at the plane x = 0.", E, ["0,0 4,0", "4,0 8,0.004"], "G0", frame=MIRROR)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: CC0-1.0
 
 // OpenCASCADE: LocalAnalysis_CurveContinuity for curves, BRepLib::ContinuityOfFaces for edges.
-// Reads lines "FILE ORDER [TOLERANCES]" of STEP and BREP files, and answers each by a line "= ANSWER".
+// Reads lines "FILE ORDER [TOLERANCES]" of STEP or BREP files, and answers by lines "= ANSWER".
 #include <BRepLib.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
