@@ -354,7 +354,7 @@ class Lanes:
 
     @staticmethod
     def cubics(words):
-        return [w.split() for w in words.removeprefix("border").split(",")]
+        return [w.split() for w in words.replace("border", "").split(",")]
 
     def xml(self):
         lanes = "<lanes>" + "".join(f'<laneOffset s="{o[0]}"' + "".join(f' {k}="{v}"' for k, v in zip("abcd", o[1:])) + "/>" for o in self.offset)
