@@ -13,7 +13,7 @@ set(long_tests
     test_kernel_archetype test_kernel_cpp_rational test_kernel_double test_kernel_epeck_d test_kernel_epick_d test_kernel_gmpq
     test_kernel_homogeneous
     # what computes much
-    conformance_checked conformance_generated test_Edge_enclosure test_Fair test_Fair_kernels test_curve_from_curvatures test_decide_join test_largest_kink parallel_tests
+    conformance_alterations conformance_checked conformance_generated test_Edge_enclosure test_Fair test_Fair_kernels test_curve_from_curvatures test_decide_join test_largest_kink parallel_tests
     # proofs and other libraries
     edge_bounds join_bounds test_arb test_peers_of_rational_curves test_peers_of_rational_surfaces
     # many files

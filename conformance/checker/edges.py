@@ -4,14 +4,12 @@ more points than its degree, and positive by its interpolation and the coefficie
 
 import json
 from fractions import Fraction as F
-from pathlib import Path
 
+import brep
 import models
 import part21
 from fonts import Polynomial, proved_positive
 from joins import EXACT_ANGLES, Wrong, combine, cross, fixed_sine_cosine, inner, is_zero, local_derivatives, need, number, order_within, verify_flip
-
-ROOT = Path(__file__).resolve().parent.parent
 
 
 class Surface:
@@ -168,11 +166,14 @@ def decide(a, b):
     return order, spans
 
 
-def verify(record, a, order, spans):
+def verify(record, a, order, spans, at=None):
     """The sizes in a record. Returns where the largest angle is to be, and the square of its sine."""
     gap = [inner(d, d) for _, _, points in spans for _, (x, y, n, m) in points for d in [combine((1, y[0]), (-1, x[0]))]]
     low, high = map(number, record["gap"])
-    need(all(low * low <= g <= high * high for g in gap), "the gap is another one")
+    need(all(low * low <= g <= high * high for g in gap) and (high - low) * 10**20 <= high, "the gap is another one")
+    need(record["torsion_jump"] is None, "a torsion of surfaces")
+    if order < 1 and at is None:
+        need(record["curvature_percent"] is None and record["curvature_jump"] is None, "curvatures where tangent planes differ")
     if order < 0:
         need(record["angle_degrees"] is None, "an angle at a gap")
         return
@@ -180,16 +181,19 @@ def verify(record, a, order, spans):
     need(0 <= low <= high and (high - low) * 10**9 <= high, "the enclosure of the angle is wide")
     if order >= 1:
         need(low == high == 0, "the angle is 0")
-        for kind in ("curvature_percent", "curvature_jump"):
-            if record[kind] is None:
-                continue
-            bounds = [number(x) for x in record[kind]]
-            for _, _, points in spans:
-                for _, (x, y, n, m) in points:
-                    k, j = second_form(x, n), second_form(y, n)
-                    most = max(abs(k), abs(j))
-                    square = (k - j) ** 2 / inner(n, n) if kind == "curvature_jump" else 10000 * (k - j) ** 2 / most**2 if most else F(0)
-                    need(bounds[0] ** 2 <= square <= bounds[1] ** 2, f"{kind} is another one")
+        squares = {"curvature_percent": [], "curvature_jump": []}
+        for _, _, points in spans:
+            for _, (x, y, n, m) in points:
+                k, j = second_form(x, n), second_form(y, n)
+                most = max(abs(k), abs(j))
+                squares["curvature_jump"].append((k - j) ** 2 / inner(n, n))
+                squares["curvature_percent"].append(10000 * (k - j) ** 2 / most**2 if most else F(0))
+        for kind, found in squares.items():
+            is_constant = all(x == found[0] for x in found)
+            need((record[kind] is not None) == is_constant, f"{kind} is the same all along, or not")
+            if is_constant:
+                low, high = map(number, record[kind])
+                need(low**2 <= found[0] <= high**2 and (high - low) * 10**20 <= high, f"{kind} is another one")
         return
     def parts(n, m):
         c = inner(n, m)
@@ -207,7 +211,7 @@ def verify(record, a, order, spans):
         need(proved_positive(proof, True), f"the angle is more than {record['angle_degrees'][1]}")
     sine, cosine = fixed_sine_cosine(low)
     square = F(sine * sine, sine * sine + cosine * cosine)
-    t = (number(record["at"]) - a.along[0]) / (a.along[-1] - a.along[0])
+    t = at if at is not None else (number(record["at"]) - a.along[0]) / (a.along[-1] - a.along[0])
     return t, square
 
 
@@ -237,23 +241,73 @@ def distances(first, second):
     return pairs
 
 
-def check(record, extension, data):
+def read_brep(data, apart=False):
+    """The surfaces where they are placed, the shape, and how many edges two faces share."""
+    shape = brep.Shape(data)
+    shape.verify(apart)
+    uses = [(e, runs) for _, forward, loop in shape.faces for e, runs, _ in loop for runs in [runs == forward]]
+    names = [e for e, _ in uses]
+    for e in set(names):
+        need(names.count(e) == 1 or uses.count((e, True)) == uses.count((e, False)) == 1, "an edge that is used twice in one direction")
+    return [Surface(*s[:4], [[shape.placed(p) for p in row] for row in s[4]], s[5]) for s in shape.surfaces], shape, sum(names.count(e) == 2 for e in set(names))
+
+
+def check_brep(record, data):
+    """A CAD model of two spline faces, which are decided as such."""
+    surfaces, shape, shared = read_brep(data, record["section"] == "apart")
+    need(len(surfaces) == 2 and shared == 1, "two faces with a common edge were expected")
+    scale, mirrored = shape.scale_and_sign()
+    if shape.placement:
+        need(scale == number(record["scale"]) and mirrored == record["mirrored"], "another placement")
+    else:
+        need("placed" not in record, "no placement")
+        need(all(forward != record.get("mirrored", False) for _, forward, _ in shape.faces), "faces of a mirrored model point to the other side")
+    (a, b), = edge_pairs(surfaces)
+    order, spans = decide(a, b)
+    if record["section"] == "apart":
+        low, high = map(number, record["gap"])
+        steps = [inner(d, d) for _, _, points in spans for _, (x, y, n, m) in points for d in [combine((1, y[0]), (-1, x[0]))]]
+        need(all(low * low <= g <= high * high for g in steps) and all(is_zero(cross(n, m)) for _, _, points in spans for _, (x, y, n, m) in points), "the gap is another one")
+    else:
+        rest = verify(record, a, order, spans, F(1, 2))
+        if rest:
+            x, y, n, m = facts(a, b, rest[0], False)
+            c = inner(n, m)
+            need(inner(n, n) * inner(m, m) - c * c >= rest[1] * inner(n, n) * inner(m, m), "the angle is not reached")
+        if order >= 1:
+            # The curvature in the section, of which the record tells, is that across the edge.
+            need(record["curvature_percent"] is not None, "a size that is the same all along")
+    if "within" not in record:
+        need(record["order"] == f"G{min(order, int(record['up_to'][1]))}", f"the order is G{order}")
+
+
+def check(record, extension, data, control_points):
+    if record["subject"] != "surface" and extension == "brep":
+        return check_brep(record, data)
     if record["subject"] != "surface":
         return models.check(record, extension, data)
     if extension != "json":
-        if extension == "step":
+        if extension == "brep":
+            found, shape, shared_edges = read_brep(data)
+        elif extension == "step":
             model = part21.Model(data)
             found = [Surface(*model.spline_surface(k)) for k, e in model.entities.items() if "B_SPLINE_SURFACE_WITH_KNOTS" in model.kind(k)]
         else:
             found = read(extension, data)
-        given = read("json", (ROOT / record["files"]["json"]).read_bytes())
+        given = read("json", control_points)
         need(len(found) == len(given) and all(a.same(b) for a, b in zip(found, given)), "the surfaces are not those of the JSON, which is decided")
-        if extension != "step":
+        if extension not in ("step", "brep"):
             return
-        used = [e[3] for e in model.all("ORIENTED_EDGE")]
         is_closed = any(s.grid[0] == s.grid[-1] for s in found)
         shared = record.get("edges", len(found) - 1 + is_closed)
-        need(sum(used.count(e) == 2 for e in set(used)) == shared, "the faces share another number of edges")
+        if extension == "step":
+            uses = []
+            for bound in model.all("FACE_OUTER_BOUND"):
+                uses += [((use := model.get(e, "ORIENTED_EDGE"))[3], use[4] == bound[2]) for e in model.get(bound[1], "EDGE_LOOP")[1]]
+            used = [e for e, _ in uses]
+            need(all(used.count(e) == 1 or uses.count((e, True)) == uses.count((e, False)) == 1 for e in used), "an edge that is used twice in one direction")
+            shared_edges = sum(used.count(e) == 2 for e in set(used))
+        need(shared_edges == shared, "the faces share another number of edges")
         return
     decided = []
     for a, b in edge_pairs(read(extension, data)):

@@ -405,7 +405,7 @@ def check_variable(record, data):
     """The largest angle over all instances, proved by subdivision."""
     from joins import EXACT_ANGLES, fixed_sine_cosine, need_angle, need_tight, number
     del EXACT_ANGLES, need_tight
-    need(record["gap"] == ["0", "0"] and record["curvature_percent"] is None, "a size that is not asked for")
+    need(record["gap"] == ["0", "0"] and all(record[k] is None for k in ("curvature_percent", "curvature_jump", "torsion_jump")), "a size that is not asked for")
     low, high = map(number, record["angle_degrees"])
     need(0 <= low <= high and (high - low) * 10**9 <= high and high < 90, "the enclosure of the angle is wide")
     at = [number(record["at"][k]) for k in record["at"]] if record.get("at") else None

@@ -221,6 +221,7 @@ def verify_measures(record, join):
         need((record[name] is None) == (join.k is None), f"{name} is not defined")
         if join.k:
             need_square(record[name], value(join), name)
+    need(len(record.get("derivative_jumps", [])) == (4 if record["up_to"][0] == "C" else 0), "another number of derivatives")
     for k, pair in enumerate(record.get("derivative_jumps", [])):
         d = combine((1, join.right.jet[k]), (-1, join.left.jet[k]))
         need_square(pair, inner(d, d), f"jump of derivative {k}")
@@ -276,24 +277,46 @@ def check(record, extension, chains):
         need(record["order"] == reached, f"the order is {reached}")
     if exact or not record.get("stops"):
         need((record["g_order"], record["f_order"]) == (join.g, join.f), f"G{join.g} F{join.f} hold")
+    is_drawn = record["subject"] != "curve"
+    if extension == "json" or is_drawn:
+        need(record.get("closed", False) == any(closed for _, closed in chains), "it is closed, or not")
+    if is_drawn:
+        need("c_order" not in record and "betas" not in record, "what is drawn has no parameters")
+        need(record.get("stops", False) in [j.stops for j in decided if key(j) == key(join)], "a first derivative is 0")
     if extension in ("json", "g2"):
         need(record["c_order"] == join.c, f"C{join.c} holds")
         need([number(b) for b in record["betas"]] == join.betas, f"the shape parameters are {join.betas}")
         need(record.get("stops", False) == join.stops, "a first derivative is 0")
-    if "within" not in record and (extension != "svg" or not join.stops):
+    if "within" not in record and (is_drawn or extension != "svg" or not join.stops):
         verify_any(record, [j for j in decided if key(j) == key(join)])
     verify_flip(record)
 
 
+STEPS = (("gap",), ("angle_degrees", "angle_radians", "slope_jump"), ("curvature_percent", "curvature_jump", "second_jump"), ("torsion_jump",))
+
+
 def verify_flip(record):
-    """The tolerance named must be the quantity that decides."""
-    flip = record["flips"]
-    if flip:
-        need(record.get(flip["tolerance"]) == flip["at"] or flip["tolerance"] == "angle_radians", "what flips the answer is another number")
-        if "within" not in record and record["up_to"][0] != "C":
-            level = -1 if record["order"] == "gap" else int(record["order"][1])
-            names = ["gap", "angle_degrees", "curvature_percent", "torsion_jump"]
-            need(flip["tolerance"] == names[level + 1] and number(flip["at"][0]) > 0, "another tolerance flips the answer")
+    """The tolerance named must be the quantity that decides, and none where none does."""
+    flip, order, up_to = record["flips"], record["order"], record["up_to"]
+    level, most = -1 if order == "gap" else int(order[1]), int(up_to[1])
+    need(level <= most, "the order is higher than what is asked for")
+    within = record.get("within")
+    # The sizes that decide are those of the next order, if that was asked for.
+    names = () if level >= min(most, 2 if within else 3) or up_to[0] == "C" else STEPS[level + 1]
+    if within and not names:
+        # All hold: the one that is nearest to its bound.
+        parts = {k: number(record[k][1]) / number(t) for k, t in within.items() if number(t) and record.get(k)}
+        need(flip is not None or not parts, "a tolerance flips the answer")
+        if flip:
+            need(flip["at"] == record.get(flip["tolerance"]) and flip["tolerance"] in within, "what flips the answer is another number")
+            need(not parts or parts.get(flip["tolerance"], 0) == max(parts.values()), "another tolerance is nearer to its bound")
+        return
+    sizes = [n for n in names if record.get(n) and (not within or n in within or n == names[0]) and (within or number(record[n][1]) > 0)]
+    if not sizes:
+        need(flip is None, "no tolerance flips the answer")
+        return
+    need(flip is not None and flip["tolerance"] == next((n for n in sizes if n in (within or sizes)), sizes[0]), "another tolerance flips the answer")
+    need(flip["at"] == record[flip["tolerance"]], "what flips the answer is another number")
 
 
 # ---- Curves: control points of a span, to derivatives at both of its ends.

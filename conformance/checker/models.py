@@ -24,9 +24,12 @@ class Section:
 class Face:
     def __init__(self, model, entity, section):
         self.model, self.section = model, section
-        _, bounds, self.surface, _ = entity
-        loop = model.get(model.get(bounds[0], "FACE_OUTER_BOUND")[1], "EDGE_LOOP")[1]
-        self.edges = [model.get(e, "ORIENTED_EDGE")[3] for e in loop]
+        _, bounds, self.surface, same_sense = entity
+        _, loop, as_it_is = model.get(bounds[0], "FACE_OUTER_BOUND")
+        uses = [model.get(e, "ORIENTED_EDGE") for e in model.get(loop, "EDGE_LOOP")[1]]
+        self.edges = [use[3] for use in uses]
+        self.forward = {use[3]: (use[4] == ".T.") == (as_it_is == ".T.") for use in uses}
+        self.same_sense = same_sense == ".T."
 
     def vertices(self):
         for e in self.edges:
@@ -36,6 +39,36 @@ class Face:
     def placement(self, reference):
         _, origin, axis, _ = self.model.get(reference, "AXIS2_PLACEMENT_3D")
         return self.model.point(origin), self.model.point(axis)
+
+    def normal(self, p):
+        """Of the face, in the section."""
+        model, (kind, a) = self.model, self.model.entities[self.surface]
+        rotated = self.section.rotated
+        if kind == "PLANE":
+            axis = self.placement(a[1])[1]
+            n = [F(0), axis[2]] if rotated else axis[:2]
+        elif kind in ("SURFACE_OF_LINEAR_EXTRUSION", "SURFACE_OF_REVOLUTION"):
+            along = self.curve(p)[0]
+            first, last = (self.section.point(model.spline_curve(a[1])[2][k]) for k in (0, -1))
+            if p == last:  # the vector points into the face, against the profile
+                along = combine((-1, along))
+            need(p in (first, last), "an edge inside of a profile")
+            if rotated:
+                turn = model.point(model.get(a[2], "AXIS1_PLACEMENT")[2])[2]
+                n = [turn * along[1], -turn * along[0]]
+            else:
+                length = model.point(model.get(a[2], "VECTOR")[1])[2]
+                n = [length * along[1], -length * along[0]]
+        else:
+            toward = self.curve(p)[1]
+            n = combine((-1, toward)) if not is_zero(toward) else [F(1), F(0)]
+        return n if self.same_sense else combine((-1, n))
+
+    def verify_orientation(self, p, edge, up):
+        """Its boundary runs counter-clockwise, seen from its normal. `up` is 1 if the edge runs along the axis, or counter-clockwise about it."""
+        n, u = self.normal(p), self.curve(p)[0]
+        turn = n[1] * u[0] - n[0] * u[1] if not self.section.rotated else n[0] * u[1] - n[1] * u[0]
+        need(turn * up * (1 if self.forward[edge] else -1) > 0, "a face whose boundary runs the wrong way")
 
     def curve(self, p):
         """From the point p of the edge into the face: a vector along it and the vector of curvature."""
@@ -73,7 +106,7 @@ class Face:
                 need(model.point(axis[1])[:2] == [0, 0] and model.point(axis[2])[:2] == [0, 0] and all(x[1] == 0 for x in points), "another axis")
             else:
                 need(model.point(model.get(a[2], "VECTOR")[1])[:2] == [0, 0], "another direction")
-            flat = [[x[0], x[2]] if rotated else x[:2] for x in points]
+            flat = [self.section.point(x) for x in points]
             sides = spline_sides(degree, knots, flat, weights)
             for side, sign in ((sides[0][0], 1), (sides[-1][1], -1)):
                 if side.jet[0] == p:
@@ -92,6 +125,14 @@ def length_factor(model):
     return factor
 
 
+def verify_placement(record, mapping):
+    """The placement that a file has, and whether what is read here is mirrored."""
+    if mapping:
+        need((record["placed"], number(record["scale"]), record["mirrored"]) == mapping, "another placement")
+    else:
+        need("placed" not in record and "scale" not in record, "no placement")
+
+
 def check(record, extension, data):
     need(extension == "step", "another format")
     model = part21.Model(data)
@@ -104,9 +145,12 @@ def check(record, extension, data):
     p = section.point(model.point(model.get(begin, "VERTEX_POINT")[1]))
     kind = model.kind(geometry)
     need(kind == ("CIRCLE" if section.rotated else "LINE"), "another edge")
+    need(faces[0].forward[shared[0]] != faces[1].forward[shared[0]], "both faces run along the edge in one direction")
+    verify_placement(record, model.mapping())
+    scale = number(record.get("scale", "1"))
     if record["section"] == "apart":
         heights = [f.placement(model.get(f.surface, "PLANE")[1])[0][2] * length_factor(model) for f in faces]
-        need(number(record["gap"][0]) == number(record["gap"][1]) == abs(heights[0] - heights[1]), "the gap is another one")
+        need(number(record["gap"][0]) == number(record["gap"][1]) == abs(heights[0] - heights[1]) * scale, "the gap is another one")
         need(record["order"] == order_within(record, record["gap"], record["angle_degrees"], record["curvature_percent"]), "another order")
         return verify_flip(record)
     if record["section"] == "cone":
@@ -117,6 +161,12 @@ def check(record, extension, data):
         need(low <= cone[3] * 180 <= high and (high - low) * 10**20 < high and record["order"] == "G0", "the angle is another one")
         return verify_flip(record)
     (u, k), (v, j) = (f.curve(p) for f in faces)
+    axis = model.point(model.get(model.get(geometry, "CIRCLE")[1], "AXIS2_PLACEMENT_3D")[2] if section.rotated else model.get(model.get(geometry, "LINE")[2], "VECTOR")[1])
+    for f in faces:
+        f.verify_orientation(p, shared[0], axis[2])
+    # As large as it is placed: curvatures become smaller.
+    k, j = (combine((1 / scale, x)) for x in (k, j))
+    p = combine((scale, p))
     zero = [F(0), F(0)]
     left = Side([p, combine((-1, u)), combine((inner(u, u), k)), zero], True, None)
     right = Side([p, v, combine((inner(v, v), j)), zero], False, None)

@@ -2,7 +2,9 @@
 """Reads the entities of an ISO 10303-21 file."""
 
 import re
+from fractions import Fraction as F
 
+from brep import similarity
 from joins import need, number
 
 TOKEN = re.compile(r"\s*(?:('(?:[^']|'')*')|(#\d+)|(\.[A-Z_0-9]+\.)|([+-]?\d+\.?\d*(?:E[+-]?\d+)?)|([A-Z_0-9]+)|([(),$*]))")
@@ -66,6 +68,22 @@ class Model:
 
     def point(self, reference):
         return self.get(reference, "CARTESIAN_POINT", "DIRECTION")[1]
+
+    def mapping(self):
+        """How the model is put into its product: by what, and the factor of its size and whether it is mirrored. Nothing if it is the product's own."""
+        relations = [dict(e)["REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION"][0] for e in self.entities.values()
+                     if isinstance(e, list) and "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION" in dict(e)]
+        items = [a[2] for a in self.all("MAPPED_ITEM")]
+        if not items and not relations:
+            return None
+        need(len(items) + len(relations) == 1, "several placements")
+        target = (items + relations)[0]
+        if self.kind(target) == "ITEM_DEFINED_TRANSFORMATION":
+            return "placement", F(1), False  # two right-handed placements
+        _, _, _, x, y, _, scale, z = self.get(target, "CARTESIAN_TRANSFORMATION_OPERATOR_3D")
+        factor, mirrored = similarity([self.point(a) for a in (x, y, z)])
+        need(factor == 1, "axes that are no units")
+        return ("mapped" if items else "part"), scale, mirrored
 
     @staticmethod
     def repeated(counts, values):

@@ -6,7 +6,7 @@ from fractions import Fraction as F
 
 import surfaces
 from step import Arc, Shell, real
-from truth import Curve, PI, enclosure, exact, dot, ladder, name as named, plus, text
+from truth import Curve, PI, determinant, enclosure, exact, dot, is_decimal, ladder, name as named, plus, text
 from chains import chain_join
 
 
@@ -67,7 +67,7 @@ def extruded(file, pieces, height=F(10), split=None):
             vector = shell.add(f"VECTOR('',{shell.direction([0, 0, 1])},1.)")
             surface = shell.add(f"SURFACE_OF_LINEAR_EXTRUSION('',{profile},{vector})")
         rise = lambda r: Curve([[*r, F(0)], [*r, height]])
-        shell.face(surface, [(low, True, None), (rise(q), True, None), (high, False, None), (rise(p), False, None)], same)
+        shell.face(surface, [(low, True, None), (rise(q), True, None), (high, False, None), (rise(p), False, None)], same, piece.kind == "spline")
     return shell
 
 
@@ -100,15 +100,45 @@ def rotated(file, pieces, full=False):
         sides.append((piece.edge(at(1, 0), [0, -1, 0]) if full else piece.edge(at(0, 1), [1, 0, 0]), True, None))
         sides += [(circle(q), False, None)] if q[0] else []
         sides.append((piece.edge(at(1, 0), [0, -1, 0]), False, None))
+        # The normal of a revolution follows its axis, which a mirror leaves as it is.
         shell.face(surface, sides, same)
     return shell
+
+
+UNIT = [[F(1), F(0), F(0)], [F(0), F(1), F(0)], [F(0), F(0), F(1)]]
+MIRROR = ([[F(-1), F(0), F(0)], [F(0), F(1), F(0)], [F(0), F(0), F(1)]], [F(0), F(0), F(0)])
+def patches_of(pieces, how, height=F(10)):
+    """The same faces as splines, which BREP can hold exactly: extruded profiles, or a quarter turn of them. None of a full turn, whose parts
+    are no single polynomials."""
+    def patch(c):
+        if how == "extruded":
+            points, factors = [[[*p, F(0)], [*p, height]] for p in c.points], [F(1), F(1)]
+        else:
+            points, factors = [[[r, F(0), z], [r, r, z], [F(0), r, z]] for r, z in c.points], [F(1), F(1), F(2)]
+        result = surfaces.Patch(points, degrees=(c.degree, len(factors) - 1))
+        result.u = c.knots
+        if c.weights or how != "extruded":
+            result.weights = [[w * f for f in factors] for w in c.weights or [F(1)] * len(c.points)]
+        return result
+    return None if how == "full" else [patch(p.curve) for p in pieces]
+
+
+def framed(patches, frame):
+    """Points in a frame that is turned or mirrored."""
+    for s in patches:
+        s.points = [[[dot(row, p) + d for row, d in zip(*frame)] for p in line] for line in s.points]
+    return patches
 
 
 PLACED = ([[F(3, 5), F(-4, 5), F(0)], [F(4, 5), F(3, 5), F(0)], [F(0), F(0), F(1)]], [F(100), F(-20), F("0.1")])
 
 
 def cases(suite):
-    def model(name, question, why, how, pieces, expect, unit="mm", within=None, frame=None, up_to="G2"):
+    def scaled(measures, scale):
+        by = lambda pair, k: pair and enclosure(exact(pair[0]) * k, exact(pair[1]) * k)
+        return {**measures, "gap": by(measures["gap"], scale), "curvature_jump": by(measures["curvature_jump"], 1 / scale)}
+
+    def model(name, question, why, how, pieces, expect, unit="mm", within=None, frame=None, up_to="G2", placed=None):
         pieces = [p if isinstance(p, Piece) else Piece(p) for p in pieces]
         join = chain_join(pieces[0].curve, pieces[1].curve)
         measures = join.measures()
@@ -119,7 +149,18 @@ def cases(suite):
         shell = extruded(file, pieces) if how == "extruded" else rotated(file, pieces, how == "full")
         more = {"within": within} if within else {}
         measures["torsion_jump"] = None
-        suite.record(f"cad/{name}", "cad", question, why, expect, up_to, measures, {"step": shell.close()}, section=how, unit=unit, **more)
+        if placed:
+            measures = scaled(measures, placed[3])
+            more.update(placed=placed[0], mirrored=determinant(*placed[1]) < 0, scale=text(placed[3]))
+        elif frame:
+            more["mirrored"] = shell.mirrored
+        files = {"step": shell.close(placed)}
+        patches = patches_of(pieces, how)
+        if patches and unit == "mm":
+            patches = framed(patches, frame) if frame else patches
+            if all(is_decimal(x) for s in patches for row in s.points + (s.weights or []) for p in row for x in (p if isinstance(p, list) else [p])):
+                files["brep"] = surfaces.as_brep(patches, placed and placed[1:], patches if shell.mirrored else ())
+        suite.record(f"cad/{name}", "cad", question, why, expect, up_to, measures, files, section=how, unit=unit, **more)
 
     E, Q, W = "extruded", "rotated", "full"
     # ---- Extruded profiles: planes, cylinders, extrusions.
@@ -169,6 +210,40 @@ def cases(suite):
     model("cap-with-pole", "curvature", "A rotated parabola that reaches the axis at a right angle, and the cylinder below it.", W, ["5,0 5,4", "5,4 5,9 0,9"], "G1")
     model("cap-with-tip", "tangent", "A rotated parabola that reaches the axis with a tip, and meets a cylinder at an angle of 0.573 degrees.", W, ["5,0 5,4", "5,4 4.95,9 0,14"], "G0")
 
+    # ---- Mirrors: circles run the other way, products of derivatives point to the other side.
+    osculating = Piece("8,4 8,7 4.625,10 1,12")
+    half_parabolas = ["6,0 5,2 5,4", "5,4 5,6 6,8"]
+    model("mirror-kink", "tangent", "Planes with a kink of 0.0573 degrees, mirrored at the plane x = 0.", E, ["0,0 4,0", "4,0 8,0.004"], "G0", frame=MIRROR)
+    model("mirror-fillet", "curvature", "A plane touches a cylinder, all mirrored.", E, ["0,0 4,0", quarter], "G1", frame=MIRROR)
+    model("mirror-cylinders", "curvature", "Two faces of one cylinder, mirrored.", E, [quarter, Piece("8,4 4,8", "4,4")], "G2", frame=MIRROR)
+    model("mirror-extrusion", "curvature", "A cylinder goes on in an extruded cubic with its curvature, mirrored: the normal of the extrusion points to the other side.", E,
+          [quarter, osculating], "G2", frame=MIRROR)
+    model("mirror-revolution", "curvature", "Two halves of one parabola, rotated and mirrored.", Q, half_parabolas, "G2", frame=MIRROR)
+    model("mirror-capsule", "curvature", "A cylinder and a half sphere up to its pole, mirrored: seams and a pole.", W, ["5,0 5,8", Piece("5,8 0,13", "0,8")], "G1", frame=MIRROR)
+
+    # ---- Placed models: an item is mapped into its product, or a part is placed in an assembly.
+    flipped = [[F(1), F(0), F(0)], [F(0), F(-1), F(0)], [F(0), F(0), F(1)]]
+    turned = [list(row) for row in zip(*PLACED[0])]
+    away, once, thrice = [F(10), F(20), F(30)], F(1), F(3)
+    kink, fillet = ["0,0 4,0", "4,0 8,0.004"], ["0,0 4,0", quarter]
+    model("mapped-turned", "curvature", "A plane touches a cylinder in an item that is mapped, turned by the angle of (3, 4).", E, fillet, "G1", placed=("mapped", turned, away, once))
+    model("mapped-mirror-kink", "tangent", "A kink of 0.0573 degrees in an item whose map mirrors it.", E, kink, "G0", placed=("mapped", flipped, away, once))
+    model("mapped-mirror-fillet", "curvature", "A plane touches a cylinder in an item whose map mirrors it.", E, fillet, "G1", placed=("mapped", flipped, away, once))
+    model("mapped-mirror-smooth", "curvature", "A cylinder and an extruded cubic with its curvature, in an item whose map mirrors it.", E, [quarter, osculating], "G2",
+          placed=("mapped", flipped, away, once))
+    model("mapped-mirror-capsule", "curvature", "A capsule with seams and a pole in an item whose map mirrors it.", W, ["5,0 5,8", Piece("5,8 0,13", "0,8")], "G1",
+          placed=("mapped", flipped, away, once))
+    model("mapped-scaled", "curvature", "A plane touches a cylinder in an item that is three times as large: the jump of the curvature is 1/12.", E, fillet, "G1",
+          placed=("mapped", UNIT, away, thrice))
+    model("mapped-mirror-scaled", "curvature", "Two faces of one cylinder in an item that is mirrored and three times as large.", E, [quarter, Piece("8,4 4,8", "4,4")], "G2",
+          placed=("mapped", flipped, away, thrice))
+    model("part-turned", "tangent", "A kink of 0.0573 degrees in a part that an assembly places, turned by the angle of (3, 4).", E, kink, "G0", placed=("placement", turned, away, once))
+    model("part-turned-fillet", "curvature", "A plane touches a cylinder in a part that an assembly places, turned by the angle of (3, 4).", E, fillet, "G1",
+          placed=("placement", turned, away, once))
+    model("part-mirror-kink", "tangent", "A kink of 0.0573 degrees in a part that an assembly mirrors.", E, kink, "G0", placed=("part", flipped, away, once))
+    model("part-mirror-fillet", "curvature", "A plane touches a cylinder in a part that an assembly mirrors.", E, fillet, "G1", placed=("part", flipped, away, once))
+    model("part-mirror-smooth", "curvature", "Two halves of one parabola, rotated, in a part that an assembly mirrors.", Q, half_parabolas, "G2", placed=("part", flipped, away, once))
+
     # ---- Units.
     for unit in ("m", "cm", "inch", "um"):
         model(f"unit-{unit}-kink", "tangent", f"Planes with a kink of 0.0573 degrees; lengths are in {unit}.", E, ["0,0 4,0", "4,0 8,0.004"], "G0", unit=unit)
@@ -211,7 +286,7 @@ def cases(suite):
     cone("cone-0.5", "0.5", "A cylinder and a cone with a half angle of exactly half a radian: a corner.")
 
     # ---- Faces of one shell that are apart although they share an edge.
-    def apart(name, gap, unit, within, expect, why):
+    def apart(name, gap, unit, within, expect, why, placed=None):
         shell = Shell(f"cad/{name}", unit, "0.1")
         e = lambda *p: Curve([[F(x) for x in q] for q in p])
         left = shell.add(f"PLANE('',{shell.placement([0, 0, 0], [0, 0, 1], [1, 0, 0])})")
@@ -220,26 +295,44 @@ def cases(suite):
         shell.face(left, [(e((0, 0, 0), (4, 0, 0)), True, None), (shared, True, None), (e((0, 4, 0), (4, 4, 0)), False, None), (e((0, 0, 0), (0, 4, 0)), False, None)])
         shell.face(right, [(e((4, 0, 0), (8, 0, 0)), True, None), (e((8, 0, 0), (8, 4, 0)), True, None), (e((4, 4, 0), (8, 4, 0)), False, None), (shared, False, None)])
         measures = {"gap": enclosure(exact(gap)), "angle_degrees": ["0", "0"], "curvature_jump": ["0", "0"], "curvature_percent": ["0", "0"], "torsion_jump": None}
-        millimetres = exact(gap) * (F("25.4") if unit == "inch" else 1)
+        millimetres = exact(gap) * (F("25.4") if unit == "inch" else 1) * (placed[3] if placed else 1)
         reached = named(ladder({**measures, "gap": enclosure(millimetres)}, within))
         if reached != expect:
             suite.problems.append(f"cad/{name}: {expect} expected, {reached} computed")
         measures["gap"] = enclosure(millimetres)
-        suite.record(f"cad/{name}", "cad", "tolerances", why, expect, "G2", measures, {"step": shell.close()}, section="apart", unit=unit, within=within)
+        more = {"placed": placed[0], "mirrored": determinant(*placed[1]) < 0, "scale": text(placed[3])} if placed else {}
+        files = {"step": shell.close(placed)}
+        if unit == "mm":
+            square = lambda x, z: surfaces.Patch([[[F(x + i), F(j), z] for j in (0, 4)] for i in (0, 4)])
+            low, high = square(0, F(0)), square(4, exact(gap))
+            # The right face has the edge of the left one in place of its own.
+            share = {high.boundary("u0").keys()[0]: low.boundary("u1")}
+            files["brep"] = surfaces.as_brep([low, high], placed and placed[1:], tolerance="0.1", share=share)
+        suite.record(f"cad/{name}", "cad", "tolerances", why, expect, "G2", measures, files, section="apart", unit=unit, within=within, **more)
     loose = {"gap": "0.02", A: "0.1", C: "2"}
     apart("apart-within", "0.01", "mm", loose, "G2", "Two faces share an edge, and their planes are 0.01 mm apart: within 0.02 mm.")
     apart("apart-above", "0.03", "mm", loose, "gap", "Two faces share an edge, and their planes are 0.03 mm apart: not within 0.02 mm.")
     apart("apart-inch", "0.001", "inch", loose, "gap", "The planes are 0.001 inches apart, which is 0.0254 mm: not within 0.02 mm.")
 
+    apart("apart-mapped-scaled", "0.01", "mm", loose, "gap", "The planes are 0.01 mm apart in an item that is three times as large: 0.03 mm, and not within 0.02 mm.",
+          placed=("mapped", UNIT, away, thrice))
+    apart("apart-mapped-smaller", "0.03", "mm", loose, "G2", "The planes are 0.03 mm apart in an item that is half as large: 0.015 mm, within 0.02 mm.",
+          placed=("mapped", UNIT, away, F(1, 2)))
+    apart("apart-part-scaled", "0.01", "mm", loose, "gap", "The planes are 0.01 mm apart in a part that an assembly makes three times as large: not within 0.02 mm.",
+          placed=("part", UNIT, away, thrice))
+
     # ---- B-spline faces with their curves in the parameters, and seams.
-    def splines(name, question, why, patches, edge, expect):
+    def splines(name, question, why, patches, edge, expect, mirrored=False):
         measures = edge.measures()
         reached = named(edge.order)
         if reached != expect:
             suite.problems.append(f"cad/{name}: {expect} expected, {reached} computed")
         more = {"at": text(edge.at)} if edge.order == 0 else {}
+        step = surfaces.as_step(f"cad/{name}", patches, pcurves=True, frame=MIRROR if mirrored else None)
+        if mirrored:
+            framed(patches, MIRROR)
         suite.record(f"cad/{name}", "surface", question, why, expect, "G2", measures,
-                     {"json": surfaces.as_json(patches), "step": surfaces.as_step(f"cad/{name}", patches, pcurves=True)}, **more)
+                     {"json": surfaces.as_json(patches), "step": step, "brep": surfaces.as_brep(patches, inward=patches if mirrored else ())}, **more)
     P = surfaces.Patch
     for name, question, why, second, expect in (
             ("parameters-kink", "tangent", "B-spline faces with curves in their parameters; the angle is 0 at both ends of the edge and 0.29 degrees in the middle.",
@@ -250,6 +343,7 @@ def cases(suite):
              P(["10,0,0 10,5,0 10,10,0", "15,0,0 15,5,0 15,10,0", "20,0,0 20,5,1 20,10,0"]), "G1")):
         first = P(["0,0,0 0,5,0 0,10,0", "10,0,0 10,5,0 10,10,0"])
         splines(name, question, why, [first, second], surfaces.Edge(first, F(1), second, F(0)), expect)
+        splines("mirror-" + name, question, why[:-1] + "; all is mirrored, and normals point to the other side.", [first, second], surfaces.Edge(first, F(1), second, F(0)), expect, True)
 
     def tube(profile, knots):
         points = [[[exact(x), exact(y), F(z)] for z in (0, 10)] for x, y in (p.split(",") for p in profile.split())]
@@ -261,3 +355,4 @@ def cases(suite):
             ("seam-jump", "curvature", "A closed B-spline tube whose curvature jumps at its seam.", "0,0 4,0 8,3 8,8 -8,8 -8,2 -4,0 0,0", "G1")):
         s = tube(profile, "0 0 0 0 1 2 3 4 5 5 5 5")
         splines(name, question, why, [s], surfaces.Edge(s, s.u[-1], s, s.u[0]), expect)
+        splines("mirror-" + name, question, why[:-1] + "; all is mirrored, and normals point to the other side.", [s], surfaces.Edge(s, s.u[-1], s, s.u[0]), expect, True)

@@ -52,8 +52,8 @@ def cases(suite):
     case("smooth-quadratic", "curvature", "T mirrors the handle of Q, here at the vertex of a parabola that turns over: an inflection.", "M0,1Q1,0 2,0T4,-1",
          ["0,1 1,0 2,0", "2,0 3,0 4,-1"], "G1")
     case("smooth-quadratic-g2", "curvature", "T mirrors the handle of Q at the vertex of one parabola.", "M0,1Q1,0 2,0T4,1", ["0,1 1,0 2,0", "2,0 3,0 4,1"], "G2")
-    case("t-after-line", "tangent", "T after a line has its handle in the node: it is a line.", "M0,0L1,0T3,1", ["0,0 1,0", "1,0 3,1"], "G0")
-    case("t-after-line-straight", "tangent", "T after a line, straight on.", "M0,0L1,0T3,0", ["0,0 1,0", "1,0 3,0"], "G2")
+    case("t-after-line", "tangent", "T after a line has its handle in the node: it is a line.", "M0,0L1,0T3,1", ["0,0 1,0", "1,0 1,0 3,1"], "G0")
+    case("t-after-line-straight", "tangent", "T after a line, straight on.", "M0,0L1,0T3,0", ["0,0 1,0", "1,0 1,0 3,0"], "G2")
     case("quadratic-as-cubic", "curvature", "A quadratic and its other half as a cubic.", "M0,3Q3,0 6,0C8,0 10,1 12,3", ["0,3 3,0 6,0", "6,0 8,0 10,1 12,3"], "G2")
     case("retracted-both", "tangent", "C with both handles in its nodes is a line.", "M0,0C0,0 3,0 3,0L5,0", ["0,0 0,0 3,0 3,0", "3,0 5,0"], "G2")
     case("retracted-one", "tangent", "One handle in the node, the other shows the tangent.", "M0,0L3,0C3,0 5,0 6,1", ["0,0 3,0", "3,0 3,0 5,0 6,1"], "G1", up_to="G1")

@@ -5,6 +5,7 @@
 Every verdict that stands beside a case in curves.py, drawings.py, ... is compared with what truth.py computes. With --check nothing is
 written, and the files of the folder must be the same."""
 
+import hashlib
 import json
 import sys
 from pathlib import Path
@@ -22,7 +23,7 @@ import surfaces  # noqa: E402
 from chains import chain_joins  # noqa: E402
 from truth import exact, is_decimal, ladder, name, text  # noqa: E402
 
-VERSION = 1
+VERSION = 2
 QUANTITIES = ("gap", "angle_degrees", "curvature_percent", "torsion_jump")
 
 
@@ -102,7 +103,9 @@ class Suite:
         record["order"] = reached
         if within:
             record["within"] = within
-        record.update({"c_order": join.c, "g_order": join.traced, "f_order": join.f, "betas": [text(b) for b in join.betas]})
+        record.update({"g_order": join.traced, "f_order": join.f})
+        if subject == "curve":  # what is drawn has no parameters
+            record.update({"c_order": join.c, "betas": [text(b) for b in join.betas]})
         if join.stops:
             record["stops"] = True
         record.update(measures)
@@ -147,8 +150,8 @@ class Suite:
         flips = None
         if within:
             given = [(k, v) for k, v in within.items() if exact(v) or level < 2]
-            names = (("gap",), ("angle_degrees", "angle_radians"), ("curvature_percent", "curvature_jump"))
-            if level < 2:
+            names = (("gap",), ("angle_degrees", "angle_radians", "slope_jump"), ("curvature_percent", "curvature_jump", "second_jump"))
+            if level < 2 and level < int(record["up_to"][1]):
                 key = next((k for k in names[level + 1] if k in within), names[level + 1][0])
                 flips = key if measures.get(key) else None
             elif given:
@@ -183,6 +186,7 @@ def main(arguments):
         groups.setdefault(r["id"].split("/")[0], []).append(json.dumps(r))
     for group, lines in groups.items():
         suite.files[f"records/{group}.jsonl"] = ("\n".join(lines) + "\n").encode()
+    suite.files["records/SHA256SUMS"] = "".join(f"{hashlib.sha256(c).hexdigest()}  {p}\n" for p, c in sorted(suite.files.items()) if p.startswith("data/")).encode()
     suite.files["records/VERSION"] = f"{VERSION}\n".encode()
     present = {str(p.relative_to(folder)) for top in ("data", "records") for p in (folder / top).rglob("*") if p.is_file()}
     wrong = sorted(present - set(suite.files))
@@ -196,7 +200,7 @@ def main(arguments):
     if not check:
         for path in present - set(suite.files):
             (folder / path).unlink()
-    print(f"{len(suite.records)} records, {len(suite.files) - len(groups) - 1} files, {sum(map(len, suite.files.values())) // 1024} KiB" +
+    print(f"{len(suite.records)} records, {len(suite.files) - len(groups) - 2} files, {sum(map(len, suite.files.values())) // 1024} KiB" +
           ("".join(f"\ndiffers: {p}" for p in wrong) if check else ""))
     return 1 if check and wrong else 0
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: CC0-1.0
 """Plain text of ISO 10303-21: no more than these cases need. The numbers are the exact decimals."""
 
-from truth import Curve, exact, is_decimal, text
+from truth import Curve, determinant, exact, is_decimal, text
 
 
 def real(q):
@@ -32,14 +32,12 @@ class Step:
 
     def __init__(self, name, unit="mm", uncertainty="0.000001", frame=None):
         self.lines, self.name, self.frame = [], name, frame
+        self.mirrored = frame is not None and determinant(*frame[0]) < 0
         context = self.add("APPLICATION_CONTEXT('automotive design')")
         self.add(f"APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,{context})")
-        mechanical = self.add(f"PRODUCT_CONTEXT('',{context},'mechanical')")
-        product = self.add(f"PRODUCT('{name}','{name}','',({mechanical}))")
-        formation = self.add(f"PRODUCT_DEFINITION_FORMATION('','',{product})")
-        design = self.add(f"PRODUCT_DEFINITION_CONTEXT('part definition',{context},'design')")
-        definition = self.add(f"PRODUCT_DEFINITION('design','',{formation},{design})")
-        self.shape = self.add(f"PRODUCT_DEFINITION_SHAPE('','',{definition})")
+        self.application, self.design = context, None
+        self.mechanical = self.add(f"PRODUCT_CONTEXT('',{context},'mechanical')")
+        self.definition, self.shape = self.product(name)
         if unit == "inch":
             size = self.add(f"LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),{self.add(self.UNITS['mm'])})")
             dimensions = self.add("DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.)")
@@ -56,6 +54,13 @@ class Step:
     def add(self, entity):
         self.lines.append(entity)
         return f"#{len(self.lines)}"
+
+    def product(self, name):
+        product = self.add(f"PRODUCT('{name}','{name}','',({self.mechanical}))")
+        formation = self.add(f"PRODUCT_DEFINITION_FORMATION('','',{product})")
+        self.design = self.design or self.add(f"PRODUCT_DEFINITION_CONTEXT('part definition',{self.application},'design')")
+        definition = self.add(f"PRODUCT_DEFINITION('design','',{formation},{self.design})")
+        return definition, self.add(f"PRODUCT_DEFINITION_SHAPE('','',{definition})")
 
     def turned(self, v):
         """By the frame: rows of a rotation."""
@@ -93,10 +98,37 @@ class Step:
         definition = self.add(f"DEFINITIONAL_REPRESENTATION('',({curve}),{self.plane_context})")
         return self.add(f"PCURVE('',{surface},{definition})")
 
-    def finish(self, kind, items):
+    def operator(self, columns, origin, scale):
+        """It may mirror and scale, as the standard says: its three axes are given, and need not be right-handed."""
+        x, y, z = (self.direction(c) for c in columns)
+        return self.add(f"CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',{x},{y},{self.point(origin)},{real(scale)},{z})")
+
+    def finish(self, kind, items, placed=None):
+        """`placed` is how the model is put into its product: (mapped, part or placement; axes, origin, scale)."""
         self.frame = None
         origin = self.placement([0, 0, 0], [0, 0, 1], [1, 0, 0])
         representation = self.add(f"{kind}('',({','.join([origin] + items)}),{self.context})")
+        if placed and placed[0] == "mapped":
+            source = self.add(f"REPRESENTATION_MAP({origin},{representation})")
+            item = self.add(f"MAPPED_ITEM('',{source},{self.operator(*placed[1:])})")
+            representation = self.add(f"SHAPE_REPRESENTATION('',({origin},{item}),{self.context})")
+        elif placed:
+            part, shape = self.product("part")
+            self.add(f"SHAPE_DEFINITION_REPRESENTATION({shape},{representation})")
+            if placed[0] == "part":
+                target, operator = [], self.operator(*placed[1:])
+            else:
+                columns, place, _ = placed[1:]
+                target = [self.placement(place, columns[2], columns[0])]
+                operator = self.add(f"ITEM_DEFINED_TRANSFORMATION('','',{origin},{target[0]})")
+            whole = self.placement([0, 0, 0], [0, 0, 1], [1, 0, 0])
+            assembly = self.add(f"SHAPE_REPRESENTATION('',({','.join([whole] + target)}),{self.context})")
+            usage = self.add(f"NEXT_ASSEMBLY_USAGE_OCCURRENCE('1','part','',{self.definition},{part},$)")
+            use = self.add(f"PRODUCT_DEFINITION_SHAPE('','',{usage})")
+            relation = self.add(f"( REPRESENTATION_RELATIONSHIP('','',{representation},{assembly}) "
+                                f"REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION({operator}) SHAPE_REPRESENTATION_RELATIONSHIP() )")
+            self.add(f"CONTEXT_DEPENDENT_SHAPE_REPRESENTATION({relation},{use})")
+            representation = assembly
         self.add(f"SHAPE_DEFINITION_REPRESENTATION({self.shape},{representation})")
         body = "\n".join(f"#{i}={line};" for i, line in enumerate(self.lines, 1))
         return ("ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"
@@ -154,14 +186,16 @@ class Shell(Step):
         """A line where it is one."""
         if isinstance(c, Arc):
             reference = [(a - b) / c.radius for a, b in zip(c.points[0], c.centre)]
-            return self.add(f"CIRCLE('',{self.placement(c.centre, c.axis, reference)},{real(c.radius)})")
+            axis = [-x for x in c.axis] if self.mirrored else c.axis  # in a mirror it runs the other way
+            return self.add(f"CIRCLE('',{self.placement(c.centre, axis, reference)},{real(c.radius)})")
         if c.degree == 1 and len(c.points) == 2:
             d = [b - a for a, b in zip(*c.points)]
             return self.line(c.points[0], d)
         return self.spline(c)
 
-    def face(self, surface, sides, same_sense=True):
-        """`sides` are (curve, is it run forward, its image in the parameters or None)."""
+    def face(self, surface, sides, same_sense=True, turns=False, inward=False):
+        """`sides` are (curve, is it run forward, its image in the parameters or None). The normal of a surface that `turns` is a product of its
+        derivatives: in a mirror it points to the other side. A face that looks `inward` is the other side of its surface, to which `sides` belong."""
         loop = []
         for c, forward, image in sides:
             key, backwards = c.keys()
@@ -174,10 +208,11 @@ class Shell(Step):
                 edge["images"].append((surface, image if same else image.reversed()))
             loop.append(self.add(f"ORIENTED_EDGE('',*,*,{edge['id']},{'.T.' if forward == same else '.F.'})"))
         edges = self.add(f"EDGE_LOOP('',{refs(loop)})")
-        bound = self.add(f"FACE_OUTER_BOUND('',{edges},.T.)")
+        bound = self.add(f"FACE_OUTER_BOUND('',{edges},{'.F.' if self.mirrored != inward else '.T.'})")
+        same_sense = (same_sense != (turns and self.mirrored)) != inward
         self.faces.append(self.add(f"ADVANCED_FACE('',({bound}),{surface},{'.T.' if same_sense else '.F.'})"))
 
-    def close(self, closed=False):
+    def close(self, placed=None):
         names = {}
         for edge in self.edges.values():
             curve = edge["curve"]
@@ -188,6 +223,6 @@ class Shell(Step):
             names[edge["id"]] = self.add(f"EDGE_CURVE('',{edge['ends'][0]},{edge['ends'][1]},{curve},.T.)")
         for key, name in names.items():
             self.lines = [line.replace(key, name) for line in self.lines]
-        shell = self.add(f"{'CLOSED_SHELL' if closed else 'OPEN_SHELL'}('',{refs(self.faces)})")
+        shell = self.add(f"OPEN_SHELL('',{refs(self.faces)})")
         model = self.add(f"SHELL_BASED_SURFACE_MODEL('',({shell}))")
-        return self.finish("MANIFOLD_SURFACE_SHAPE_REPRESENTATION", [model])
+        return self.finish("MANIFOLD_SURFACE_SHAPE_REPRESENTATION", [model], placed)

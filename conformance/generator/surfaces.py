@@ -4,6 +4,7 @@
 import json
 from fractions import Fraction as F
 
+import brep
 import step
 from truth import Curve, add, degrees, dot, enclosure, exact, is_decimal, multiply, plus, root, shifted, text, basis
 
@@ -280,22 +281,34 @@ def as_json(patches):
     return '{"surfaces": [\n' + ",\n".join(lines) + "\n ]}\n"
 
 
-def as_step(name, patches, unit="mm", pcurves=False):
-    shell = step.Shell(name, unit)
+def sides_of(s):
+    """The boundary of a patch, counter-clockwise: curves, whether they run forward, and their images in the parameters."""
+    first, last = (s.u[0], s.u[-1]), (s.v[0], s.v[-1])
+    for edge, forward in (("v0", True), ("u1", True), ("v1", False), ("u0", False)):
+        c = s.boundary(edge)
+        if edge[0] == "v":
+            flat = [[first[0], last[int(edge[1])]], [first[1], last[int(edge[1])]]]
+        else:
+            flat = [[first[int(edge[1])], last[0]], [first[int(edge[1])], last[1]]]
+        yield c, forward, Curve(flat, [c.knots[0]] * 2 + [c.knots[-1]] * 2, None, 1)
+
+
+def as_step(name, patches, unit="mm", pcurves=False, frame=None, inward=()):
+    shell = step.Shell(name, unit, frame=frame)
     for s in patches:
         surface = shell.spline_surface(s)
-        sides = []
-        first, last = (s.u[0], s.u[-1]), (s.v[0], s.v[-1])
-        for edge, forward in (("v0", True), ("u1", True), ("v1", False), ("u0", False)):
-            c = s.boundary(edge)
-            if edge[0] == "v":
-                flat = [[first[0], last[int(edge[1])]], [first[1], last[int(edge[1])]]]
-            else:
-                flat = [[first[int(edge[1])], last[0]], [first[int(edge[1])], last[1]]]
-            if any(p != c.points[0] for p in c.points):
-                sides.append((c, forward, Curve(flat, [c.knots[0]] * 2 + [c.knots[-1]] * 2, None, 1) if pcurves else None))
-        shell.face(surface, sides)
+        sides = [(c, forward, image if pcurves else None) for c, forward, image in sides_of(s) if any(p != c.points[0] for p in c.points)]
+        shell.face(surface, sides, turns=True, inward=s in inward)
     return shell.close()
+
+
+def as_brep(patches, placed=None, inward=(), tolerance="1e-07", share=None):
+    """The normals of patches that look inward point to the other side. `share` replaces a side by a curve that another face has."""
+    shell = brep.Brep(tolerance)
+    for s in patches:
+        sides = [((share or {}).get(c.keys()[0], c), forward, image) for c, forward, image in sides_of(s)]
+        shell.face(shell.surface(s), sides, s not in inward)
+    return shell.write(placed)
 
 
 def cases(suite):
@@ -323,7 +336,9 @@ def cases(suite):
         if decimals:
             files["g2"] = as_g2(patches)
             if edge.order >= 0:
-                files["step"] = as_step(f"{family}/{name}", patches, pcurves=pcurves)
+                inward = [right] if len(turn) % 2 else []
+                files["step"] = as_step(f"{family}/{name}", patches, pcurves=pcurves, inward=inward)
+                files["brep"] = as_brep(patches, inward=inward)
         more = {"within": within} if within else {"exact": True}
         if measures["angle_degrees"] and edge.order == 0:
             more["at"] = text(edge.at)
@@ -461,7 +476,7 @@ def cases(suite):
             suite.problems.append(f"model/{name}: {expect} expected, G{edge.order} computed")
         measures = edge.measures()
         more = {"at": text(edge.at)} if edge.order == 0 else {}
-        files = {"json": as_json(patches), "g2": as_g2(patches), "step": as_step(f"model/{name}", patches)}
+        files = {"json": as_json(patches), "g2": as_g2(patches), "step": as_step(f"model/{name}", patches), "brep": as_brep(patches)}
         suite.record(f"model/{name}", "surface", question, why, expect, "G2", measures, files, edges=len(edges), **more)
     ring = ("4,0 4,4 0,4", "0,4 -4,4 -4,0", "-4,0 -4,-4 0,-4", "0,-4 4,-4 4,0")
     tube = [cylinder(p, "1 1 2") for p in ring]

@@ -57,6 +57,13 @@ for type in PRODUCT_RELATED_PRODUCT_CATEGORY APPLICATION_PROTOCOL_DEFINITION; do
   without "$(id $type models/fillet.step 1)" models/fillet.step >remark.step
   run 0 verify remark.step --require G1
 done
+# placements that mirror or scale, of which OpenCASCADE reads the motion only
+cad=$here/../../conformance/data/cad operator=' CARTESIAN_TRANSFORMATION_OPERATOR_3D: what it places is read without'
+for name in mapped-mirror-fillet part-mirror-fillet; do
+  run 1 verify "$cad/$name.step" --require G1 && says out "$operator being mirrored"
+done
+for name in mapped-scaled apart-part-scaled; do run 1 verify "$cad/$name.step" --require G1 && says out "$operator the scale"; done
+for name in mapped-turned part-turned-fillet; do run 0 verify "$cad/$name.step" --require G1; done
 # ids in texts and comments are none
 sed "s/ADVANCED_FACE(''/ADVANCED_FACE('#9999 = it''s #9998'/; s/^ENDSEC;/\/* #9997 = FACE(#9996); *\/\nENDSEC;/" models/fillet.step >remark.step
 run 0 verify remark.step --require G1

@@ -18,18 +18,19 @@ ANGLE = 1e-6  # radians, where a record has no tolerance
 
 
 def spans(edge):
-    """The parts of the curve between its knots, each as the derivatives at both ends."""
-    curve, (first, last) = edge.Curve, edge.ParameterRange
-    pieces = [(curve, first, last)]
+    """The parts of the curve between its knots, each as the derivatives at both ends: at a knot getD3() takes the span behind it, so the end of a span is
+    asked of the reversed curve. Cut pieces would have rounded poles, which tell nothing of the derivatives of short spans."""
+    curve, ends = edge.Curve, edge.ParameterRange
+    back = curve.copy()
+    back.reverse()
     if isinstance(curve, Part.BSplineCurve):
-        knots = [t for t in curve.getKnots() if first <= t <= last]
-        pieces = []
-        for a, b in zip(knots, knots[1:]):
-            part = curve.copy()
-            part.segment(a, b)
-            pieces.append((part, part.FirstParameter, part.LastParameter))
-    for part, a, b in pieces:
-        yield [[list(part.getD0(t))] + [list(v) for v in part.getD3(t)[1:]] for t in (a, b)]
+        knots = list(zip(curve.getKnots(), reversed(back.getKnots())))
+        knots = [k for k in knots if ends[0] <= k[0] <= ends[1]]
+    else:
+        knots = [(t, curve.FirstParameter + curve.LastParameter - t) for t in ends]
+    jet = lambda c, t: [list(c.getD0(t))] + [list(v) for v in c.getD3(t)[1:]]
+    for (a, _), (_, b) in zip(knots, knots[1:]):
+        yield jet(curve, a), [[-x for x in v] if k % 2 else v for k, v in enumerate(jet(back, b))]
 
 
 def decide_curves(shape, file, order, within):

@@ -115,31 +115,45 @@ def patches(file, order, within):
 
 
 def model(file, order, within):
-    if "ADVANCED_FACE" not in Path(file).read_text(encoding="ascii"):
+    if file.endswith(".step") and "ADVANCED_FACE" not in Path(file).read_text(encoding="ascii"):
         raise Unsupported("curves in STEP, whose decimals become doubles")
     found = call(["--allow-empty", file] + option(within or SMALL))
+    if found["not_read"]:
+        raise RuntimeError("not read: " + found["not_read"][0].partition(": ")[2])
     decided = [verdict(e["within"], order) for e in found["edges"] if e["order"]]
     reached = least(decided) if decided else "G2+" if found["summary"]["faces"] == 1 else "gap"
     return reached if within or not decided else reached + " within " + ",".join(f"{k}={v}" for k, v in SMALL.items())
 
 
+def profile(join, within):
+    """Values, slopes and second derivatives of two records, as far as they have tolerances."""
+    reached = "gap"
+    for k, (name, jump) in enumerate((("gap", "jump"), ("slope_jump", "slope_jump"), ("second_jump", "second_jump"))):
+        holds = join["within"][k] if k < 2 else abs(float(join[jump])) <= float(within.get(name, "0"))
+        if name not in within or not holds:
+            break
+        reached = f"G{k}"
+    return reached
+
+
 def roads(file, order, within):
-    names = {"gap": "--gap", "angle_radians": "--kink", "curvature_jump": "--curvature"}
+    names = {"gap": "--gap", "angle_radians": "--kink", "slope_jump": "--kink", "curvature_jump": "--curvature"}
     try:
-        found = call(["--require", "G0", "--allow-empty", file] + [w for k, v in within.items() for w in (names[k], v)])
+        found = call(["--require", "G0", "--allow-empty", file] + [w for k, v in within.items() if k in names for w in (names[k], v)])
     except RuntimeError as error:
         if "unrecognised option" in str(error):
             raise Unsupported("roads by this version") from error
         raise
     orders = []
     for join in found["records"]:
-        if "order" in join and join["kind"] in ("plan", "link"):
+        # Reference lines need not meet where lanes do.
+        if join["kind"] == "plan" or join["kind"] == "link" and not join["lanes"]:
             orders.append(join["order"] or "undecided")
-        elif join["kind"] == "elevation":
-            # Heights, then slopes, then second derivatives.
-            orders.append("G0" if join["within"][0] else "gap")
-    # Reference lines need not meet where lanes do: those that do not are counted only.
-    return least(orders + ["gap"] * found["summary"]["links_apart"])
+        elif join["kind"] in ("elevation", "width", "laneOffset") and not join.get("at_section"):
+            orders.append(profile(join, within))
+        elif "lane" in join["kind"]:
+            orders.append({True: "G0", False: "gap", None: "undecided"}[join["met"]])
+    return least(orders)
 
 
 def decide(file, order, within):
@@ -149,7 +163,7 @@ def decide(file, order, within):
         return drawing(file, order, within)
     if file.endswith((".ttf", ".otf")):
         return font(file, order, within)
-    if file.endswith(".step"):
+    if file.endswith((".step", ".brep")):
         return model(file, order, within)
     if file.endswith(".g2"):
         is_model = Path(file).read_text(encoding="utf-8").startswith("200")

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: CC0-1.0
 
 // OpenCASCADE: LocalAnalysis_CurveContinuity for curves, BRepLib::ContinuityOfFaces for edges.
-// Reads lines "FILE ORDER [TOLERANCES]" of STEP files, and answers each by a line "= ANSWER".
+// Reads lines "FILE ORDER [TOLERANCES]" of STEP or BREP files, and answers by lines "= ANSWER".
 #include <BRepLib.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAbs_Shape.hxx>
 #include <Geom_BSplineCurve.hxx>
@@ -136,10 +138,15 @@ std::string decide(const std::string& line) {
   for (std::string part; std::getline(parts, part, ',');)
     given[part.substr(0, part.find('='))] = std::stod(part.substr(part.find('=') + 1));
   try {
-    STEPControl_Reader reader;
-    if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return "refused it is not read";
-    if (reader.TransferRoots() == 0) return "refused no shape";
-    const TopoDS_Shape shape = reader.OneShape();
+    TopoDS_Shape shape;
+    if (file.substr(file.rfind('.')) == ".brep") {
+      if (!BRepTools::Read(shape, file.c_str(), BRep_Builder())) return "refused it is not read";
+    } else {
+      STEPControl_Reader reader;
+      if (reader.ReadFile(file.c_str()) != IFSelect_RetDone) return "refused it is not read";
+      if (reader.TransferRoots() == 0) return "refused no shape";
+      shape = reader.OneShape();
+    }
     const bool has_faces = TopExp_Explorer(shape, TopAbs_FACE).More();
     return has_faces ? decide_faces(shape, order, given, !text.empty())
                      : decide_curves(shape, is_closed(file), order, given, !text.empty());

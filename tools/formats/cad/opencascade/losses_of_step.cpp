@@ -8,9 +8,15 @@
 #include <Interface_InterfaceModel.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_UndefinedEntity.hxx>
+#include <StepGeom_CartesianTransformationOperator3d.hxx>
+#include <StepGeom_Direction.hxx>
+#include <StepToGeom.hxx>
 #include <XSControl_WorkSession.hxx>
+#include <gp_Trsf.hxx>
+#include <gp_Vec.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <unordered_map>
@@ -38,6 +44,13 @@ bool is_remark(const std::string& type) {
         "ORGANIZATION", "SECURITY", "DOCUMENT", "DIMENSION", "TOLERANCE", "DATUM", "CATEGORY", "APPLICATION"})
     if (has_word(type, word)) return !contains(type, "DIMENSIONAL_EXPONENTS"); // those are of units
   return type == "PROPERTY_DEFINITION" || type == "PROPERTY_DEFINITION_REPRESENTATION";
+}
+
+// Returns the axis of an operator, or another one where it has none.
+gp_Vec axis(bool is_given, const Handle(StepGeom_Direction) & direction, const gp_Vec& otherwise) {
+  if (!is_given || direction.IsNull() || direction->NbDirectionRatios() != 3) return otherwise;
+  return gp_Vec(direction->DirectionRatiosValue(1), direction->DirectionRatiosValue(2),
+                direction->DirectionRatiosValue(3));
 }
 
 class Step_losses {
@@ -191,6 +204,31 @@ class Step_losses {
     }
   }
 
+  // Adds the placements that mirror or scale what they place, where OpenCASCADE only moves it.
+  void add_placements() {
+    for (const Step_entity& entity : entities_) {
+      if (entity.type != "MAPPED_ITEM" && !contains(entity.type, "RELATIONSHIP_WITH_TRANSFORMATION")) continue;
+      for (const std::uint64_t reference : entity.references) {
+        const auto known = known_.find(reference);
+        if (known == known_.end()) continue;
+        const auto placement = Handle(StepGeom_CartesianTransformationOperator3d)::DownCast(known->second);
+        gp_Trsf moved;
+        if (placement.IsNull() || placement->LocalOrigin().IsNull() ||
+            !StepToGeom::MakeTransformation3d(placement, moved))
+          continue;
+        const double scale = placement->HasScale() ? placement->Scale() : 1;
+        const gp_Vec x = axis(placement->HasAxis1(), placement->Axis1(), gp_Vec(1, 0, 0)),
+                     y = axis(placement->HasAxis2(), placement->Axis2(), gp_Vec(0, 1, 0)),
+                     z = axis(placement->HasAxis3(), placement->Axis3(), gp_Vec(0, 0, 1));
+        const bool mirrors = x.DotCross(y, z) < 0;
+        if (std::abs(std::abs(moved.ScaleFactor()) - scale) > 1e-12 * scale)
+          losses_.add(id(reference), find(reference)->type, "what it places is read without the scale");
+        else if (mirrors != moved.IsNegative())
+          losses_.add(id(reference), find(reference)->type, "what it places is read without being mirrored");
+      }
+    }
+  }
+
 public:
   Step_losses(const std::string& file, XSControl_Reader& reader, const TopoDS_Shape& shape, Losses& losses)
       : reader_(reader), model_(reader.WS()->Model()), parts_(shape), losses_(losses) {
@@ -208,6 +246,7 @@ public:
     add_missing();
     add_unknown();
     add_faces_and_edges();
+    add_placements();
   }
 };
 
