@@ -113,6 +113,14 @@ for angle in 0 180 -5 x 5deg ""; do run 2 verify test.ttf --kink-angle "$angle" 
 for units in -1 x ""; do run 2 verify test.ttf --off-by "$units" && says err "off-by"; done
 
 # A handle that is off by exactly one unit is rounding, and one that is off by little more is not.
+# A bound on the curvature, in units of the font: the quadratic curve is bent by 2/(100 sqrt(2)).
+printf 'glyph .notdef\nglyph bent 65\ncontour 0,0 100,0* 100,100 0,100\n' | font bent.ttf
+run 0 verify bent.ttf --min-radius 70 && says out "3 curves, 0 not bent by at most the radius 70" "every curve is bent by at most the radius 70"
+run 1 verify bent.ttf --max-curvature 1/71 && says out "glyph bent, contour 0, node " "the segment from there on has curvature [0.0141421, 0.0141422]" "1 not bent by at most the curvature 1/71"
+run 1 verify bent.ttf --max-curvature 1/71 --json && says out '"bent_curves":[' '"glyph":"bent","contour":0,"node":' '"curves":3,"bent_curves":1' '"max_curvature":"1/71","met":false'
+run 1 verify bent.ttf --max-curvature 1/71 --format sarif && says out '"ruleId":"bend"' 'not bent by at most the curvature 1/71'
+run 2 verify bent.ttf --all-instances --min-radius 70 && says err "not with --all-instances"
+
 printf 'glyph .notdef\nglyph one 65\ncontour 0,0 100,0 150,1* 300,300 0,300\nglyph more 66\ncontour 0,0 200,0 250,2* 300,300 0,300\n' | font rounding.ttf
 glyph rounding.ttf one "4 3 0 0 1 0 0"
 glyph rounding.ttf one "4 3 1 0 0 0 0" --off-by 0.99999999999999999999

@@ -134,7 +134,8 @@ mil-std-31000a 0.01,2deg.
 --max-curvature K requires of every curve that its curvature is nowhere larger
 than K, one over a length in the units of the coordinates, and --min-radius R
 that its radius of curvature is nowhere less than R, which is K = 1/R. This is
-decided exactly, for the curves between the joins; the bound may be reached.
+decided exactly, for the curves between the joins, also of fonts, in units of
+the font; the bound may be reached.
 Corners at the joins are those that --require G1 asks for. Where a curve exceeds
 the bound, the report names the place where it is bent most.
 
@@ -359,12 +360,15 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
   const std::optional<Curvature_bound> bound = curvature_bound(line);
   const auto refuse_bound = [&](const std::string& reason) { line.refuse({"max-curvature", "min-radius"}, reason); };
   if (line.has("all-instances")) {
-    refuse_bound("not for fonts");
+    refuse_bound("not with --all-instances");
     if (!are_fonts(files)) throw std::invalid_argument("--all-instances: only for fonts");
     return verify_instances(files, mode, instance_demand(line));
   }
-  if (are_fonts(files)) refuse_bound("not for fonts");
-  if (are_fonts(files)) return verify_fonts(files, mode, font_demand(line, required));
+  if (are_fonts(files)) {
+    Font_demand demand = font_demand(line, required);
+    demand.bound = bound;
+    return verify_fonts(files, mode, demand);
+  }
   line.refuse({"glyphs", "worst", "max-kink", "off-by"}, "only for fonts");
   const GC::Work_scope each(line.work_limit());
   if (are_cad_files(files)) refuse_bound("not for CAD models");

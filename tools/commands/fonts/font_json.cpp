@@ -36,7 +36,7 @@ std::string json_unread(const std::vector<Unread_glyph>& glyphs) {
   return text;
 }
 
-std::string json_members(const Font_result& font) {
-  return "\"summary\":{" + json_members(font.counts) + "},\"name\":" + json_text(font.name) +
+std::string json_members(const Font_result& font, const std::string& more) {
+  return "\"summary\":{" + json_members(font.counts) + more + "},\"name\":" + json_text(font.name) +
          ",\"units_per_em\":" + std::to_string(font.units_per_em);
 }

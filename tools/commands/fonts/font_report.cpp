@@ -12,14 +12,16 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace {
 
-Report_subject subject(const Font_requirement& required) {
+Report_subject subject(const Font_requirement& required, const std::optional<Curvature_bound>& bound) {
   Report_subject subject{"join", "every join but corners, bends of two lines and what is off by at most " +
                                      required.off_by + (required.off_by == "1" ? " unit" : " units")};
   subject.required = required.text;
   subject.required_in_json = required.json;
+  if (bound) demand_curvature(subject, *bound);
   return subject;
 }
 
@@ -97,14 +99,19 @@ Join_numbers::Join_numbers(const Shown_join& join)
   per_mille = 1000 * join.severity;
 }
 
-Font_report::Font_report(const Report_mode& mode, const Font_requirement& required)
+Font_report::Font_report(const Report_mode& mode, const Font_requirement& required,
+                         const std::optional<Curvature_bound>& bound)
     : is_json_(mode.format == Report_format::json), is_short_(mode.summary), required_(required.text),
-      report_(mode, subject(required)) {}
+      report_(mode, subject(required, bound)), bound_(bound) {
+  if (bound && is_json_) report_.row("bent_curves");
+}
 
 void Font_report::begin_font(const Font_result& font) {
   is_alone_ = font.is_alone;
   has_glyph_ = false;
   glyphs_.clear();
+  bent_rows_.clear();
+  curves_ = bent_ = 0;
   report_.begin_file(font.file);
   if (is_json_) report_.row(is_alone_ ? "glyphs" : "fonts");
 }
@@ -122,7 +129,49 @@ void Font_report::glyph(int index, const std::string& name, const Join_counts& j
     glyphs_ += (std::exchange(has_glyph_, true) ? ",\n " : "\n ") + row;
 }
 
+void Font_report::bounded_curve(const Font_result& font) {
+  ++curves_;
+  report_.add(font.file, {Claim::met, "curve"});
+}
+
+void Font_report::bent_curve(const Font_result& font, const Bent_segment& segment) {
+  ++curves_;
+  ++bent_;
+  const std::string place = (font.number ? "font " + std::to_string(*font.number) + ", " : "") +
+                            join_place(segment.glyph, segment.component, segment.contour, segment.node),
+                    words = "the segment from there on has " + to_string(segment.excess);
+  const auto members = [&] {
+    std::ostringstream os;
+    os << "\"glyph\":" << json_text(segment.glyph);
+    if (!segment.component.empty()) os << ",\"component\":" << json_text(segment.component);
+    os << ",\"contour\":" << segment.contour << ",\"node\":" << segment.node << ',';
+    write_json_members(os, segment.excess);
+    return os.str();
+  };
+  report_.add(font.file, {Claim::not_met, "curve"}, false, [&] {
+    Finding f = finding(font.file, place, Finding_rule::bend, "not " + bound_->words + ": " + words, members());
+    f.shape = to_string(segment.excess);
+    if (!segment.excess.unbounded) f.measure = Measure{"curvature", size_of(segment.excess)};
+    return f;
+  });
+  if (is_json_)
+    report_.row("bent_curves", ",\n {\"file\":" + json_text(font.file) +
+                                   (font.number ? ",\"font\":" + std::to_string(*font.number) : "") + ',' + members() +
+                                   '}');
+  else
+    bent_rows_ += "  " + GC::printable(place) + ": " + words + '\n';
+}
+
+std::string Font_report::curves_text(std::size_t curves, std::size_t bent) const {
+  return bound_ ? "; " + counted(curves, "curve") + ", " + std::to_string(bent) + " not " + bound_->words : "";
+}
+std::string Font_report::curves_json(std::size_t curves, std::size_t bent) const {
+  return bound_ ? ",\"curves\":" + std::to_string(curves) + ",\"bent_curves\":" + std::to_string(bent) : "";
+}
+
 void Font_report::end_font(const Font_result& font) {
+  all_curves_ += curves_;
+  all_bent_ += bent_;
   const Join_counts& joins = font.counts.joins;
   if (report_.mode().has_findings())
     add_findings(font, font.number ? "font " + std::to_string(*font.number) + ", " : "");
@@ -182,7 +231,7 @@ void Font_report::add_rows(const Font_result& font) {
     std::string missing;
     for (const std::string& name : font.missing) missing += ',' + json_text(name);
     report_.row("not_found", missing);
-    alone_ = json_members(font);
+    alone_ = json_members(font, curves_json(curves_, bent_));
     return;
   }
   if (is_json_) {
@@ -190,21 +239,21 @@ void Font_report::add_rows(const Font_result& font) {
     for (const std::string& name : font.missing) missing.push_back(json_text(name));
     report_.row("fonts", ",\n{\"file\":" + json_text(font.file) +
                              (font.number ? ",\"font\":" + std::to_string(*font.number) : "") + ",\"glyphs\":[" +
-                             glyphs_ + "],\n \"not_verified\":[" + json_unread(font.unread) +
-                             "],\"not_found\":" + json_array(missing) + ",\n " + json_members(font) + '}');
+                             glyphs_ + "],\n \"not_verified\":[" + json_unread(font.unread) + "],\"not_found\":" +
+                             json_array(missing) + ",\n " + json_members(font, curves_json(curves_, bent_)) + '}');
     return;
   }
   constexpr std::size_t most_reasons = 10; // for the glyphs of one font
   const std::string file = font.file + (font.number ? ", font " + std::to_string(*font.number) : "");
-  std::string text =
-      GC::printable(font.name.empty() ? file : font.name + ", " + file) + "\n  " + counts_text(font.counts) + '\n';
+  std::string text = GC::printable(font.name.empty() ? file : font.name + ", " + file) + "\n  " +
+                     counts_text(font.counts) + curves_text(curves_, bent_) + '\n';
   for (std::size_t i = 0; i < (std::min)(font.unread.size(), most_reasons); ++i)
     text += "  " + GC::printable("glyph " + font.unread[i].name + ": not verified, " + font.unread[i].reason) + '\n';
   if (font.unread.size() > most_reasons)
     text += "  " + counted(font.unread.size() - most_reasons, "more glyph") + " not verified\n";
   for (const std::string& glyph : font.missing) text += "  " + GC::printable("not in this font: " + glyph) + '\n';
   if (!is_short_ || font.counts.joins.failing() != 0) text += joins_table(font.worst, false);
-  report_.row("", text);
+  report_.row("", text + bent_rows_);
 }
 
 int Font_report::print(std::ostream& os, const Fonts_result& all) {
@@ -225,12 +274,13 @@ int Font_report::print(std::ostream& os, const Fonts_result& all) {
         report_.row("not_verified",
                     ",\n {\"file\":" + json_text(file.name) + ",\"reason\":" + json_text(file.reason) + '}');
     }
-    summary = "\"summary\":{\"fonts\":" + std::to_string(all.fonts) + ',' + json_members(all.counts) + '}';
+    summary = "\"summary\":{\"fonts\":" + std::to_string(all.fonts) + ',' + json_members(all.counts) +
+              curves_json(all_curves_, all_bent_) + '}';
   } else {
     for (const Unread_file& file : all.unread)
       summary += GC::printable(file.name + ": not verified, " + file.reason) + '\n';
     if (all.fonts != 1 || !all.unread.empty()) {
-      summary += counts_text(all) + '\n';
+      summary += counts_text(all) + curves_text(all_curves_, all_bent_) + '\n';
       if (!is_short_ || all.counts.joins.failing() != 0) summary += joins_table(all.worst, true);
     }
   }

@@ -5,12 +5,14 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_FONT_REPORT_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_FONT_REPORT_H
 
+#include "commands/chains/curvature_bound.h"
 #include "commands/commands.h"
 #include "commands/fonts/read_fonts.h"
 #include "reports/Report.h"
 #include "reports/words.h"
 
 #include <cstddef>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -25,6 +27,13 @@ struct Font_requirement {
 // A glyph or a font that could not be read.
 Given not_covered(const char* noun, const std::string& reason);
 
+// A segment that exceeds the bound on the curvature.
+struct Bent_segment {
+  std::string glyph, component; // the latter empty for what the glyph draws itself
+  std::size_t contour, node;    // at which it starts
+  GC::Curvature_excess excess;
+};
+
 // The report about fonts. Where many joins are equal, one row tells of all.
 class Font_report {
   const bool is_json_, is_short_;
@@ -34,9 +43,12 @@ class Font_report {
   std::string glyphs_; // in JSON, the rows of a font among several
   std::string alone_;  // the members of the only font
   bool has_glyph_ = false;
+  const std::optional<Curvature_bound> bound_;
+  std::size_t curves_ = 0, bent_ = 0, all_curves_ = 0, all_bent_ = 0; // of the font, of all
+  std::string bent_rows_;                                             // of the font, in text
 
 public:
-  Font_report(const Report_mode& mode, const Font_requirement& required);
+  Font_report(const Report_mode& mode, const Font_requirement& required, const std::optional<Curvature_bound>& bound);
 
   // Returns whether glyph() wants the worst joins of each glyph; otherwise end_font() wants those
   // of the font.
@@ -47,6 +59,9 @@ public:
 
   void begin_font(const Font_result& font);
   void glyph(int index, const std::string& name, const Join_counts& joins, const std::vector<Shown_join>& worst);
+  // A segment meets the bound on the curvature, or exceeds it.
+  void bounded_curve(const Font_result& font);
+  void bent_curve(const Font_result& font, const Bent_segment& segment);
   void end_font(const Font_result& font);
 
   // Prints the report and returns the exit code.
@@ -55,6 +70,8 @@ public:
 private:
   void add_findings(const Font_result& font, const std::string& place);
   void add_rows(const Font_result& font);
+  std::string curves_text(std::size_t curves, std::size_t bent) const;
+  std::string curves_json(std::size_t curves, std::size_t bent) const;
 };
 
 // The numbers of a join in a report: coordinates and offset in units of the font.
@@ -75,7 +92,8 @@ std::string json_members(const Shown_join& join);
 // Returns the members of the object of a font behind its glyphs, with the arrays of what could not
 // be verified, if it is one among several.
 std::string json_unread(const std::vector<Unread_glyph>& glyphs);
-std::string json_members(const Font_result& font);
+// `more` follows the members of the summary.
+std::string json_members(const Font_result& font, const std::string& more);
 
 // Returns lines for people: about joins, about a font, and the table of the worst joins, which
 // names fonts if they are several.

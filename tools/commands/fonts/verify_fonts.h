@@ -5,14 +5,16 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_VERIFY_FONTS_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_FONTS_VERIFY_FONTS_H
 
+#include "commands/chains/curvature_bound.h"
 #include "commands/commands.h"
 #include "commands/fonts/Graded_joins.h"
 #include "formats/font/Glyph_selection.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
-// The demands on the joins of fonts.
+// The demands on the joins of fonts, and on their curves, in units of the font.
 struct Font_demand {
   Glyph_selection glyphs;
   Join_rule rule;
@@ -21,6 +23,7 @@ struct Font_demand {
   std::size_t worst = 0;
   // so that findings are no more than these; otherwise they are all
   bool is_worst_given = false;
+  std::optional<Curvature_bound> bound = {};
 };
 
 // Grades the joins of all glyphs of fonts, which are files and those in folders, prints a report

@@ -110,10 +110,16 @@ Coordinate_vector<double, dimension_v<Traits>> rounded_column(const Coordinates<
   return y;
 }
 
-// The points through which a fair spline leads.
+// The points through which a fair spline leads, with the tangents that are given. They are in an
+// order that does not depend on the direction of the given ones: an open curve starts at the lesser
+// of its ends, a closed one at the least of its points and towards the lesser of the next ones. So
+// reversed points get the reversed curve, whatever is rounded.
 template <class Traits> struct Fair_points {
   std::vector<Coordinates<Traits>> points;
+  std::vector<std::optional<Coordinates<Traits>>> tangents;
   bool closed;
+  int start = 0; // the number of the first one, of those that are given
+  bool is_reversed = false;
   double size = 0;   // the largest coordinate
   double extent = 0; // that seen from the first point
 
@@ -122,24 +128,65 @@ template <class Traits> struct Fair_points {
   int number() const { return static_cast<int>(points.size()); }
   int next(int i) const { return (i + 1) % number(); }
   int pieces() const { return closed ? number() : number() - 1; }
+  // The numbers of a point and of a piece among those that are given.
+  int given(int i) const { return (is_reversed ? start - i + number() : start + i) % number(); }
+  int given_piece(int i) const { return is_reversed ? given(next(i)) : given(i); }
+
+  void order() {
+    const int n = number();
+    const auto is_less = [](const Coordinates<Traits>& a, const Coordinates<Traits>& b) {
+      for (int k = 0; k < a.dimension(); ++k) {
+        if (a[k] < b[k]) return true;
+        if (b[k] < a[k]) return false;
+      }
+      return false;
+    };
+    if (closed) {
+      start = static_cast<int>(std::min_element(points.begin(), points.end(), is_less) - points.begin());
+      is_reversed = is_less(points[(start + n - 1) % n], points[next(start)]);
+    } else {
+      is_reversed = is_less(points.back(), points.front());
+      start = is_reversed ? n - 1 : 0;
+    }
+    std::vector<Coordinates<Traits>> ordered;
+    std::vector<std::optional<Coordinates<Traits>>> ordered_tangents;
+    for (int i = 0; i < n; ++i) {
+      ordered.push_back(points[given(i)]);
+      if (tangents.empty()) continue;
+      ordered_tangents.push_back(tangents[given(i)]);
+      if (is_reversed && ordered_tangents.back())
+        *ordered_tangents.back() = typename Traits::FT(-1) * *ordered_tangents.back();
+    }
+    points = std::move(ordered);
+    tangents = std::move(ordered_tangents);
+  }
 };
 
 template <class Traits, class InputIterator>
-Fair_points<Traits> points_of_fair_spline(InputIterator first, InputIterator last, Closure closure) {
-  Fair_points<Traits> p{{}, closure == Closure::closed};
+Fair_points<Traits> points_of_fair_spline(InputIterator first, InputIterator last, Closure closure,
+                                          const std::vector<std::optional<typename Traits::Vector>>& tangents) {
+  Fair_points<Traits> p{{}, {}, closure == Closure::closed};
   for (; first != last; ++first) p.points.push_back(Geometric_continuity::coordinates<Traits>(*first));
   if (p.number() < (p.closed ? 3 : 2))
     throw Error(Error_code::wrong_number_of_points, "interpolate_fair: " + std::to_string(p.number()) + " points");
-  const int dimension = p.points[0].dimension();
-  for (int i = 0; i < p.number(); ++i) {
-    for (const double x : rounded_column<Traits>(p.points[i], dimension, i)) p.size = (std::max)(p.size, std::abs(x));
-    for (const double x : rounded_column<Traits>(p.from_first(i), dimension, i))
-      p.extent = (std::max)(p.extent, std::abs(x));
+  if (!tangents.empty() && tangents.size() != p.points.size())
+    throw Error(Error_code::wrong_number_of_points, "interpolate_fair: " + std::to_string(tangents.size()) +
+                                                        " tangents for " + std::to_string(p.number()) + " points");
+  for (const std::optional<typename Traits::Vector>& t : tangents) {
+    p.tangents.emplace_back();
+    if (t) p.tangents.back() = Geometric_continuity::coordinates<Traits>(*t);
   }
+  const int dimension = p.points[0].dimension();
+  for (int i = 0; i < p.number(); ++i)
+    for (const double x : rounded_column<Traits>(p.points[i], dimension, i)) p.size = (std::max)(p.size, std::abs(x));
   for (int i = 0; i < p.pieces(); ++i)
     if (p.points[i] == p.points[p.next(i)])
       throw Error(Error_code::empty_domain, "interpolate_fair: the points " + std::to_string(i) + " and " +
                                                 std::to_string(p.next(i)) + " coincide");
+  p.order();
+  for (int i = 0; i < p.number(); ++i)
+    for (const double x : rounded_column<Traits>(p.from_first(i), dimension, p.given(i)))
+      p.extent = (std::max)(p.extent, std::abs(x));
   return p;
 }
 
@@ -172,22 +219,21 @@ template <class Traits> typename Traits::FT round_points(Fair_points<Traits>& p)
 
 // The points, in units of the power of two below the largest coordinate, with the tangents that are
 // given.
-template <class Traits>
-std::vector<Fair_joint<dimension_v<Traits>>>
-joints_of(const Fair_points<Traits>& p, const std::vector<std::optional<typename Traits::Vector>>& tangents) {
+template <class Traits> std::vector<Fair_joint<dimension_v<Traits>>> joints_of(const Fair_points<Traits>& p) {
   typedef Coordinate_vector<double, dimension_v<Traits>> Column;
   const int dimension = p.points[0].dimension();
   std::vector<Fair_joint<dimension_v<Traits>>> joints;
   for (int i = 0; i < p.number(); ++i) {
     Work_meter::pause();
-    Column point = rounded_column<Traits>(p.from_first(i), dimension, i);
+    Column point = rounded_column<Traits>(p.from_first(i), dimension, p.given(i));
     for (int k = 0; k < dimension; ++k) point[k] = std::ldexp(point[k], -p.exponent());
     joints.push_back({point, Column(dimension), Column(dimension), false});
-    if (tangents.empty() || !tangents[i]) continue;
+    if (p.tangents.empty() || !p.tangents[i]) continue;
     Column& tangent = joints.back().tangent;
-    tangent = rounded_column<Traits>(Geometric_continuity::coordinates<Traits>(*tangents[i]), dimension, i);
+    tangent = rounded_column<Traits>(*p.tangents[i], dimension, p.given(i));
     const double size = length(tangent);
-    if (!(size > 0)) throw Error(Error_code::zero_tangent, "interpolate_fair: at the point " + std::to_string(i));
+    if (!(size > 0))
+      throw Error(Error_code::zero_tangent, "interpolate_fair: at the point " + std::to_string(p.given(i)));
     tangent /= size;
     joints.back().given = true;
   }
@@ -202,8 +248,8 @@ std::vector<double> chord_lengths(const Fair_points<Traits>& p,
   for (int i = 0; i < p.pieces(); ++i) {
     lengths.push_back(length<dimension_v<Traits>>(joints[p.next(i)].point - joints[i].point));
     if (!(lengths.back() > 0))
-      throw Error(Error_code::empty_domain, "interpolate_fair: the points " + std::to_string(i) + " and " +
-                                                std::to_string(p.next(i)) +
+      throw Error(Error_code::empty_domain, "interpolate_fair: the points " + std::to_string(p.given_piece(i)) +
+                                                " and " + std::to_string((p.given_piece(i) + 1) % p.number()) +
                                                 " coincide when they are rounded, to leave room for exact joins: "
                                                 "subtract what all points have in common, or use exact numbers");
   }
@@ -216,8 +262,7 @@ std::vector<double> chord_lengths(const Fair_points<Traits>& p,
 template <class Traits>
 std::vector<Coordinate_jet<typename Traits::FT, dimension_v<Traits>>>
 short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_v<Traits>>>& joints,
-           const std::vector<double>& lengths, const std::vector<std::optional<typename Traits::Vector>>& tangents,
-           std::vector<double>& speeds, std::vector<int>& digits) {
+           const std::vector<double>& lengths, std::vector<double>& speeds, std::vector<int>& digits) {
   typedef typename Traits::FT FT;
   constexpr bool rounds = std::is_floating_point_v<FT>;
   constexpr int most_digits = rounds ? (std::min)(20, std::numeric_limits<FT>::digits / 3) : 20,
@@ -244,8 +289,8 @@ short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_
     jet[0] = p.points[i];
     double speed = h;
     if (is_kept) {
-      jet[1] = Geometric_continuity::coordinates<Traits>(*tangents[i]);
-      const Coordinate_vector<double, dimension_v<Traits>> t = rounded_column<Traits>(jet[1], dimension, i);
+      jet[1] = *p.tangents[i];
+      const Coordinate_vector<double, dimension_v<Traits>> t = rounded_column<Traits>(jet[1], dimension, p.given(i));
       speed = length(t);
     }
     speeds.push_back(is_kept ? std::ldexp(speed, -n) : h);
@@ -418,42 +463,69 @@ inline std::vector<int> pieces_with_waves(const Fair_turns& turns, const std::ve
   return waves;
 }
 
-// The pieces from each jet to the next one.
+// The pieces from each jet to the next one, in the order of the given points. A piece with waves
+// gets short handles, if these have none.
 template <class Traits, class Jet>
 Fair_spline<Traits> pieces_between(const Fair_points<Traits>& p, const std::vector<Jet>& jets,
                                    const std::vector<Fair_joint<dimension_v<Traits>>>& joints,
                                    const std::vector<Fair_handles>& handles, const std::vector<double>& speeds,
                                    const std::vector<int>& digits, const typename Traits::FT& moved) {
   typedef typename Traits::FT FT;
-  std::vector<typename Traits::Point> points;
+  typedef std::optional<Bezier_curve<Traits, 5>> Piece;
+  std::vector<typename Traits::Point> points(5 * p.pieces() + 1);
   std::vector<FT> knots(1, FT(0));
   std::vector<char> is_rounded(p.number(), 0);
   std::vector<Inflections> inflections; // in the plane
   std::optional<Fair_turns> turns;
   if (p.points[0].dimension() == 2) turns.emplace(joints, p.closed);
+  const auto with_handles = [&](int i, const Fair_handles& h) {
+    const int j = p.next(i);
+    return quintic_with_handles<Traits>(jets[i], jets[j], h, {speeds[i], speeds[j]}, (std::min)(digits[i], digits[j]),
+                                        p.size);
+  };
+  const auto put = [&](int i, const Bezier_curve<Traits, 5>& piece) {
+    const auto place = points.begin() + 5 * p.given_piece(i);
+    if (p.is_reversed)
+      std::reverse_copy(piece.begin(), piece.end(), place);
+    else
+      std::copy(piece.begin(), piece.end(), place);
+  };
   for (int i = 0; i < p.pieces(); ++i) {
     Work_meter::pause();
     const int j = p.next(i);
     const Jet &start = jets[i], &end = jets[j];
-    std::optional<Bezier_curve<Traits, 5>> piece;
-    if (!handles.empty())
-      piece = quintic_with_handles<Traits>(start, end, handles[i], {speeds[i], speeds[j]},
-                                           (std::min)(digits[i], digits[j]), p.size);
+    Piece piece;
+    if (!handles.empty()) piece = with_handles(i, handles[i]);
     if constexpr (std::is_floating_point_v<FT>)
       if (!piece) {
         piece = unmoved_blend<Traits>(start, end);
-        if (!piece) is_rounded[i] = is_rounded[j] = 1;
+        if (!piece) is_rounded[p.given(i)] = is_rounded[p.given(j)] = 1;
       }
     if (!piece) piece = blend(Curve_jet<Traits>(start), Curve_jet<Traits>(end), Fair());
     if (turns) inflections.push_back(inflections_of(*piece, turns->inflections(i)));
-    points.insert(points.end(), piece->begin() + (i == 0 ? 0 : 1), piece->end());
+    put(i, *piece);
     knots.push_back(FT(i + 1));
+  }
+  std::vector<int> waves;
+  if (turns) {
+    for (const int i : pieces_with_waves(*turns, inflections))
+      for (double part = longest_part; part > shortest_part; part *= 0.8) {
+        const Piece piece = with_handles(i, short_handles(joints[i], joints[p.next(i)], turns->bend(i), part));
+        if (!piece) break;
+        const Inflections now = inflections_of(*piece, turns->inflections(i));
+        if (now.number > turns->inflections(i)) continue;
+        inflections[i] = now;
+        put(i, *piece);
+        break;
+      }
+    for (const int i : pieces_with_waves(*turns, inflections)) waves.push_back(p.given_piece(i));
+    std::sort(waves.begin(), waves.end());
   }
   std::vector<int> rounded;
   for (int i = p.closed ? 0 : 1; i < p.pieces(); ++i)
     if (is_rounded[i]) rounded.push_back(i);
   return Fair_spline<Traits>(Composite_bezier_curve<Traits, 5>(points, std::move(knots)), moved, std::move(rounded),
-                             turns ? pieces_with_waves(*turns, inflections) : std::vector<int>());
+                             std::move(waves));
 }
 
 } // namespace internal
@@ -461,17 +533,17 @@ Fair_spline<Traits> pieces_between(const Fair_points<Traits>& p, const std::vect
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns a spline of fair quintic blends through points, with joins that are exactly \f$ G^2 \f$.
 /// Tangents, curvatures and the handles of the pieces are found in floating-point numbers, in the
-/// plane and in space: from the circles through three points on, such that the
-/// variation of curvature \f$ \int |(dK/ds)^\perp|^2 ds \f$ is least, all together, so that the
-/// order of the points does not matter and what is symmetric stays so, up to the rounding of these
-/// numbers. In other dimensions they are those of the circles, and pieces are blends by `Fair`.
-/// Points of a circle, at equal distances, give nearly that circle.
+/// plane and in space: from the circles through three points on, such that the variation of
+/// curvature \f$ \int |(dK/ds)^\perp|^2 ds \f$ is least, all together, so that what is symmetric
+/// stays so, up to the rounding of these numbers. Reversed points give exactly the reversed curve.
+/// In other dimensions they are those of the circles, and pieces are blends by `Fair`. Points of a
+/// circle, at equal distances, give nearly that circle.
 ///
 /// In the plane the curve has no more inflections than the polygon of the points, but at the pieces
 /// in `Fair_spline::waves`: where the polygon turns to one side at both ends of a piece, this has
-/// no inflection, and one where the sides differ; exactly decided for the returned control
-/// points. Points on a line with both neighbours, which do
-/// not turn to different sides, give lines.
+/// no inflection, and one where the sides differ; exactly decided for the returned control points.
+/// A piece with waves gets shorter handles, if there are some without. Points on a line with both
+/// neighbours, which do not turn to different sides, give lines.
 ///
 /// With an exact kernel the points are met exactly, and the joins are \f$ G^2 \f$ whatever was
 /// found. With floating-point numbers, so few digits are taken that nothing is rounded, or
@@ -495,17 +567,14 @@ Fair_spline<Traits> pieces_between(const Fair_points<Traits>& p, const std::vect
 template <class Traits, class InputIterator>
 Fair_spline<Traits> interpolate_fair(InputIterator first, InputIterator last, Closure closure = Closure::open,
                                      const std::vector<std::optional<typename Traits::Vector>>& tangents = {}) {
-  internal::Fair_points<Traits> p = internal::points_of_fair_spline<Traits>(first, last, closure);
-  if (!tangents.empty() && tangents.size() != p.points.size())
-    throw Error(Error_code::wrong_number_of_points, "interpolate_fair: " + std::to_string(tangents.size()) +
-                                                        " tangents for " + std::to_string(p.number()) + " points");
+  internal::Fair_points<Traits> p = internal::points_of_fair_spline<Traits>(first, last, closure, tangents);
   const typename Traits::FT moved = internal::round_points(p);
-  std::vector<internal::Fair_joint<dimension_v<Traits>>> joints = internal::joints_of(p, tangents);
+  std::vector<internal::Fair_joint<dimension_v<Traits>>> joints = internal::joints_of(p);
   const std::vector<double> lengths = internal::chord_lengths(p, joints);
   const std::vector<internal::Fair_handles> handles = internal::choose_fair_joints(joints, p.closed);
   std::vector<double> speeds;
   std::vector<int> digits;
-  const auto jets = internal::short_jets(p, joints, lengths, tangents, speeds, digits);
+  const auto jets = internal::short_jets(p, joints, lengths, speeds, digits);
   return internal::pieces_between(p, jets, joints, handles, speeds, digits, moved);
 }
 

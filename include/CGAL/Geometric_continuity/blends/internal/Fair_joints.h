@@ -93,6 +93,8 @@ struct Fair_handles {
   std::array<double, 2> first, second;
 };
 
+template <class Vector> double cross_in_plane(const Vector& u, const Vector& v) { return u[0] * v[1] - u[1] * v[0]; }
+
 // The turns of a polygon in the plane.
 class Fair_turns {
   typedef Coordinate_vector<double, 2> Vector;
@@ -103,8 +105,6 @@ class Fair_turns {
   static constexpr double small_turn = 0.3; // as a part of the turns beside it
 
 public:
-  static double cross(const Vector& u, const Vector& v) { return u[0] * v[1] - u[1] * v[0]; }
-
   // The points have two coordinates.
   template <int N> Fair_turns(const std::vector<Fair_joint<N>>& joints, bool closed) {
     const int n = static_cast<int>(joints.size()), pieces = closed ? n : n - 1;
@@ -121,7 +121,7 @@ public:
     std::vector<char> back(n, 0);
     for (int i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i) {
       const Vector u = chord((i + n - 1) % n), v = chord(i);
-      const double c = cross(u, v), size = std::sqrt(dot(u, u) * dot(v, v));
+      const double c = cross_in_plane(u, v), size = std::sqrt(dot(u, u) * dot(v, v));
       angle_[i] = std::atan2(c, dot(u, v));
       sign_[i] = c > 1e-12 * size ? 1 : c < -1e-12 * size ? -1 : 0;
       back[i] = sign_[i] == 0 && dot(u, v) < 0;
@@ -173,6 +173,25 @@ public:
   int inflections(int piece) const { return sign_[piece] * sign_[after(piece)] < 0 ? 1 : 0; }
 };
 
+// Handles of a piece in the plane with which its control polygon hardly turns but at its ends:
+// parts of the sides of the triangle of the tangents, where the piece bends to one side by less
+// than 180 degrees, or else of the chord.
+constexpr double longest_part = 0.24, shortest_part = 0.02;
+template <int N> Fair_handles short_handles(const Fair_joint<N>& a, const Fair_joint<N>& b, int bend, double part) {
+  const Coordinate_vector<double, N> chord = b.point - a.point;
+  const double whole = cross_in_plane(a.tangent, b.tangent), h = length(chord);
+  const std::array<double, 2> side = {cross_in_plane(chord, b.tangent) / whole,
+                                      cross_in_plane(a.tangent, chord) / whole};
+  const bool meet = bend != 0 && side[0] > 0 && side[1] > 0;
+  Fair_handles handles;
+  for (const int k : {0, 1}) {
+    const double s = meet ? (std::min)(side[k], h) : 0.5 * h;
+    handles.first[k] = part * s;
+    handles.second[k] = (0.35 + part) * s;
+  }
+  return handles;
+}
+
 template <int M> class Fair_joints {
   typedef Coordinate_vector<double, M> Vector;
   typedef Fair_joint<M> Joint;
@@ -188,17 +207,26 @@ template <int M> class Fair_joints {
   typedef std::array<double, free> Numbers;
   typedef std::array<Numbers, free> Block;
 
+  struct Value {
+    double sum = 0;
+    bool is_resolved = true; // no bend hides between the nodes of the quadrature
+  };
   struct Piece {
-    double length, damping = 1e-3, value = 0;
+    double length, damping = 1e-3;
+    Value value;
+    bool stays = false;           // in the last step
+    int quiet = 0;                // how many steps have hardly changed it and its neighbours
     Shape neutral{}, x{}, next{}; // the first one costs nothing
-    // of its expansion, as the numbers of its shape are eliminated from it
-    std::array<std::array<double, 2 * free + 1>, shape_free> solved;
+    // the equations of its shape, from which its numbers before are eliminated
+    std::array<std::array<double, all>, shape_free> row;
+    std::array<double, shape_free> right;
   };
 
   std::vector<Joint>& joints_;
   const bool closed_;
   std::vector<Piece> pieces_;
   std::vector<double> size_; // the shorter chord at each joint
+  std::vector<char> rests_;  // joints
   std::optional<Fair_turns> turns_;
 
 public:
@@ -213,6 +241,7 @@ public:
       const double before = has_before(i) ? pieces_[before_(i)].length : pieces_[i].length;
       size_.push_back((std::min)(before, has_after(i) ? pieces_[i].length : before));
     }
+    rests_.assign(n, 0);
     if constexpr (M == 2) turns_.emplace(joints_, closed_);
   }
 
@@ -220,68 +249,37 @@ public:
   std::vector<Fair_handles> minimise() {
     for (int i = 0; i < number(); ++i) confine(i);
     double last = 0;
-    int quiet = 0, failures = 0;
     for (int i = 0; i < pieces(); ++i) {
       Piece& p = pieces_[i];
       for (int k = 0; k < shape_free; ++k) p.x[k] = p.neutral[k] = speed_of_arc(k, joints_[i], joints_[next(i)]);
-      begin_convex(i);
+      begin_without_waves(i);
       p.value = value(p, joints_[i], joints_[next(i)], p.x, i);
-      last += p.value;
+      last += p.value.sum;
     }
-    for (int step = 0; step < most_steps; ++step) {
-      // about 4000 nanoseconds for each piece
-      if (Work_meter* const work = Work_meter::scope()) work->charge_products(400. * pieces(), 1);
+    int failures = 0;
+    for (int step = 0; step < most_steps && failures < 4 && find_resting() < number(); ++step) {
       std::vector<Joint> moved = proposed();
-      std::vector<double> values(pieces());
-      std::vector<char> stays(pieces(), 0);
-      std::vector<int> open(pieces());
-      for (int i = 0; i < pieces(); ++i) open[i] = i;
-      while (!open.empty()) { // where a piece gets much worse it stays, with both of its joints
-        std::vector<int> worse;
-        for (const int i : open) {
-          Work_meter::pause();
-          const Piece& p = pieces_[i];
-          const int j = next(i);
-          values[i] = value(p, moved[i], moved[j], p.next, i);
-          const double around =
-              p.value + (has_before(i) ? pieces_[before_(i)].value : 0) + (has_after(j) ? pieces_[j].value : 0);
-          if (!stays[i] && !(values[i] <= 4 * around)) worse.push_back(i);
-        }
-        open.clear();
-        for (const int i : worse) {
-          const int j = next(i);
-          stays[i] = 1;
-          pieces_[i].next = pieces_[i].x;
-          moved[i] = joints_[i];
-          moved[j] = joints_[j];
-          open.push_back(i);
-          if (has_before(i)) open.push_back(before_(i));
-          if (has_after(j)) open.push_back(j);
-        }
-      }
+      const std::vector<Value> values = values_after(moved);
       double now = 0;
-      for (const double v : values) now += v;
+      for (const Value& v : values) now += v.sum;
       const bool better = now < last;
       for (int i = 0; i < pieces(); ++i) {
         Piece& p = pieces_[i];
-        if (stays[i])
+        if (p.stays || (!better && values[i].sum > p.value.sum))
           p.damping = (std::min)(10 * p.damping, 1e6);
-        else if (better)
-          p.damping = values[i] <= p.value ? (std::max)(p.damping / 4, 1e-7) : p.damping;
-        else if (values[i] > p.value)
-          p.damping = (std::min)(10 * p.damping, 1e6);
-        if (!better) continue;
-        p.value = values[i];
-        p.x = p.next;
+        else if (better && values[i].sum <= p.value.sum)
+          p.damping = (std::max)(p.damping / 4, 1e-7);
+        if (better)
+          p.quiet = p.stays || !(std::abs(around(i, values) - around(i)) <= tolerance * around(i)) ? 0 : p.quiet + 1;
       }
       failures = better ? 0 : failures + 1;
-      if (failures == 4) break;
       if (!better) continue;
+      for (int i = 0; i < pieces(); ++i) {
+        pieces_[i].value = values[i];
+        pieces_[i].x = pieces_[i].next;
+      }
       joints_ = std::move(moved);
-      const bool all_move = std::find(stays.begin(), stays.end(), 1) == stays.end();
-      quiet = all_move && now > (1 - tolerance) * last ? quiet + 1 : 0;
       last = now;
-      if (quiet == 2) break;
     }
     std::vector<Fair_handles> handles;
     for (int i = 0; i < pieces(); ++i) handles.push_back(handles_of(i));
@@ -289,6 +287,68 @@ public:
   }
 
 private:
+  // Finds out which joints stay where they are: those beside which nothing has changed in two
+  // steps. Returns how many there are.
+  int find_resting() {
+    int resting = 0, moving = 0;
+    for (int i = 0; i < number(); ++i) {
+      rests_[i] = (!has_before(i) || pieces_[before_(i)].quiet > 1) && (!has_after(i) || pieces_[i].quiet > 1);
+      resting += rests_[i];
+    }
+    for (int i = 0; i < pieces(); ++i) moving += !rests(i);
+    // about 3000 nanoseconds for each piece
+    if (Work_meter* const work = Work_meter::scope()) work->charge_products(300. * moving, 1);
+    return resting;
+  }
+  bool rests(int piece) const { return rests_[piece] && rests_[next(piece)]; }
+
+  // The sum of the values of a piece and its neighbours.
+  template <class Values> double around(int i, const Values& value_of) const {
+    return value_of(i).sum + (has_before(i) ? value_of(before_(i)).sum : 0) +
+           (has_after(next(i)) ? value_of(next(i)).sum : 0);
+  }
+  double around(int i) const {
+    return around(i, [&](int k) { return pieces_[k].value; });
+  }
+  double around(int i, const std::vector<Value>& values) const {
+    return around(i, [&](int k) { return values[k]; });
+  }
+
+  // The values of the pieces between joints after a step. Where a piece gets much worse, or bends
+  // would hide, it stays, with both of its joints.
+  std::vector<Value> values_after(std::vector<Joint>& moved) {
+    std::vector<Value> values(pieces());
+    std::vector<int> open;
+    for (int i = 0; i < pieces(); ++i) {
+      pieces_[i].stays = false;
+      values[i] = pieces_[i].value;
+      if (!rests(i)) open.push_back(i);
+    }
+    while (!open.empty()) {
+      std::vector<int> worse;
+      for (const int i : open) {
+        Work_meter::pause();
+        const Piece& p = pieces_[i];
+        values[i] = value(p, moved[i], moved[next(i)], p.next, i);
+        if (!p.stays && (values[i].is_resolved < p.value.is_resolved || !(values[i].sum <= 4 * around(i))))
+          worse.push_back(i);
+      }
+      open.clear();
+      for (const int i : worse) {
+        Piece& p = pieces_[i];
+        const int j = next(i);
+        p.stays = true;
+        p.next = p.x;
+        moved[i] = joints_[i];
+        moved[j] = joints_[j];
+        open.push_back(i);
+        if (has_before(i)) open.push_back(before_(i));
+        if (has_after(j)) open.push_back(j);
+      }
+    }
+    return values;
+  }
+
   int number() const { return static_cast<int>(joints_.size()); }
   int pieces() const { return static_cast<int>(pieces_.size()); }
   int next(int i) const { return i + 1 == number() ? 0 : i + 1; }
@@ -318,10 +378,10 @@ private:
           bend != 0 ? std::array<Corner, 2>{{{{1, 2, 3}, bend, 0.04}, {{2, 3, 4}, bend, 0.04}}}
                     : std::array<Corner, 2>{{{{0, 1, 5}, start, 0.2}, {{0, 4, 5}, end, 0.2}}};
       for (const auto& [at, sign, size] : corners) {
-        const auto point = [&](int k) -> Vector { return k == 0 ? Vector(2) : points[k - 1]; };
+        const auto point = [&](int l) -> Vector { return l == 0 ? Vector(2) : points[l - 1]; };
         const Vector u = point(at[1]) - point(at[0]), v = point(at[2]) - point(at[1]);
         const double scale = sign * 25 / (p.length * p.length), enough = size * turns_->angle(i),
-                     c = scale * Fair_turns::cross(u, v);
+                     c = scale * cross_in_plane(u, v);
         if (!(c > 1e-3 * enough)) return false;
         const double missing = enough / c - 1;
         if (!(missing > 0)) continue;
@@ -369,7 +429,7 @@ private:
       for (const int piece : {has_before(i) ? before_(i) : -1, has_after(i) ? i : -1}) {
         if (piece < 0) continue;
         const Vector chord = joints_[next(piece)].point - joints_[piece].point;
-        const double angle = std::abs(std::atan2(Fair_turns::cross(joint.tangent, chord), dot(joint.tangent, chord)));
+        const double angle = std::abs(std::atan2(cross_in_plane(joint.tangent, chord), dot(joint.tangent, chord)));
         least = (std::min)(least, 2 * angle / pieces_[piece].length);
       }
       const Vector normal = frame(joint.tangent)[0];
@@ -379,34 +439,23 @@ private:
       (void)i;
   }
 
-  // A shape with which the control polygon turns to one side only, for these joints: handles that
-  // are parts of the sides of the triangle of the tangents. Otherwise the piece may turn as it
-  // likes.
-  void begin_convex(int i) {
+  // A shape with which the control polygon turns as the inflections of the piece ask for, for these
+  // joints: with short handles. Otherwise the piece may turn as it likes.
+  void begin_without_waves(int i) {
     if constexpr (M == 2) {
       if (turns_->is_free(i)) return;
       Piece& p = pieces_[i];
       const Joint &a = joints_[i], &b = joints_[next(i)];
-      const auto is_convex = [&] { return for_corners(p, family(p, a, b).points(p.x), i, [](double, const auto&) {}); };
-      if (is_convex()) return;
-      if (turns_->bend(i) == 0) {
-        turns_->release(i);
-        return;
-      }
-      const Vector chord = b.point - a.point;
-      const double whole = Fair_turns::cross(a.tangent, b.tangent);
-      std::array<double, 2> side = {Fair_turns::cross(chord, b.tangent) / whole,
-                                    Fair_turns::cross(a.tangent, chord) / whole};
-      for (double part = 0.24; part > 0.02; part *= 0.8) {
+      const auto is_good = [&] { return std::isfinite(value(p, a, b, p.x, i).sum); };
+      if (is_good()) return;
+      for (double part = longest_part; part > shortest_part; part *= 0.8) {
+        const Fair_handles handles = short_handles(a, b, turns_->bend(i), part);
         for (const int k : {0, 1}) {
-          // short ones where the tangents do not meet, since the piece turns by 180 degrees or more
-          const double s = side[k] > 0 && side[1 - k] > 0 ? (std::min)(side[k], p.length) : 0.5 * p.length,
-                       first = part * s, second = (0.35 + part) * s;
           // first = h e^x / 5, second = first (2 + y / 4), with another sign at the end
-          p.x[2 * k] = std::log(5 * first / p.length);
-          p.x[2 * k + 1] = (k == 0 ? 4 : -4) * (second / first - 2);
+          p.x[2 * k] = std::log(5 * handles.first[k] / p.length);
+          p.x[2 * k + 1] = (k == 0 ? 4 : -4) * (handles.second[k] / handles.first[k] - 2);
         }
-        if (is_convex()) return;
+        if (is_good()) return;
       }
       p.x = p.neutral;
       turns_->release(i);
@@ -424,10 +473,11 @@ private:
     return k % 2 == 0 && half > 1e-6 ? std::log(std::asin((std::min)(half, 1.)) / half) : 0;
   }
 
-  double value(const Piece& p, const Joint& a, const Joint& b, const Shape& x, int i) const {
+  Value value(const Piece& p, const Joint& a, const Joint& b, const Shape& x, int i) const {
     const Family f = family(p, a, b);
     Fairness_quadrature<Blend_kind::g2, M, nodes> quadrature(f);
-    if (!std::isfinite(quadrature.value(x))) return std::numeric_limits<double>::infinity();
+    const double infinite = std::numeric_limits<double>::infinity();
+    if (!std::isfinite(quadrature.value(x))) return {infinite, false};
     double sum = quadrature.integral();
     for (int k = 0; k < shape_free; ++k) {
       const double y = x[k] - p.neutral[k];
@@ -435,7 +485,7 @@ private:
     }
     const bool is_convex = for_corners(
         p, f.points(x), i, [&](double missing, const auto&) { sum += weight_of_corners(p) * missing * missing; });
-    return is_convex ? sum : std::numeric_limits<double>::infinity();
+    return {is_convex ? sum : infinite, quadrature.is_resolved()};
   }
 
   static std::array<Vector, normals> frame(const Vector& t) {
@@ -496,7 +546,7 @@ private:
       if (!joint.given) {
         // the angle from the chord before, and that of both chords
         const Vector u = before ? direction(before_(i)) : direction(i), v = after ? direction(i) : u;
-        const double whole = s * std::atan2(Fair_turns::cross(u, v), dot(u, v));
+        const double whole = s * std::atan2(cross_in_plane(u, v), dot(u, v));
         double low = before ? 0.02 * whole : -1.4, high = after ? 0.98 * whole : 1.4;
         if (!before) high = -1e-3;
         if (!after) low = 1e-3;
@@ -504,7 +554,7 @@ private:
           low = (std::max)(0., whole) + 0.02 * (std::min)(turns_->angle(before_(i)), turns_->angle(i));
           high = 1.4;
         }
-        double angle = s * std::atan2(Fair_turns::cross(u, joint.tangent), dot(u, joint.tangent));
+        double angle = s * std::atan2(cross_in_plane(u, joint.tangent), dot(u, joint.tangent));
         if (!(low <= angle && angle <= high)) {
           angle = s * (std::min)((std::max)(angle, low), high);
           const double size = std::sqrt(dot(joint.curvature, joint.curvature));
@@ -536,7 +586,9 @@ private:
   }
 
   // The numbers of a joint that do not change.
-  bool is_fixed(int i, int k) const { return on_line(i) || (k < normals ? joints_[i].given : has_no_curvature(i)); }
+  bool is_fixed(int i, int k) const {
+    return rests_[i] || on_line(i) || (k < normals ? joints_[i].given : has_no_curvature(i));
+  }
 
   // Adds the expansion of a piece, without the numbers of its shape, to the equations of its
   // joints.
@@ -591,31 +643,43 @@ private:
           a[l][l] = 1;
           g[l] = 0;
         }
-    // the numbers of the shape, as those of the joints make them: x = -solved (joints, 1)
-    std::array<std::array<double, shape_free>, shape_free> shape;
-    for (int k = 0; k < shape_free; ++k)
-      for (int l = 0; l < shape_free; ++l) shape[k][l] = a[2 * free + k][2 * free + l];
-    for (int c = 0; c <= 2 * free; ++c) {
-      std::array<double, shape_free> side;
-      for (int k = 0; k < shape_free; ++k) side[k] = c < 2 * free ? a[2 * free + k][c] : g[2 * free + k];
-      side = solve_positive_definite(shape, side);
-      for (int k = 0; k < shape_free; ++k) p.solved[k][c] = side[k];
-    }
-    for (int k = 0; k < 2 * free; ++k) {
-      double rest = -g[k];
-      for (int m = 0; m < shape_free; ++m) rest += a[k][2 * free + m] * p.solved[m][2 * free];
-      (*sides[k / free])[k % free] += rest;
-      for (int l = 0; l < 2 * free; ++l) {
-        double sum = a[k][l];
-        for (int m = 0; m < shape_free; ++m) sum -= a[k][2 * free + m] * p.solved[m][l];
-        if (k < free && l < free)
-          (*blocks[0])[k][l] += sum;
-        else if (k >= free && l >= free)
-          (*blocks[2])[k - free][l - free] += sum;
-        else if (k < free)
-          (*blocks[1])[k][l - free] += sum;
+    // eliminates the numbers of the shape
+    for (int m = 0; m < shape_free; ++m) {
+      const int k = 2 * free + m;
+      for (int r = 0; r < all; ++r) {
+        if (r >= 2 * free && r <= k) continue;
+        const double factor = a[r][k] / a[k][k];
+        for (int c = 0; c < all; ++c) a[r][c] -= factor * a[k][c];
+        g[r] -= factor * g[k];
       }
     }
+    for (int m = 0; m < shape_free; ++m) {
+      p.row[m] = a[2 * free + m];
+      p.right[m] = g[2 * free + m];
+    }
+    for (int k = 0; k < 2 * free; ++k) {
+      (*sides[k / free])[k % free] -= g[k];
+      for (int l = 0; l < free; ++l) {
+        if (k < free) {
+          (*blocks[0])[k][l] += a[k][l];
+          (*blocks[1])[k][l] += a[k][free + l];
+        } else
+          (*blocks[2])[k - free][l] += a[k][free + l];
+      }
+    }
+  }
+
+  // The change of the numbers of the shape for these of its joints, from the equations that were
+  // kept.
+  static Shape change_of_shape(const Piece& p, const Numbers& start, const Numbers& end) {
+    Shape change;
+    for (int m = shape_free; m-- > 0;) {
+      double rest = -p.right[m];
+      for (int k = 0; k < free; ++k) rest -= p.row[m][k] * start[k] + p.row[m][free + k] * end[k];
+      for (int k = m + 1; k < shape_free; ++k) rest -= p.row[m][2 * free + k] * change[k];
+      change[m] = rest / p.row[m][2 * free + m];
+    }
+    return change;
   }
 
   static Numbers times(const Block& a, const Numbers& x) {
@@ -640,8 +704,11 @@ private:
     for (int i = 0; i < pieces(); ++i) {
       Work_meter::pause();
       const int j = next(i);
-      expand(i, {&diagonal[i], &beside[i], &diagonal[j]}, {&right[i], &right[j]});
+      if (!rests(i)) expand(i, {&diagonal[i], &beside[i], &diagonal[j]}, {&right[i], &right[j]});
     }
+    for (int i = 0; i < n; ++i)
+      if (rests_[i])
+        for (int k = 0; k < free; ++k) diagonal[i][k][k] += 1;
     // columns: the right side, and the joint 0
     std::vector<std::array<Numbers, free + 1>> column(n);
     for (int i = 1; i < n; ++i) {
@@ -696,16 +763,18 @@ private:
         x[i][k] = column[i][free][k];
         for (int c = 0; c < free; ++c) x[i][k] -= column[i][c][k] * x[0][c];
       }
-    std::vector<Joint> moved;
-    for (int i = 0; i < n; ++i) moved.push_back(changed(joints_[i], x[i], i));
+    std::vector<Joint> moved = joints_;
+    for (int i = 0; i < n; ++i)
+      if (!rests_[i]) moved[i] = changed(joints_[i], x[i], i);
     for (int i = 0; i < pieces(); ++i) {
       Piece& p = pieces_[i];
+      p.next = p.x;
+      if (rests(i)) continue;
       const int j = next(i);
+      const Shape changes = change_of_shape(p, x[i], x[j]);
       for (int k = 0; k < shape_free; ++k) {
-        double change = -p.solved[k][2 * free];
-        for (int l = 0; l < free; ++l) change -= p.solved[k][l] * x[i][l] + p.solved[k][free + l] * x[j][l];
-        const double most = k % 2 == 0 ? 0.5 : 4, bound = k % 2 == 0 ? 1.5 : 30;
-        change = (std::min)((std::max)(change, -most), most);
+        const double most = k % 2 == 0 ? 0.5 : 4, bound = k % 2 == 0 ? 1.5 : 30,
+                     change = (std::min)((std::max)(changes[k], -most), most);
         p.next[k] = (std::min)((std::max)(p.x[k] + change, (std::min)(p.x[k], -bound)), (std::max)(p.x[k], bound));
         // where there is no inflection the control polygon does not turn back at its second point
         if (k % 2 == 1 && bends(i)) {

@@ -143,6 +143,32 @@ public:
     return false;
   }
 
+  // Returns whether the tangent turns by less than 60 degrees from the start of the last blend to
+  // the first node, from one node to the next, and on to the end: then no bend is hidden between
+  // them.
+  bool is_resolved() const {
+    const auto turns = [](double product, double square, double other) {
+      return !(product > 0 && 4 * product * product > square * other);
+    };
+    std::array<double, 2> ends{}, squares{};
+    for (int c = 0; c < M; ++c)
+      for (const int end : {0, 1}) {
+        const double x = (end == 0 ? family_.start : family_.end).d[0][c];
+        ends[end] += x * d_[0][c][end * (nodes - 1)];
+        squares[end] += x * x;
+      }
+    for (const int end : {0, 1}) {
+      const double speed = speed_[end * (nodes - 1)];
+      if (turns(ends[end], squares[end], speed * speed)) return false;
+    }
+    for (int i = 0; i + 1 < nodes; ++i) {
+      double product = 0;
+      for (int c = 0; c < M; ++c) product += d_[0][c][i] * d_[0][c][i + 1];
+      if (turns(product, speed_[i] * speed_[i], speed_[i + 1] * speed_[i + 1])) return false;
+    }
+    return true;
+  }
+
   // At the x of the last call of value().
   Fairness_expansion<unknowns> expand(const Unknowns& x) {
     Fairness_expansion<unknowns> r;
@@ -173,9 +199,18 @@ public:
   void products(const std::array<typename End::Points, number>& h, At_start at_start,
                 std::array<std::array<double, number>, number>& matrix, std::array<double, number>& gradient) const {
     std::array<Rows, number> derivatives;
+    Rows f{};
+    if constexpr (M == 2) {
+      Turned t;
+      turn(t);
+      f[0] = t.f;
+      for (int k = 0; k < number; ++k) differentiate_turned(t, h[k], at_start(k), derivatives[k]);
+    } else {
+      f = f_;
+      for (int k = 0; k < number; ++k) differentiate(h[k], at_start(k), derivatives[k]);
+    }
     for (int k = 0; k < number; ++k) {
-      differentiate(h[k], at_start(k), derivatives[k]);
-      gradient[k] = dot(derivatives[k], f_);
+      gradient[k] = dot(derivatives[k], f);
       for (int l = 0; l <= k; ++l) matrix[k][l] = matrix[l][k] = dot(derivatives[k], derivatives[l]);
     }
   }
@@ -234,6 +269,44 @@ private:
     sum_ = dot(f_, f_);
   }
 
+  // The derivatives of the basis of a control point at an end, number j from there.
+  static constexpr int basis(bool at_start, int j) { return at_start ? j + 1 : degree - 1 - j; }
+
+  // In the plane, f across the tangent: m (d1 x d3 - 3a d1 x d2) with m = sqrt(weight) / g^(7/4).
+  // Its derivative is that of this number, and along the tangent, with which it turns, f (d1 x dd1)
+  // / g.
+  struct Turned {
+    Row f, m, second; // d1 x d2
+  };
+  void turn(Turned& t) const {
+    const auto& [d1, d2, d3] = d_;
+    CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
+    for (int i = 0; i < nodes; ++i) {
+      t.m[i] = scale_[i] / speed_[i];
+      t.second[i] = d1[0][i] * d2[1][i] - d1[1][i] * d2[0][i];
+      t.f[i] = t.m[i] * (d1[0][i] * d3[1][i] - d1[1][i] * d3[0][i] - 3 * a_[i] * t.second[i]);
+    }
+  }
+  void differentiate_turned(const Turned& t, const typename End::Points& h, bool at_start, Rows& df) const {
+    const auto& [d1, d2, d3] = d_;
+    const Row &a1 = table_.b[0][basis(at_start, 0)], &a2 = table_.b[1][basis(at_start, 0)],
+              &a3 = table_.b[2][basis(at_start, 0)], &b1 = table_.b[0][basis(at_start, 1)],
+              &b2 = table_.b[1][basis(at_start, 1)], &b3 = table_.b[2][basis(at_start, 1)];
+    const double px = h[0][0], py = h[0][1], qx = h[1][0], qy = h[1][1];
+    CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
+    for (int i = 0; i < nodes; ++i) {
+      const double x1 = a1[i] * px + b1[i] * qx, y1 = a1[i] * py + b1[i] * qy, x2 = a2[i] * px + b2[i] * qx,
+                   y2 = a2[i] * py + b2[i] * qy, x3 = a3[i] * px + b3[i] * qx, y3 = a3[i] * py + b3[i] * qy,
+                   along = (d1[0][i] * x1 + d1[1][i] * y1) * over_g_[i],
+                   da =
+                       (d1[0][i] * x2 + d1[1][i] * y2 + d2[0][i] * x1 + d2[1][i] * y1) * over_g_[i] - 2 * a_[i] * along,
+                   second = x1 * d2[1][i] - y1 * d2[0][i] + d1[0][i] * y2 - d1[1][i] * x2,
+                   third = x1 * d3[1][i] - y1 * d3[0][i] + d1[0][i] * y3 - d1[1][i] * x3;
+      df[1][i] = t.f[i] * (d1[0][i] * y1 - d1[1][i] * x1) * over_g_[i];
+      df[0][i] = t.m[i] * (third - 3 * (da * t.second[i] + a_[i] * second)) - 3.5 * along * t.f[i];
+    }
+  }
+
   // The derivative of f, times sqrt(weight), when the control points at one end move by h; returns
   // that of L, divided by L.
   double differentiate(const typename End::Points& h, bool at_start, Rows& df) const {
@@ -242,7 +315,7 @@ private:
       for (int c = 0; c < M; ++c) {
         Row& row = dd[k][c];
         for (int j = 0; j < End::order; ++j) {
-          const Row& b = table_.b[k][at_start ? j + 1 : degree - 1 - j];
+          const Row& b = table_.b[k][basis(at_start, j)];
           if (j == 0) CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS
           for (int i = 0; i < nodes; ++i) row[i] = b[i] * h[j][c];
           else CGAL_GEOMETRIC_CONTINUITY_INDEPENDENT_ITERATIONS for (int i = 0; i < nodes; ++i) row[i] +=
