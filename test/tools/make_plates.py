@@ -108,6 +108,12 @@ solids = [
     ("box_pocket", box.cut(Part.makeCylinder(6, 4, V(20, 15, 4))), 1, 14, 0, None),
 ]
 solids += [("turned_" + solid[0], turned(solid[1])) + solid[2:] for solid in solids if solid[0] in ("plate_slot", "box_boss")]
+# two corners are round, and two are sharp
+k = 6 * (1 - math.sqrt(0.5))
+half = [Part.LineSegment(V(0, 0, 0), V(40, 0, 0)), Part.LineSegment(V(40, 0, 0), V(40, 24, 0)),
+        Part.Arc(V(40, 24, 0), V(40 - k, 30 - k, 0), V(34, 30, 0)), Part.LineSegment(V(34, 30, 0), V(6, 30, 0)),
+        Part.Arc(V(6, 30, 0), V(k, 30 - k, 0), V(0, 24, 0)), Part.LineSegment(V(0, 24, 0), V(0, 0, 0))]
+extruded(Part.Wire([e.toShape() for e in half]), 8).exportStep("half_plate.step")
 for name, shape, d, edges, g1, rims in solids:
     shape.exportStep(name + ".step")
     if rims is None:  # at an edge of the length L lies a triangle of the area d d / 2

@@ -80,6 +80,10 @@ plates() {
   done <made
   python3 "$check_solids" "${arguments[@]}"
   holds [ $? -eq 0 ]
+  # lines that meet in a corner: blends break in a mitre there, and the edge along the walls stays
+  run 0 round-edges half_plate.step --set-back 1 --edges 1,4,7,10,13,16 -o half.step && says out "; 2 mitres; 6 edges left sharp"
+  run 0 verify half.step && says out " 0 boundary" " 0 gaps, 0 undecided; 8 corners, 2 fading corners, 0 kinks"
+  refused "edge 0: it runs along the walls of an outline" round-edges half_plate.step --set-back 1 -o none.step
   # what there is no room for, with the bound
   refused "it bends to the side of its plane with the radius 6; the set-back 7 must be less" round-edges plate.step --set-back 7 --edges 1,4,7,10,13,16,19,22 -o none.step
   refused "which is 5 high; the set-back must be less than 2.5" round-edges disc.step --set-back 3 -o none.step
