@@ -212,7 +212,7 @@ void Outlined_solid::add_wall(std::size_t face) {
                    {rims[0], rims[1]},
                    {true, forward},
                    {sides[0], sides[1]},
-                   Wall_curve(given, below, axis, axis.flat(vertex(below.ends[0])), axis.flat(vertex(below.ends[1]))),
+                   Wall_curve(below, axis, axis.flat(vertex(below.ends[0])), axis.flat(vertex(below.ends[1]))),
                    planes,
                    {low, high}});
   if (const auto kink = walls.back().curve.kink(0.05))

@@ -69,13 +69,11 @@ void Wall_curve::set(int degree, std::vector<double> knots, const std::vector<Ve
                   GC::Knot_vector<double>(degree, std::move(knots)));
 }
 
-Wall_curve::Wall_curve(const Cad_solid& solid, const Cad_solid::Edge& edge, const Wall_axis& axis, const Vector& from,
-                       const Vector& to)
+Wall_curve::Wall_curve(const Cad_solid::Edge& edge, const Wall_axis& axis, const Vector& from, const Vector& to)
     : axis_(axis), kind_(edge.kind == "line"     ? Kind::line
                          : edge.kind == "circle" ? Kind::circle
                                                  : Kind::spline),
       centre_(3) {
-  (void)solid;
   if (kind_ == Kind::line)
     set(1, {0, 0, 1, 1}, {from, to}, {});
   else if (kind_ == Kind::circle) {

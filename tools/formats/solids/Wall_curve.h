@@ -54,8 +54,7 @@ public:
   enum class Kind { line, circle, spline };
 
   // The curve of an edge, from one end to the other, which are at the height 0.
-  Wall_curve(const Cad_solid& solid, const Cad_solid::Edge& edge, const Wall_axis& axis, const Vector& from,
-             const Vector& to);
+  Wall_curve(const Cad_solid::Edge& edge, const Wall_axis& axis, const Vector& from, const Vector& to);
 
   Kind kind() const { return kind_; }
   const Spline& spline() const { return *spline_; }
