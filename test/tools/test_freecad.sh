@@ -40,7 +40,13 @@ try:
     document.removeObject(one.Name)
     cylinder = document.addObject("Part::Cylinder", "Cylinder")
     document.recompute()
-    assert "cylinder, not a plane" in refusal(cylinder, 1), refusal(cylinder, 1)
+    rim = macro.add_rounded(cylinder, 0.5)
+    assert rim.Shape.isValid() and len(rim.Shape.Faces) == 5 and rim.Shape.Volume < cylinder.Shape.Volume, rim.Shape.Volume
+    document.removeObject(rim.Name)
+    document.removeObject(cylinder.Name)
+    sphere = document.addObject("Part::Sphere", "Sphere")
+    document.recompute()
+    assert "sphere, neither a plane nor a wall" in refusal(sphere, 1), refusal(sphere, 1)
     assert len(document.Objects) == 3
     two = document.addObject("Part::Feature", "Two")
     two.Shape = Part.makeCompound([Part.makeBox(1, 1, 1), Part.makeBox(1, 1, 1, FreeCAD.Vector(3, 0, 0))])

@@ -365,4 +365,69 @@ BOOST_AUTO_TEST_CASE(face_graph) {
   BOOST_CHECK_EQUAL(some.blends.size(), 4u);
 }
 
+// Goes on beside a blend: along the wall with another one of its rulings, or in the plane.
+template <class Surface> Surface beside(const Surface& blend, bool wall) {
+  typedef typename Surface::Traits Traits;
+  std::vector<std::vector<typename Traits::Point>> net;
+  std::vector<std::vector<typename Traits::FT>> weights;
+  for (int i = 0; i < blend.number_of_points_u(); ++i) {
+    const auto p = blend.coordinates(i, wall ? 0 : 5), q = blend.coordinates(i, wall ? 1 : 4);
+    net.push_back({GC::to_point<Traits>(p), GC::to_point<Traits>(p + (p - q))});
+    weights.emplace_back(2, blend.weight(i, 0));
+  }
+  return Surface(net, weights, blend.knots_u(), GC::Knot_vector<typename Traits::FT>(1, 0, 1));
+}
+
+// The blend along an outline is exactly G2 with wall and plane, whatever outline and rail are.
+// Those of a line and an arc have their boundary in common, and are exactly G1 there.
+TEST_FOR_EACH(outlines, K, Kernels) {
+  typedef GC::Traits_3<K> Traits;
+  typedef typename K::Point_3 Point;
+  typedef GC::Rational_bspline_curve<Traits> Curve;
+  const auto curve = [](const std::vector<Point>& points, const std::vector<FT>& weights, std::vector<FT> knots) {
+    const int degree = static_cast<int>(knots.size() - points.size()) - 1;
+    return Curve(points.begin(), points.end(), weights.begin(), weights.end(),
+                 GC::Knot_vector<FT>(degree, std::move(knots)));
+  };
+  struct Case {
+    const char* name;
+    Curve outline, rail;
+  };
+  const std::vector<FT> quarter_weights{1, 1, 2}, quarter{0, 0, 0, 1, 1, 1}, ones{1, 1};
+  const std::vector<Case> cases = {
+      {"line", curve({{0, 0, 7}, {9, 0, 7}}, ones, {0, 0, 1, 1}), curve({{0, 2, 7}, {9, 2, 7}}, ones, {0, 0, 1, 1})},
+      {"arc", curve({{9, 0, 7}, {15, 0, 7}, {15, 6, 7}}, quarter_weights, quarter),
+       curve({{9, 2, 7}, {13, 2, 7}, {13, 6, 7}}, quarter_weights, quarter)},
+      {"spline", curve({{0, 0, 7}, {3, 1, 7}, {7, -2, 7}, {8, 5, 7}}, {1, 2, 1, 3}, {0, 0, 0, 1, 3, 3, 3}),
+       curve({{-1, 2, 7}, {3, 4, 7}, {6, 1, 7}, {5, 7, 7}}, {1, 2, 1, 3}, {0, 0, 0, 1, 3, 3, 3})}};
+  std::vector<GC::Rational_bspline_surface<Traits>> blends;
+  for (const Case& c : cases) BOOST_TEST_CONTEXT(c.name) {
+      for (const int sign : {-1, 1}) { // convex and concave
+        const auto s =
+            GC::outline_blend<Traits>(c.outline, c.rail, typename K::Vector_3(0, 0, 2 * sign), FT(11) / FT(16));
+        for (const bool wall : {true, false}) {
+          const auto verdict = GC::edge_continuity(s, wall ? v0 : v1, beside(s, wall), v0);
+          BOOST_CHECK(verdict.g_order == 2 && verdict.whole_a && verdict.whole_b);
+        }
+        BOOST_CHECK(!GC::possible_fold(s));
+        BOOST_CHECK(GC::boundary_curve(s, v1) == c.rail);
+        for (int k = 0; k <= 4; ++k) {
+          const FT u =
+              c.outline.domain().first + FT(k) / FT(4) * (c.outline.domain().second - c.outline.domain().first);
+          const Point p = s(u, FT(0)), q = c.outline(u);
+          BOOST_CHECK_SMALL(CGAL::to_double(CGAL::squared_distance(p, q + typename K::Vector_3(0, 0, 2 * sign))),
+                            1e-28);
+        }
+        blends.push_back(s);
+      }
+    }
+  const auto joined = GC::edge_continuity(blends[0], u1, blends[2], u0);
+  BOOST_CHECK(joined.whole_a && joined.whole_b);
+  BOOST_CHECK_EQUAL(joined.g_order, 1);
+  CHECK_ERROR(GC::outline_blend<Traits>(cases[0].outline, cases[1].rail, typename K::Vector_3(0, 0, 1), FT(1) / FT(2)),
+              wrong_number_of_points);
+  CHECK_ERROR(GC::outline_blend<Traits>(cases[0].outline, cases[0].rail, typename K::Vector_3(0, 0, 1), FT(1)),
+              parameter_outside_domain);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -23,6 +23,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -39,6 +40,12 @@ B-spline surfaces of the degrees 5 and 5: C2 along the chain, and G2 with the
 faces and each other along whole edges, which is decided exactly on the numbers
 that are written. A .g2 has them cut into patches with four edges, a CAD model
 has trimmed faces that share their edges.
+
+A CAD model may also have walls, cylinders and extrusions, which meet planes at
+right angles: plates with rounded outlines, holes and bosses. An outline that is
+smooth is rounded as a whole, with one surface for each of its edges: exactly G2
+with the wall and the plane, and along the outline as smooth as this is. Corners
+of lines break in a mitre. The result is a CAD model.
 
 --set-back EDGE=R gives one edge its own distance, with the number by which
 `verify` names it, such as 7, or 0u0 in a .g2. --edges 0,3,5 rounds only these;
@@ -201,7 +208,11 @@ int run_round_edges(const Command_line& line) {
     if (line.files().size() > 1)
       throw std::invalid_argument("round-edges: one solid is expected, and there are " +
                                   std::to_string(line.files().size()) + " files");
-    return within_work_limit(name, [&] { return round_solid(line, read_solid(line.files()[0]), number_text); });
+    return within_work_limit(name, [&] {
+      const std::variant<Solid, Outlined_solid> solid = read_solid(line.files()[0]);
+      if (const auto* outlined = std::get_if<Outlined_solid>(&solid)) return round_outlined_solid(line, *outlined);
+      return round_solid(line, std::get<Solid>(solid), number_text);
+    });
   }
   return within_work_limit(name, [&] {
     return read_exact_model(line.files()).visit([&](const auto& surfaces) {

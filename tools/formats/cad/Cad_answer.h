@@ -14,7 +14,7 @@
 // model or a reason. It is called as
 //   geometric_continuity_cad FILE READING MEMORY
 // with the bytes of a `Cad_reading` in hexadecimal digits, or with the word `solid` for an answer
-// with the bytes of a `Planar_solid`, and the bytes of memory that it may take. When the file is
+// with the bytes of a `Cad_solid`, and the bytes of memory that it may take. When the file is
 // one of Spline_numbers, .shapes, or has the bytes of a Shell_model, .shell, it writes that to the
 // model of this name in the place of the reading, and answers with the model of no bytes. Its
 // standard input is a pipe, the other end of which is open as long as anybody waits for the answer.

@@ -12,11 +12,13 @@
 // A closed shell over doubles: faces that are cut out of surfaces, and the edges and vertices that
 // they share. It is what is written as a solid to a CAD model, see write_shell().
 struct Shell_model {
-  // The knots are all knots, each as often as its multiplicity: degree + 1 more than points.
+  // The knots are all knots, each as often as its multiplicity: degree + 1 more than points. There
+  // are no weights, or as many as points.
   struct Spline_curve {
     int degree;
     std::vector<double> knots;
     std::vector<std::array<double, 3>> points;
+    std::vector<double> weights = {};
   };
 
   // A curve in the parameters (u, v) of a face.
@@ -24,6 +26,7 @@ struct Shell_model {
     int degree;
     std::vector<double> knots;
     std::vector<std::array<double, 2>> points;
+    std::vector<double> weights = {};
   };
 
   // A B-spline surface or, if it says so, the plane origin + u x + v y, with orthonormal x and y.
@@ -33,6 +36,7 @@ struct Shell_model {
     std::vector<std::vector<std::array<double, 3>>> points; // points[u][v]
     bool plane = false;
     std::array<double, 3> origin, x, y;
+    std::vector<std::vector<double>> weights = {}; // weights[u][v], or none
   };
 
   struct Edge {

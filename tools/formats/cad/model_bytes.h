@@ -7,7 +7,7 @@
 
 #include "formats/cad/Cad_model.h"
 #include "formats/cad/Cad_reading.h"
-#include "formats/cad/Planar_solid.h"
+#include "formats/cad/Cad_solid.h"
 #include "formats/cad/Shell_model.h"
 
 #include <array>
@@ -54,16 +54,17 @@ template <> inline constexpr int number_of_members<Cad_curve_edge> = 4;
 template <> inline constexpr int number_of_members<Cad_join> = 3;
 template <> inline constexpr int number_of_members<Cad_wires> = 4;
 template <> inline constexpr int number_of_members<Cad_model> = 11;
-template <> inline constexpr int number_of_members<Shell_model::Spline_curve> = 3;
-template <> inline constexpr int number_of_members<Shell_model::Spline_curve_2> = 3;
-template <> inline constexpr int number_of_members<Shell_model::Surface> = 9;
+template <> inline constexpr int number_of_members<Shell_model::Spline_curve> = 4;
+template <> inline constexpr int number_of_members<Shell_model::Spline_curve_2> = 4;
+template <> inline constexpr int number_of_members<Shell_model::Surface> = 10;
 template <> inline constexpr int number_of_members<Shell_model::Edge> = 3;
 template <> inline constexpr int number_of_members<Shell_model::Use> = 3;
 template <> inline constexpr int number_of_members<Shell_model::Face> = 4;
 template <> inline constexpr int number_of_members<Shell_model> = 3;
-template <> inline constexpr int number_of_members<Planar_solid::Loop> = 2;
-template <> inline constexpr int number_of_members<Planar_solid::Face> = 4;
-template <> inline constexpr int number_of_members<Planar_solid> = 3;
+template <> inline constexpr int number_of_members<Cad_solid::Loop> = 3;
+template <> inline constexpr int number_of_members<Cad_solid::Face> = 7;
+template <> inline constexpr int number_of_members<Cad_solid::Edge> = 10;
+template <> inline constexpr int number_of_members<Cad_solid> = 4;
 
 // References to all members of an object.
 template <class T> auto members(T& x) {
@@ -84,9 +85,12 @@ template <class T> auto members(T& x) {
   } else if constexpr (n == 6) {
     auto& [a, b, c, d, e, f] = x;
     return std::tie(a, b, c, d, e, f);
-  } else if constexpr (n == 9) {
-    auto& [a, b, c, d, e, f, g, h, i] = x;
-    return std::tie(a, b, c, d, e, f, g, h, i);
+  } else if constexpr (n == 7) {
+    auto& [a, b, c, d, e, f, g] = x;
+    return std::tie(a, b, c, d, e, f, g);
+  } else if constexpr (n == 10) {
+    auto& [a, b, c, d, e, f, g, h, i, j] = x;
+    return std::tie(a, b, c, d, e, f, g, h, i, j);
   } else if constexpr (n == 11) {
     auto& [a, b, c, d, e, f, g, h, i, j, k] = x;
     return std::tie(a, b, c, d, e, f, g, h, i, j, k);

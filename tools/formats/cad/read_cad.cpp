@@ -107,8 +107,8 @@ Cad_model read_cad(const std::string& file, const Cad_reading& reading) {
   return read_apart<Cad_model>(file, hexadecimal(request.bytes()), reading.time_limit);
 }
 
-Planar_solid read_planar_solid(const std::string& file) {
-  return read_apart<Planar_solid>(file, "solid", Cad_reading().time_limit);
+Cad_solid read_cad_solid(const std::string& file) {
+  return read_apart<Cad_solid>(file, "solid", Cad_reading().time_limit);
 }
 
 void make_cad_model(const std::string& given, const std::string& model) {

@@ -8,7 +8,7 @@
 #include "commands/commands.h"
 #include "formats/cad/Cad_model.h"
 #include "formats/cad/Cad_reading.h"
-#include "formats/cad/Planar_solid.h"
+#include "formats/cad/Cad_solid.h"
 
 #include <string>
 
@@ -20,9 +20,9 @@ bool are_cad_files(const Arguments& files);
 // been built without OpenCASCADE.
 Cad_model read_cad(const std::string& file, const Cad_reading& reading);
 
-// Reads the faces of such a file, which has planes with straight edges only. Throws with the name
-// of the file, and the face and the edge, for others.
-Planar_solid read_planar_solid(const std::string& file);
+// Reads the faces of such a file, which has planes and walls only. Throws with the name of the
+// file, and the face or the edge, for others.
+Cad_solid read_cad_solid(const std::string& file);
 
 // Makes a model of the splines in a file .shapes, or of the shell in a file .shell, see
 // write_cad(). Throws std::runtime_error with the reason.

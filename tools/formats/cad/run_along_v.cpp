@@ -10,13 +10,18 @@
 
 namespace {
 
+template <class T> std::vector<std::vector<T>> transposed(const std::vector<std::vector<T>>& rows) {
+  std::vector<std::vector<T>> columns(rows.empty() ? 0 : rows.front().size());
+  for (const std::vector<T>& row : rows)
+    for (std::size_t j = 0; j < row.size(); ++j) columns[j].push_back(row[j]);
+  return columns;
+}
+
 void exchange_parameters(Shell_model::Surface& s) {
   std::swap(s.degree_u, s.degree_v);
   std::swap(s.knots_u, s.knots_v);
-  std::vector<std::vector<std::array<double, 3>>> points(s.points.front().size());
-  for (const auto& row : s.points)
-    for (std::size_t j = 0; j < row.size(); ++j) points[j].push_back(row[j]);
-  s.points = std::move(points);
+  s.points = transposed(s.points);
+  s.weights = transposed(s.weights);
 }
 
 } // namespace

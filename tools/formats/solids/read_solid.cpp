@@ -22,6 +22,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -137,23 +138,18 @@ Solid read_off(const std::string& file) {
   return solid;
 }
 
-Solid read_cad_solid(const std::string& file) {
-  const Planar_solid read = read_planar_solid(file);
+Solid polyhedron_of(const Cad_solid& read) {
   Solid solid;
   for (const std::array<double, 3>& p : read.vertices) solid.vertices.push_back(exact_point(p));
   std::vector<std::optional<Solid_plane>> planes;
-  for (const Planar_solid::Face& face : read.faces) {
+  for (const Cad_solid::Face& face : read.faces) {
     Solid::Face& result = solid.faces.emplace_back();
-    for (const Planar_solid::Loop& loop : face.loops) result.loops.push_back({loop.vertices, loop.edges});
+    for (const Cad_solid::Loop& loop : face.loops) result.loops.push_back({loop.vertices, loop.edges});
     result.name = face.name;
     planes.push_back(Solid_plane{exact_point(face.point), exact_point(face.normal)});
   }
-  try {
-    check_closed(solid);
-    make_planar(solid, planes, read.tolerance);
-  } catch (const std::runtime_error& e) {
-    throw std::runtime_error(file + ": " + e.what());
-  }
+  check_closed(solid);
+  make_planar(solid, planes, read.tolerance);
   return solid;
 }
 
@@ -161,4 +157,13 @@ Solid read_cad_solid(const std::string& file) {
 
 bool is_solid_file(const std::string& file) { return cad_format(file) || extension(file) == ".off"; }
 
-Solid read_solid(const std::string& file) { return cad_format(file) ? read_cad_solid(file) : read_off(file); }
+std::variant<Solid, Outlined_solid> read_solid(const std::string& file) {
+  if (!cad_format(file)) return read_off(file);
+  Cad_solid read = read_cad_solid(file);
+  try {
+    if (read.is_polyhedron()) return polyhedron_of(read);
+    return Outlined_solid(std::move(read));
+  } catch (const std::runtime_error& e) {
+    throw std::runtime_error(file + ": " + e.what());
+  }
+}

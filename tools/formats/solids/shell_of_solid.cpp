@@ -106,7 +106,7 @@ Shell_model::Face plane_face(const Rounded_solid::Face& face, const Shell_model&
     result.loops.emplace_back();
     for (const Rounded_solid::Use& use : loop) {
       const Shell_model::Spline_curve& c = model.edges[use.edge].curve;
-      Shell_model::Spline_curve_2 curve{c.degree, c.knots, {}};
+      Shell_model::Spline_curve_2 curve{c.degree, c.knots, {}, c.weights};
       for (const std::array<double, 3>& p : c.points) {
         curve.points.push_back(parameters(p));
         for (std::size_t k = 0; k < 2; ++k) {
@@ -156,15 +156,16 @@ Shell_model::Face blend_face(const Rounded_solid::Blend& blend, const Shell_mode
 
 } // namespace
 
-Shell_model shell_of_solid(const Rounded_solid& solid, const std::vector<std::string>& face_names,
-                           const std::vector<std::string>& blend_names) {
-  Shell_model model;
+void add_edges_of_solid(const Rounded_solid& solid, Shell_model& model) {
   for (const auto& p : solid.vertices) model.vertices.push_back(doubles_of(p));
   for (const Rounded_solid::Edge& e : solid.edges)
     model.edges.push_back({curve_of(e.curve), static_cast<int>(e.start), static_cast<int>(e.end)});
+}
+
+void add_faces_of_solid(const Rounded_solid& solid, const std::vector<std::string>& face_names,
+                        const std::vector<std::string>& blend_names, Shell_model& model) {
   for (std::size_t i = 0; i < solid.faces.size(); ++i)
     model.faces.push_back(plane_face(solid.faces[i], model, face_names[i]));
   for (std::size_t i = 0; i < solid.blends.size(); ++i)
     model.faces.push_back(blend_face(solid.blends[i], model, blend_names[i]));
-  return model;
 }

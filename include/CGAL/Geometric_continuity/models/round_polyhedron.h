@@ -8,12 +8,14 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/internal/Planar_solid.h>
 #include <CGAL/Geometric_continuity/models/internal/Polyhedron_rounding.h>
 #include <CGAL/Geometric_continuity/models/internal/Rounded_shell.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
+#include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 #include <CGAL/boost/graph/properties.h>
 
@@ -272,6 +274,51 @@ auto round_polyhedron(const std::vector<Point>& points, const std::vector<std::v
   return internal::round_polygons<Traits>(
       std::move(coordinates), faces, number,
       [&](int e) { return internal::cut_of_edge<FT>(cut, static_cast<std::size_t>(e)); }, options);
+}
+
+/// \ingroup PkgGeometricContinuitySurfaces
+/// Returns the blend along an outline of a plane face, where walls meet the plane at right angles:
+/// planes, cylinders and other surfaces \f$ c(u) + t z \f$.
+///
+/// With the directions \f$ n(u) \f$ from the outline to the rail and the vector \f$ w \f$ along
+/// the wall it is \f$ S(u, v) = c(u) + a(v)\,w + b(v)\,n(u) \f$, of degree 5 in `v`, where
+/// `a` leads from 1 to 0, and `b` from 0 to 1, with \f$ b' = b'' = 0 \f$ at the wall, `v` = 0,
+/// and \f$ a' = a'' = 0 \f$ in the plane, `v` = 1. So \f$ S_v, S_{vv} \f$ lie along the wall there
+/// and in the plane here, and the blend is \f$ G^2 \f$ with both, whatever the outline and the rail
+/// are. Blends of two outlines that meet have one boundary there if their rails meet, too, and are
+/// as smooth as outline and rail.
+/// \param outline the edge of the plane
+/// \param rail the new edge in the plane, which has the knots and the weights of the outline: with
+///   a unit normal \f$ n \f$ it is \f$ c + D n \f$, for a circle one with the same centre
+/// \param wall the vector from the outline to the new edge on the wall
+/// \param fullness the part of both cuts after which the third control point lies: in (0, 1).
+///   With 11/16 the integral of the square of the derivative of the curvature is about least.
+/// \throws Error `wrong_number_of_points` for a rail with other knots or weights,
+///   `parameter_outside_domain` for the fullness, `dimension_mismatch` unless the dimension is 3
+template <class Traits>
+Rational_bspline_surface<Traits>
+outline_blend(const Rational_bspline_curve<Traits>& outline, const Rational_bspline_curve<Traits>& rail,
+              const typename Traits::Vector& wall, const typename Traits::FT& fullness) {
+  typedef typename Traits::FT FT;
+  typedef Coordinate_vector<FT, 3> Vector;
+  if (outline.dimension() != 3) throw Error(Error_code::dimension_mismatch, "outline_blend: in dimension 3 only");
+  if (!(FT(0) < fullness && fullness < FT(1)))
+    throw Error(Error_code::parameter_outside_domain, "outline_blend: the fullness is not between 0 and 1");
+  if (!(outline.knots() == rail.knots()) || !(outline.weights() == rail.weights()))
+    throw Error(Error_code::wrong_number_of_points, "outline_blend: outline and rail have different knots or weights");
+  const FT parts[3] = {FT(0), FT(fullness / FT(2)), fullness};
+  const Vector down = coordinates<Traits>(wall);
+  std::vector<std::vector<typename Traits::Point>> net;
+  std::vector<std::vector<FT>> weights;
+  for (int i = 0; i < outline.number_of_points(); ++i) {
+    const Vector c = coordinates<Traits>(outline.control_point(i)),
+                 on_plane = coordinates<Traits>(rail.control_point(i)), on_wall = c + down;
+    net.emplace_back();
+    for (int j = 0; j < 3; ++j) net.back().push_back(to_point<Traits>(on_wall - parts[j] * down));
+    for (int j = 2; j >= 0; --j) net.back().push_back(to_point<Traits>(on_plane + parts[j] * (c - on_plane)));
+    weights.emplace_back(6, outline.weight(i));
+  }
+  return {net, weights, outline.knots(), Knot_vector<FT>(5, FT(0), FT(1))};
 }
 
 namespace internal {

@@ -4,7 +4,7 @@
 
 #include "formats/cad/Cad_answer.h"
 #include "formats/cad/model_bytes.h"
-#include "formats/cad/opencascade/planar_solid.h"
+#include "formats/cad/opencascade/cad_solid.h"
 #include "formats/cad/opencascade/read_model.h"
 #include "formats/cad/opencascade/write_model.h"
 #include "formats/cad/opencascade/write_shell.h"
@@ -124,7 +124,7 @@ int main(int argc, char** argv) {
     }
     Byte_writer bytes;
     if (argv[2] == std::string_view("solid")) {
-      bytes(planar_solid(read_shape(argv[1], Cad_reading())));
+      bytes(cad_solid(read_shape(argv[1], Cad_reading())));
       answer(descriptor, Cad_answer::model, bytes.bytes());
     }
     Cad_reading reading;

@@ -21,6 +21,8 @@
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_Line.hxx>
 #include <Geom_Plane.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array1OfPnt.hxx>
 #include <TColgp_Array1OfPnt2d.hxx>
 #include <TColgp_Array2OfPnt.hxx>
@@ -58,7 +60,9 @@ opencascade::handle<Curve> spline_curve(const Spline& spline, const Convert& con
   const Distinct_knots knots(spline.degree, spline.knots);
   Array points(1, static_cast<int>(spline.points.size()));
   for (std::size_t i = 0; i < spline.points.size(); ++i) points(static_cast<int>(i) + 1) = convert(spline.points[i]);
-  return new Curve(points, knots.knots(), knots.counts(), spline.degree);
+  if (spline.weights.empty()) return new Curve(points, knots.knots(), knots.counts(), spline.degree);
+  return new Curve(points, TColStd_Array1OfReal(spline.weights.front(), 1, static_cast<int>(spline.weights.size())),
+                   knots.knots(), knots.counts(), spline.degree);
 }
 
 opencascade::handle<Geom_Surface> spline_surface(const Shell_model::Surface& surface) {
@@ -68,7 +72,14 @@ opencascade::handle<Geom_Surface> spline_surface(const Shell_model::Surface& sur
   for (std::size_t i = 0; i < m; ++i)
     for (std::size_t j = 0; j < n; ++j)
       points(static_cast<int>(i) + 1, static_cast<int>(j) + 1) = in_space(surface.points[i][j]);
-  return new Geom_BSplineSurface(points, u.knots(), v.knots(), u.counts(), v.counts(), surface.degree_u,
+  if (surface.weights.empty())
+    return new Geom_BSplineSurface(points, u.knots(), v.knots(), u.counts(), v.counts(), surface.degree_u,
+                                   surface.degree_v);
+  TColStd_Array2OfReal weights(1, static_cast<int>(m), 1, static_cast<int>(n));
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      weights(static_cast<int>(i) + 1, static_cast<int>(j) + 1) = surface.weights[i][j];
+  return new Geom_BSplineSurface(points, weights, u.knots(), v.knots(), u.counts(), v.counts(), surface.degree_u,
                                  surface.degree_v);
 }
 
