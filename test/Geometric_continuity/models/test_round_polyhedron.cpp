@@ -8,6 +8,7 @@
 #include "support/polyhedra.h"
 #include "support/random_surfaces.h"
 
+#include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/models/round_polyhedron.h>
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
@@ -176,6 +177,36 @@ TEST_FOR_EACH(solids, K, Kernels) {
                         c.closed);
       BOOST_CHECK_EQUAL(static_cast<int>(r.blends.size()), c.blends);
     }
+}
+
+// Along its middle a blend is bent in corners only, where the curvature rises once and falls once,
+// as that of the profile does.
+BOOST_AUTO_TEST_CASE(middles) {
+  const std::vector<std::pair<Solid, Q>> cases = {
+      {box(6, 4, 3), Q(1, 2)},
+      {prism({{4, 0}, {2, 3}, {-2, 3}, {-4, 0}, {-2, -3}, {2, -3}}, 5), Q(1, 2)},
+      {prism({{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}, 2), Q(1, 4)},
+      {prism({{0, 0}, {6, 0}, {0, 2}}, 4), Q(1, 4)},
+      {tetrahedron(), Q(1, 4)},
+      {pyritohedron(), Q(1, 16)}};
+  for (const auto& [solid, cut] : cases) {
+    const auto r = GC::round_polyhedron(points_of<Exact_kernel>(solid), solid.faces, cut);
+    std::size_t corners = 0;
+    for (const auto& blend : r.blends) {
+      const auto knots = blend.surface.knots_u().distinct_knots();
+      const auto profile = GC::boundary_curve(blend.surface, GC::Patch_edge::u0);
+      BOOST_CHECK_EQUAL(GC::curvature_extrema(profile).size(), 1U);
+      for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+        const auto part = part_of(blend.surface, knots[i].value, knots[i + 1].value);
+        const auto middle = GC::boundary_curve(part.split_v(Q(1, 2)).first, GC::Patch_edge::v1);
+        const GC::Curvature_extrema bends = GC::curvature_extrema(middle);
+        if (bends.largest().upper == 0) continue;
+        BOOST_CHECK_EQUAL(bends.size(), 1U);
+        ++corners;
+      }
+    }
+    BOOST_CHECK_EQUAL(corners, solid.points.size());
+  }
 }
 
 // Planes that touch a sphere: three meet at each vertex. Cuts are halved until there is room.
