@@ -372,6 +372,33 @@ BOOST_AUTO_TEST_CASE(refused_polyhedra) {
   BOOST_CHECK(refused);
 }
 
+// One edge alone: what bounds the faces beside its rounding, or those where it ends, may be in its
+// way, or have been passed by it.
+TEST_FOR_EACH(no_room_for_one_edge, K, Kernels) {
+  const auto number_of_errors = [](const Solid& s, const FT& cut, const char* text) {
+    std::size_t count = 0;
+    const std::size_t edges = 3 * s.points.size() / 2;
+    for (std::size_t only = 0; only < edges; ++only)
+      count += contains(error_of([&] {
+                          GC::round_polyhedron(points_of<K>(s), s.faces,
+                                               [&](std::size_t e) { return e == only ? cut : FT(0); });
+                        }),
+                        text);
+    return count;
+  };
+  const Solid thin = prism({{0, 0}, {40, 0}, {40, 2}, {2, 2}, {2, 40}, {0, 40}}, 5);
+  const char* const no_room = "the face where its rounding ends has no room for it at the edge ";
+  BOOST_CHECK_EQUAL(number_of_errors(thin, FT(8), no_room), 0U);
+  BOOST_CHECK_EQUAL(number_of_errors(thin, FT(9), no_room), 1U);
+  BOOST_CHECK_EQUAL(number_of_errors(thin, FT(15), no_room), 1U);
+  const Solid block = prism(
+      std::vector<std::vector<std::array<int, 2>>>{{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, {{3, 3}, {3, 5}, {5, 5}, {5, 3}}},
+      20);
+  const char* const beyond = "reaches beyond the boundary to which it belongs";
+  BOOST_CHECK_EQUAL(number_of_errors(block, FT(2), beyond), 0U);
+  BOOST_CHECK_EQUAL(number_of_errors(block, FT(6), beyond), 8U); // four edges above, four below
+}
+
 // Faces of triangles are united, and edges of them that continue each other.
 BOOST_AUTO_TEST_CASE(face_graph) {
   typedef CGAL::Surface_mesh<Exact_kernel::Point_3> Mesh;
