@@ -35,21 +35,21 @@ const char* const program_usage = R"(usage: geometric_continuity COMMAND [ARGUME
   fit POINTS                make few smooth curves near a polyline, and prove
                             their distance
   verify FILE.g2...         decide the continuity of every join of a chain, of a
-                            drawing (.svg), a toolpath (.ngc) or a font,
-                            exactly, and enclose that of every edge of a CAD
-                            model (.step, .iges)
+                            drawing (.svg), a toolpath (.ngc), a font, or roads
+                            and rails (.xodr, .ifc), exactly, and enclose that
+                            of every edge of a CAD model (.step, .iges)
   merge RECORDS...          add up what verify --jsonl has written of many files
   repair FILE -o FILE       make kinks of a drawing, a chain or a font exactly
-                            smooth, on its own grid
+                            smooth, on its own grid, and join roads
   plot FILE.g2...           draw curves, control polygons and curvature combs,
                             or surfaces
   report FILE... -o OUT.html
-                            show the joins of chains, drawings, fonts or models,
-                            the worst first, on a page
+                            show the joins of chains, drawings, fonts, models or
+                            roads, the worst first, on a page
   tessellate MODEL.g2...    write triangles for surfaces, without cracks, as
                             OFF, PLY, OBJ or STL
-  round-edges MODEL.g2...   replace the sharp edges of a model by surfaces with
-                            continuous curvature, and prove it
+  round-edges MODEL...      replace the sharp edges of a solid or a model by
+                            surfaces with continuous curvature, and prove it
 
 A curve with inner knots is taken as the chain of its Bezier curves, so that
 its knots are joins. The name - is standard input, and standard output.
