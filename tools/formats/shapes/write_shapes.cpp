@@ -207,7 +207,8 @@ void add_shape_output(po::options_description_easy_init& add, const std::string&
 void check_shape_output(const Command_line& line) {
   check_outputs(line);
   if (line.has("output"))
-    check_output_name(line, "output", {".g2", ".svg", ".dxf", ".json", ".step", ".stp", ".brep", ".brp"});
+    check_output_name(line, "output", {".g2", ".svg", ".dxf", ".json", ".step", ".stp", ".brep", ".brp"},
+                      "; others are .svg, .dxf, .json, .step and .brep, and tessellate makes triangles of .g2");
   const std::string ending = extension(line.text("output"));
   const bool is_g2 = !is_other_format(ending);
   if (line.has("decimals")) {
