@@ -19,17 +19,11 @@ namespace {
 
 typedef Outlined_solid::Vector Outline_vector;
 
-Outline_vector outline_vector(const std::array<double, 3>& p) {
-  Outline_vector v(3);
-  for (int k = 0; k < 3; ++k) v[k] = p[static_cast<std::size_t>(k)];
-  return v;
-}
-double outline_norm(const Outline_vector& v) { return std::sqrt(dot(v, v)); }
 std::string edge_word(std::size_t edge) { return "edge " + std::to_string(edge); }
 
 } // namespace
 
-Outline_vector Outlined_solid::vertex(std::size_t v) const { return outline_vector(given.vertices[v]); }
+Outline_vector Outlined_solid::vertex(std::size_t v) const { return wall_vector(given.vertices[v]); }
 
 std::string Outlined_solid::face_name(std::size_t face) const {
   const Cad_solid::Face& f = given.faces[face];
@@ -74,10 +68,10 @@ bool Outlined_solid::is_inside_out() const {
   std::vector<Vector> points;
   for (std::size_t e = 0; e < given.edges.size(); ++e)
     if (!passes_[e].empty())
-      for (int k = 0; k < 8; ++k) points.push_back(outline_vector(point_of_edge(given, given.edges[e], k / 8.)));
+      for (int k = 0; k < 8; ++k) points.push_back(wall_vector(point_of_edge(given, given.edges[e], k / 8.)));
   for (const Cad_solid::Face& face : given.faces) {
     if (face.wall) continue;
-    const Vector normal = (face.turned ? -1. : 1.) * outline_vector(face.normal), origin = outline_vector(face.point);
+    const Vector normal = (face.turned ? -1. : 1.) * wall_vector(face.normal), origin = wall_vector(face.point);
     double low = 0, high = 0;
     for (const Vector& p : points) {
       low = (std::min)(low, dot(normal, p - origin));
@@ -107,7 +101,7 @@ bool Outlined_solid::is_along(std::size_t edge, const Vector& axis) const {
   const Cad_solid::Edge& e = given.edges[edge];
   if (e.kind != "line") return false;
   const Vector d = vertex(e.ends[1]) - vertex(e.ends[0]);
-  return outline_norm(cross_product(d, axis)) <= 1e-7 * outline_norm(d) + tolerance_;
+  return wall_norm(cross_product(d, axis)) <= 1e-7 * wall_norm(d) + tolerance_;
 }
 
 // Walls are the faces that are no planes, and the planes beside them along their direction.
@@ -118,13 +112,13 @@ void Outlined_solid::find_walls() {
   std::vector<Vector> known;
   for (std::size_t f = 0; f < given.faces.size(); ++f) {
     if (!given.faces[f].wall) continue;
-    Vector d = outline_vector(given.faces[f].normal);
+    Vector d = wall_vector(given.faces[f].normal);
     int largest = 0;
     for (int k = 1; k < 3; ++k)
       if (std::abs(d[largest]) < std::abs(d[k]) - 1e-6) largest = k;
-    d = (d[largest] < 0 ? -1 : 1) / outline_norm(d) * d;
+    d = (d[largest] < 0 ? -1 : 1) / wall_norm(d) * d;
     const auto same = std::find_if(known.begin(), known.end(),
-                                   [&](const Vector& x) { return outline_norm(cross_product(x, d)) < 1e-9; });
+                                   [&](const Vector& x) { return wall_norm(cross_product(x, d)) < 1e-9; });
     if (same != known.end())
       d = *same;
     else
@@ -140,7 +134,7 @@ void Outlined_solid::find_walls() {
       if (is_along(e, axes_[f]))
         for (const Pass& pass : passes_[e]) {
           if (is_wall_[pass.face]) {
-            if (outline_norm(cross_product(axes_[pass.face], axes_[f])) > 1e-7)
+            if (wall_norm(cross_product(axes_[pass.face], axes_[f])) > 1e-7)
               refuse(pass.face, "at " + edge_word(e) + " it meets " + face_name(f) + ", a wall in another direction");
             continue;
           }
@@ -157,9 +151,9 @@ bool Outlined_solid::curves_agree(std::size_t wall_edge, std::size_t other, bool
   constexpr int n = 24;
   for (int i = 0; i <= n; ++i) {
     const double s = static_cast<double>(i) / n;
-    const Vector p = outline_vector(point_of_edge(given, given.edges[wall_edge], s)),
-                 q = outline_vector(point_of_edge(given, given.edges[other], reversed ? 1 - s : s));
-    if (outline_norm(axis.flat(p) - axis.flat(q)) > 1e-6 * size + tolerance_) return false;
+    const Vector p = wall_vector(point_of_edge(given, given.edges[wall_edge], s)),
+                 q = wall_vector(point_of_edge(given, given.edges[other], reversed ? 1 - s : s));
+    if (wall_norm(axis.flat(p) - axis.flat(q)) > 1e-6 * size + tolerance_) return false;
   }
   return true;
 }
@@ -176,7 +170,7 @@ void Outlined_solid::add_wall(std::size_t face) {
   const auto level_of = [&](std::size_t e) {
     const double a = axis.height(vertex(given.edges[e].ends[0]));
     for (int i = 1; i <= 4; ++i)
-      if (std::abs(axis.height(outline_vector(point_of_edge(given, given.edges[e], i / 4.))) - a) >
+      if (std::abs(axis.height(wall_vector(point_of_edge(given, given.edges[e], i / 4.))) - a) >
           1e-6 * size + tolerance_)
         refuse(face, edge_word(e) + " is not at right angles to the wall");
     return a;
@@ -202,8 +196,8 @@ void Outlined_solid::add_wall(std::size_t face) {
       if (pass.face != face) planes[k] = pass.face;
     const Cad_solid::Face& plane = given.faces[planes[k]];
     if (is_wall_[planes[k]]) refuse(face, edge_word(rims[k]) + " is between two walls in different directions");
-    const Vector n = outline_vector(plane.normal);
-    if (outline_norm(cross_product(n, axes_[face])) > 1e-7 * outline_norm(n))
+    const Vector n = wall_vector(plane.normal);
+    if (wall_norm(cross_product(n, axes_[face])) > 1e-7 * wall_norm(n))
       refuse(face, "at " + edge_word(rims[k]) + " it does not meet " + face_name(planes[k]) + " at a right angle");
   }
   wall_of_face_[face] = walls.size();
@@ -225,8 +219,8 @@ double Outlined_solid::area(const Cad_solid::Loop& loop, const Vector& normal) c
   std::vector<Vector> points;
   for (std::size_t i = 0; i < loop.edges.size(); ++i)
     for (int k = 0; k < 32; ++k)
-      points.push_back(outline_vector(
-          point_of_edge(given, given.edges[loop.edges[i]], loop.reversed[i] != 0 ? 1 - k / 32. : k / 32.)));
+      points.push_back(
+          wall_vector(point_of_edge(given, given.edges[loop.edges[i]], loop.reversed[i] != 0 ? 1 - k / 32. : k / 32.)));
   Vector sum(3);
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
     sum += cross_product(points[i] - points[0], points[i + 1] - points[0]);
@@ -235,7 +229,7 @@ double Outlined_solid::area(const Cad_solid::Loop& loop, const Vector& normal) c
 
 void Outlined_solid::add_plane(std::size_t face) {
   const Cad_solid::Face& f = given.faces[face];
-  const Vector normal = (f.turned ? -1. : 1.) * outline_vector(f.normal);
+  const Vector normal = (f.turned ? -1. : 1.) * wall_vector(f.normal);
   std::vector<Solid::Loop> polygons;
   bool outer_is_polygon = false, has_outline = false;
   for (const Cad_solid::Loop& loop : f.loops) {
@@ -282,8 +276,7 @@ void Outlined_solid::add_plane(std::size_t face) {
 
 Outlined_solid::Outlined_solid(Cad_solid solid) : given(std::move(solid)), passes_(given.edges.size()) {
   for (const auto& p : given.vertices)
-    for (const auto& q : {given.vertices[0], p})
-      size = (std::max)(size, outline_norm(outline_vector(p) - outline_vector(q)));
+    for (const auto& q : {given.vertices[0], p}) size = (std::max)(size, wall_norm(wall_vector(p) - wall_vector(q)));
   for (const Cad_solid::Edge& e : given.edges) size = (std::max)(size, e.radius);
   tolerance_ = (std::min)(given.tolerance, 1e-4 * size);
   for (std::size_t f = 0; f < given.faces.size(); ++f)
@@ -307,8 +300,7 @@ Outlined_solid::Outlined_solid(Cad_solid solid) : given(std::move(solid)), passe
   };
   for (std::size_t v = 0; v < given.vertices.size(); ++v) polyhedron.vertices.push_back(exact(vertex(v)));
   for (const std::size_t f : faces_of_polyhedron)
-    planes.push_back(
-        Solid_plane{exact(outline_vector(given.faces[f].point)), exact(outline_vector(given.faces[f].normal))});
+    planes.push_back(Solid_plane{exact(wall_vector(given.faces[f].point)), exact(wall_vector(given.faces[f].normal))});
   check_closed(polyhedron);
   make_planar(polyhedron, planes, given.tolerance);
 }

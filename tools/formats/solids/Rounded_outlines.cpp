@@ -19,12 +19,6 @@ namespace {
 typedef Rounded_outlines::Vector Rail_vector;
 typedef Wall_curve::Traits::Point Rail_point;
 
-template <class P> Rail_vector rail_vector(const P& p) {
-  Rail_vector v(3);
-  for (int k = 0; k < 3; ++k) v[k] = p[k];
-  return v;
-}
-double rail_norm(const Rail_vector& v) { return std::sqrt(dot(v, v)); }
 std::string number_words(double x) {
   std::ostringstream os;
   os << x;
@@ -51,7 +45,7 @@ std::array<Rail_vector, 2> vectors_in_plane(const Rail_vector& normal) {
   Rail_vector x(3);
   x[least] = 1;
   x -= dot(x, normal) * normal;
-  x = 1 / rail_norm(x) * x;
+  x = 1 / wall_norm(x) * x;
   return {x, cross_product(normal, x)};
 }
 
@@ -92,9 +86,9 @@ void Rounded_outlines::find_planes() {
       if (place == polyhedron_->faces.end())
         throw std::runtime_error(solid_.face_name(outline.face) +
                                  ": a neighbour lies in its plane; unite them, so that its outlines can be rounded");
-      origin = rail_vector(place->origin);
-      const Rail_vector across = cross_product(rail_vector(place->x), rail_vector(place->y));
-      if (rail_norm(cross_product(normal, across)) != 0) normal = 1 / rail_norm(across) * across;
+      origin = wall_vector(place->origin);
+      const Rail_vector across = cross_product(wall_vector(place->x), wall_vector(place->y));
+      if (wall_norm(cross_product(normal, across)) != 0) normal = 1 / wall_norm(across) * across;
     }
     planes_[outline.face] = {origin, normal};
   }
@@ -112,7 +106,7 @@ std::vector<Rail_vector> Rounded_outlines::rim_points(const Outlined_solid::Wall
                                                       std::size_t level) const {
   std::vector<Vector> points;
   for (const Rail_point& p : curves_[number].spline())
-    points.push_back(on_plane(wall.planes[level], wall.axis, rail_vector(p)));
+    points.push_back(on_plane(wall.planes[level], wall.axis, wall_vector(p)));
   return points;
 }
 
@@ -148,10 +142,10 @@ Rail_vector Rounded_outlines::direction_at(const Outlined_solid::Outline& outlin
   const auto [s, t] = solid_.tangents(before, rim);
   const Vector axis = outline.sign * solid_.wall_at(rim).axis.direction(), m = cross_product(axis, s),
                k = cross_product(axis, t);
-  const double angle = std::atan2(rail_norm(cross_product(s, t)), dot(s, t)) * 180 / M_PI;
+  const double angle = std::atan2(wall_norm(cross_product(s, t)), dot(s, t)) * 180 / M_PI;
   if (angle <= smooth_degrees) {
     const Vector sum = curves_[rim.wall].kind() == Wall_curve::Kind::line ? k : m;
-    return 1 / rail_norm(sum) * sum;
+    return 1 / wall_norm(sum) * sum;
   }
   const std::size_t edge = solid_.edge_of(rim), other = solid_.edge_of(before);
   if (angle < 150 && curves_[rim.wall].kind() == Wall_curve::Kind::line &&
@@ -178,7 +172,7 @@ void Rounded_outlines::check_curve(const Outlined_solid::Rim& rim, int side, con
                   " it bends to the side of its plane with the radius " + number_words(least->radius) +
                   "; the set-back " + number_words(d) + " must be less");
   const Wall_curve::Spline rail = spline_like(curve.spline(), curve.rail(d, side, directions));
-  const auto derivative = [](const Wall_curve::Spline& c, double u) { return rail_vector(c.jet(u, 1).derivative(1)); };
+  const auto derivative = [](const Wall_curve::Spline& c, double u) { return wall_vector(c.jet(u, 1).derivative(1)); };
   for (const double u : curve.samples(8))
     if (!(dot(derivative(rail, u), derivative(curve.spline(), u)) > 0))
       refuse_edge(edge, "the cuts at its ends meet; take a smaller set-back than " + number_words(d));
@@ -270,7 +264,7 @@ std::vector<Rounded_outlines::Polygon> Rounded_outlines::polygons(std::size_t fa
       std::vector<double> samples = curve.samples(curve.kind() == Wall_curve::Kind::line ? 1 : 24);
       if (!rim.along) std::reverse(samples.begin(), samples.end());
       for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
-        polygon.points.push_back(in_plane(rail_vector(spline(samples[i]))));
+        polygon.points.push_back(in_plane(wall_vector(spline(samples[i]))));
         polygon.edges.push_back(solid_.edge_of(rim));
       }
     }
@@ -288,7 +282,7 @@ std::vector<Rounded_outlines::Polygon> Rounded_outlines::polygons(std::size_t fa
           const int n = c.degree() == 1 ? 1 : 24;
           for (int j = 0; j < n; ++j) {
             const double part = static_cast<double>(use.reversed ? n - j : j) / n;
-            polygon.points.push_back(in_plane(rail_vector(c(begin + part * (end - begin)))));
+            polygon.points.push_back(in_plane(wall_vector(c(begin + part * (end - begin)))));
             polygon.edges.push_back(static_cast<std::size_t>(-1));
           }
         }
@@ -432,7 +426,7 @@ class Outline_shell {
   std::vector<int> add_pieces(const Wall_curve::Spline& curve, const std::vector<std::array<double, 3>>& points,
                               int start, int end) {
     std::vector<Rail_vector> vectors;
-    for (const std::array<double, 3>& p : points) vectors.push_back(rail_vector(p));
+    for (const std::array<double, 3>& p : points) vectors.push_back(wall_vector(p));
     std::vector<int> result;
     const auto pieces = spline_like(curve, vectors).bezier_pieces();
     for (std::size_t i = 0; i < pieces.size(); ++i) {

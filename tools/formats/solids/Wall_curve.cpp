@@ -12,13 +12,6 @@ namespace {
 
 typedef Wall_axis::Vector Wall_vector;
 
-Wall_vector wall_vector(const std::array<double, 3>& p) {
-  Wall_vector v(3);
-  for (int k = 0; k < 3; ++k) v[k] = p[static_cast<std::size_t>(k)];
-  return v;
-}
-double norm(const Wall_vector& v) { return std::sqrt(dot(v, v)); }
-
 Wall_vector turned_about(const Wall_vector& v, const Wall_vector& axis, double angle) {
   return std::cos(angle) * v + std::sin(angle) * cross_product(axis, v) + (1 - std::cos(angle)) * dot(axis, v) * axis;
 }
@@ -34,7 +27,7 @@ Wall_curve::Spline spline_of_edge(const Cad_solid::Edge& edge) {
 
 } // namespace
 
-Wall_axis::Wall_axis(const Vector& direction) : direction_(1 / norm(direction) * direction) {
+Wall_axis::Wall_axis(const Vector& direction) : direction_(1 / wall_norm(direction) * direction) {
   for (int k = 0; k < 3; ++k)
     if (std::abs(direction_[(k + 1) % 3]) < 1e-12 && std::abs(direction_[(k + 2) % 3]) < 1e-12) {
       number_ = k;
@@ -98,7 +91,7 @@ void Wall_curve::make_arc(const Vector& from, const Vector& to, double angle) {
   const double step = angle / n;
   const bool right = std::abs(step - right_angle) < little, exact = right && n % 2 == 0;
   const Vector turn = (left_turn_ ? 1. : -1.) * axis_.direction();
-  radius_ = (norm(from - centre_) + norm(to - centre_)) / 2;
+  radius_ = (wall_norm(from - centre_) + wall_norm(to - centre_)) / 2;
   std::vector<Vector> points{from};
   std::vector<double> weights{1}, knots{0, 0, 0};
   Vector v = from - centre_;
@@ -122,7 +115,7 @@ Wall_vector Wall_curve::point(double u) const {
 Wall_vector Wall_curve::tangent(double u) const {
   const auto d = spline_->jet(u, 1).derivative(1);
   const Vector t = wall_vector({d.x(), d.y(), d.z()});
-  return 1 / norm(t) * t;
+  return 1 / wall_norm(t) * t;
 }
 
 std::vector<double> Wall_curve::samples(int of_each_span) const {
@@ -139,7 +132,7 @@ std::optional<Wall_curve::Kink> Wall_curve::kink(double degrees) const {
     if (knot.multiplicity < spline_->degree()) continue;
     const auto a = spline_->left_jet(knot.value, 1).derivative(1), b = spline_->right_jet(knot.value, 1).derivative(1);
     const Vector s = wall_vector({a.x(), a.y(), a.z()}), t = wall_vector({b.x(), b.y(), b.z()});
-    const double angle = std::atan2(norm(cross_product(s, t)), dot(s, t)) * 180 / M_PI;
+    const double angle = std::atan2(wall_norm(cross_product(s, t)), dot(s, t)) * 180 / M_PI;
     if (angle > degrees) return Kink{angle, point(knot.value)};
   }
   return std::nullopt;
@@ -153,7 +146,7 @@ std::optional<Wall_curve::Radius> Wall_curve::least_radius(int side) const {
     const auto jet = spline_->jet(u, 2);
     const auto a = jet.derivative(1), b = jet.derivative(2);
     const Vector d = wall_vector({a.x(), a.y(), a.z()}), dd = wall_vector({b.x(), b.y(), b.z()});
-    const double bend = side * dot(axis_.direction(), cross_product(d, dd)), speed = norm(d);
+    const double bend = side * dot(axis_.direction(), cross_product(d, dd)), speed = wall_norm(d);
     if (bend <= 0) continue;
     const double radius = speed * speed * speed / bend;
     if (!result || radius < result->radius) result = Radius{radius, point(u)};

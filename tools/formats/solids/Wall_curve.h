@@ -13,11 +13,20 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
+
+// The coordinates of a point, and the length of a vector.
+template <class P = std::array<double, 3>> GC::Coordinate_vector<double, 3> wall_vector(const P& p) {
+  GC::Coordinate_vector<double, 3> v(3);
+  for (int k = 0; k < 3; ++k) v[k] = p[k];
+  return v;
+}
+inline double wall_norm(const GC::Coordinate_vector<double, 3>& v) { return std::sqrt(dot(v, v)); }
 
 // The direction of walls, and heights along it: exact ones along an axis of the coordinates.
 class Wall_axis {
