@@ -46,22 +46,24 @@ given order. The decision is exact for the numbers of the files.
   G: equal derivatives with respect to arc length
   F: equal Frenet frame and curvatures
 The inner knots of a curve are joins as well. Where tangents differ, the remark
-calls it a kink, of at most --kink-angle degrees, or a corner; of chains
---require asks every join, also where a corner is meant.
+calls it a kink, of at most --kink-angle degrees, or a corner; in chains,
+--require is about every join, also about intended corners.
 
 With --surfaces it finds all edges that the surfaces of the files share, and
 decides G1 and G2 along each whole edge and along the knot lines inside
 B-spline surfaces. For SVG drawings it decides the joins of every path and
 basic shape, and names the element and the commands. It tells what they look
 like: a corner, a kink, which is an angle of at most --kink-angle degrees, G1
-or G2. Corners are meant, and need not meet --require G1, G2, ... Segments of no
-length are left out. Of programs in G-code (.ngc, .nc, .gcode, ...) the joins of
-feed moves in a plane are decided in the same way, and named by their lines.
+or G2. Corners are intended, and need not meet --require G1, G2, ... Segments of
+no length are left out. In G-code programs (.ngc, .nc, .gcode, ...) it decides
+the joins of feed moves in a plane in the same way, and names them by their
+lines.
 
-Of alignments in IFC 4.3 (.ifc) it proves or refutes what the segments of curves
-claim: one position, direction, curvature, within the precision of the file, or
---gap, --kink and --curvature; --require G1 decides claims up to the direction.
-Of LandXML (.xml) it compares the numbers that follow from others, within 0.001.
+For alignments in IFC 4.3 (.ifc) it proves or refutes the claims of the
+segments: one position, direction, curvature, within the precision of the file,
+or --gap, --kink and --curvature. --require G1 decides claims up to the
+direction. In LandXML (.xml) it compares the numbers that follow from others,
+within 0.001.
 
 Of fonts (TrueType, OpenType, Type 1, WOFF; folders with all that is in them) it
 grades the joins of each glyph, on the integers of the font:
@@ -77,9 +79,9 @@ angle that a kink may have, --max-kink. --glyphs a-z,U+00E9,ampersand,#12 takes
 characters and ranges of them, names and numbers of glyphs.
 
 --all-instances encloses the largest kink of each join over all instances of a
-variable font (TrueType or CFF2 outlines), of joins that are no corners at the
-default instance: proved between the masters as well, with the axis values of
-the largest one. --max-work is 50000000 for each join then.
+variable font (TrueType or CFF2 outlines), if it is no corner at the default
+instance. This is proved between the masters as well. The report has the axis
+values of the largest kink. --max-work is then 50000000 for each join.
 
 Sources of fonts (folders .ufo, .glyphs, .designspace) are decided by the Python
 module, where that is installed, with --require, --kink-angle and --json.
@@ -93,19 +95,19 @@ or when it is not given within vda-4955, for --require G2 within 0.02,0.1deg,5%.
 Geometry is taken as it is in the file; shapes are not healed, unless --sew
 DISTANCE lets OpenCASCADE join the boundary edges that are within this distance
 (in mm), as most IGES files need.
-Those that lie beside each other and are not joined are not covered, nor is what
-a file names and cannot be read, or shells said to be closed that are not.
-Each file is read by a process of its own, within --time-limit seconds of
-processor time.
-An edge where the angle is at least --kink-angle everywhere is a corner, of
-which --require asks only G0; in places only, it is a fading corner, and may not
-be meant. Creases inside of faces are kinks, whatever their angle; a face that
-comes back below the other is a fold, one whose outside is inside fails as well.
-Curves in parameter planes that the file does not have are projections of those
-in space: how far they are from these is said, and what is only wrong with the
-projection does not count.
-Curves without faces, such as those of wires, are decided where their ends meet:
-gap, angle and jump of the curvature, for --require G0, G1, G2, C0, C1 or C2.
+Boundary edges that lie beside each other and are not joined are not covered,
+nor are entities that cannot be read, nor shells that are declared closed and
+are open. Each file is read by a separate process, within --time-limit seconds
+of processor time. An edge where the angle is at least --kink-angle everywhere
+is a corner, and --require only asks that its faces meet. If the angle is that
+large in places only, the edge is a fading corner, which may not be intended.
+Creases inside of faces are kinks, whatever their angle. A face that comes back
+below the other is a fold, and fails; so does a face whose outside is inside.
+Where the file has no curve in a parameter plane, the curve in space is
+projected. The report tells how far the projection is off, and defects of the
+projection alone do not count. Curves without faces, such as those of wires, are
+decided where their ends meet: gap, angle and jump of the curvature, for
+--require G0, G1, G2, C0, C1 or C2.
 
 Of road networks (ASAM OpenDRIVE 1.4 to 1.8, .xodr) it decides the joins of
 reference lines (gap, kink, jump of the curvature), the lengths of paramPoly3,
@@ -118,16 +120,15 @@ what --require says: G0, G1 or G2. Reference lines of linked roads need not
 meet, their lanes must. What a file names and does not have is not covered.
 
 --within 0.001,0.01deg,2% also tells how far each join is from continuous, in
-guaranteed bounds, and which orders it has when the ends may be apart by this
-gap (in the units of the coordinates), the tangents by this angle (deg or rad)
-and the curvature vectors by this part of the larger one; a fourth number is
-the jump of the torsions. What is left out at the end must hold exactly.
---surfaces --within 0.001,0.01deg does so for the largest gap and the largest
-angle of the normals along each edge, and also finds the boundary edges that
-are that near to each other.
-Numbers without units are an angle in radians, a relative curvature, a torsion
-and possibly a gap, A,K,T[,GAP]; for surfaces A[,GAP].
-Presets are published rules, with lengths in millimetres: class-a is
+guaranteed bounds. It tells which orders a join has if the ends may be apart by
+this gap (in the units of the coordinates), the tangents by this angle (deg or
+rad) and the curvature vectors by this part of the larger one. A fourth number
+is the jump of the torsions. Bounds that are left out at the end must hold
+exactly. --surfaces --within 0.001,0.01deg does so for the largest gap and the
+largest angle of the normals along each edge, and also finds the boundary edges
+that are that near to each other. Numbers without units are an angle in radians,
+a relative curvature, a torsion and possibly a gap, A,K,T[,GAP]; for surfaces
+A[,GAP]. Presets are published rules, with lengths in millimetres: class-a is
 0.01,0.1deg, class-b 0.02,0.2deg, class-c 0.05,0.5deg, vda-4955 0.02,0.1deg,
 mil-std-31000a 0.01,2deg.
 
@@ -143,8 +144,8 @@ examples:
   geometric_continuity verify outline.g2 --closed --require G2
   geometric_continuity verify drawing.svg --require G1 --kink-angle 3
 
-With --format sarif and junit, what does not meet the requirement is an error;
-without one, gaps and kinks are notes.
+With --format sarif and junit, a join that does not meet the requirement is an
+error. Without a requirement, gaps and kinks are notes.
 
 Everything that is given is decided, undecided (the tolerance lies between the
 guaranteed bounds, a limit was reached) or not covered (elements of a drawing
@@ -156,18 +157,19 @@ Exact decisions on numbers of thousands of digits, or of high order and degree,
 can take long: --max-work N allows N steps, about N nanoseconds, for each join,
 edge or curve, instead of 4000000000.
 
---baseline FILE, a report that --format sarif has written, leaves out what it
-has already: only what is new is reported, and only that can make the exit code
-1. So a check can begin with files that are not as they should be. What has
-moved, or is better, is known; what is worse is new.
+--baseline FILE leaves out the findings of a report that --format sarif has
+written: only new findings are reported, and only these can make the exit code
+1. So a check can begin with files that have findings already. A finding that
+has moved, or is better, is known; a finding that is worse is new.
 
---jsonl LIST verifies each of the files that a text names, a line each, in a
-process of its own, on all cores, and adds one record for each to --output as it
-ends: a JSON object on a line, with the report of --json, or with the error of a
-file that is bad, crashes or reaches --time-limit or --memory-limit. Files whose
-record there answers the same options, by the same version, and is of what the
-file holds now (size and SHA-256), are passed over, so that an interrupted run
-goes on; all others are asked again. merge adds records up.
+--jsonl LIST verifies each of the files that the text LIST names, one on each
+line. Each file has its own process, and all cores are used. When a file is
+finished, its record is added to --output: a JSON object on a line, with the
+report of --json, or with the error of a file that is bad, crashes or reaches
+--time-limit or --memory-limit. A file is skipped if it has a record there with
+the same options, the same version of the program, and the same size and SHA-256
+of the file. So an interrupted run can be continued. All other files are
+verified again. merge adds records up.
 
 --certificate OUT writes, for chains, drawings and --surfaces, the numbers from
 which check_certificate OUT proves each verdict again.

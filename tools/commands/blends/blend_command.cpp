@@ -82,19 +82,19 @@ R are decimals or fractions p/q.
 --corner I rounds the join after the curve number I of a chain (counted from 0,
 cyclically; a spline counts as its Bezier curves): both curves are cut at the
 arc length R from it, lines exactly where their length is rational, curves
-within 1/1000 of R, and a fair blend with G2 joins is put between, with --order
-3 one with G3 joins. The report tells the true distances. --corners all rounds
-all joins that do not have this order, --corners not-g1 corners and kinks only;
-of short curves less than R is cut off, so that a quarter of each remains. The
+within 1/1000 of R, and a fair blend with G2 joins is put between them, with
+--order 3 one with G3 joins. The report tells the true distances. --corners all
+rounds all joins that do not have this order, --corners not-g1 corners and kinks
+only; less than R is cut off a short curve, so that a quarter of it remains. The
 output is the whole chain. With --cubic the corners of lines are rounded by one
 cubic with both handles in the corner, others, in the plane, by two cubics; all
 joins are G2, as drawings and fonts can hold them.
 
-Of a drawing (.svg) all corners are rounded in place by such cubics: those that
-turn by more than --kink-angle degrees. R is in the units of the drawing. Path
-data changes, and polygons, polylines and rectangles with corners become paths;
-all else stays byte for byte. Corners of lines are exactly G2 on the decimals
-that are written, others exactly G1, and G2 up to the decimals. With --radius R
+In a drawing (.svg) all corners that turn by more than --kink-angle degrees are
+rounded in place by such cubics. R is in the units of the drawing. Path data
+changes, and polygons, polylines and rectangles with corners become paths; all
+else stays byte for byte. Corners of lines are exactly G2 on the decimals that
+are written, others exactly G1, and G2 up to the decimals. With --radius R
 corners of two lines become arcs of circles of this radius, which touch the
 lines up to the decimals; with --cubic also these are cubics.
 
@@ -105,8 +105,9 @@ radius touches both tangents, R tan(A/2) from a corner that turns by A.
 nowhere be bent more, which is decided exactly. Without --strategy all are
 tried, and the fairest of those that meet it is written; if there is none, the
 report has the least curvature, and nothing is written. Each corner takes the
-first of fair, energy3 and min_second that meets it, with --cubic of one and two
-cubics; corners that none rounds so are named, and get the least curvature.
+first of fair, energy3 and min_second that meets it, with --cubic the first of
+one and two cubics. If none meets it, the corner is named, and gets the least
+curvature.
 
 --surfaces makes a surface from the edge v1 of the surface in A to the edge v0
 of that in B, or from and to those of --edges. Its degree across is 5, and it is

@@ -46,44 +46,45 @@ const char* const repair_usage = R"(usage: geometric_continuity repair FILE.svg|
 
 Makes the kinks of a drawing, or of a chain of plane curves, exactly G1 by
 moving handles, not nodes, on the grid of the file: the decimals of each path,
-or of the curves. Of all positions that are allowed the one that changes the
-curves least is taken, and one that keeps joins G2 where there is any; a join
-that falls to G1 is told. A kink is an angle of at most --kink-angle degrees, as
-it is drawn; corners, lines and arcs stay as they are, and so does what is
-smooth. Where a handle lies at its node the point behind it moves. Where an arc
-meets a kink, the other handle moves to its tangent. The handle of a quadratic
-belongs to both of its nodes, and moves only where neither is harmed. No handle
-moves farther than --max-move units of the last decimal: twice what the kink is
-off and one more.
+or of the curves. Of all allowed positions it takes the one that changes the
+curves least, and if possible one that keeps joins G2; the report names a join
+that falls to G1. A kink is an angle of at most --kink-angle degrees, as it is
+drawn; corners, lines, arcs and smooth joins stay as they are. Where a handle
+lies at its node the point behind it moves. Where an arc meets a kink, the other
+handle moves to its tangent. The handle of a quadratic belongs to both of its
+nodes, and moves only where neither is harmed. No handle moves farther than
+--max-move units of the last decimal; the default is one unit more than twice
+the offset of the kink.
 
 With --to G2 the lengths of handles are changed, too, so that the curvatures
-agree: exactly where the grid allows it, if need be with other lengths of the
-handles at free ends and corners as well, otherwise as nearly as it does, and
-the jump that is left is told. It is not changed where it would harm a join that
-is G2. To repair again changes nothing.
+agree: exactly where the grid allows it, otherwise as nearly as possible. If
+need be, handles at free ends and corners get other lengths as well. The report
+tells the jump that is left. No change harms a join that is G2. A second repair
+changes nothing.
 
 Where numbers have more digits than a grid of their last decimal can hold (17
 digits, fractions, handles longer than 2^28 units), nodes keep all of theirs,
 and handles move to whole units of a coarser grid from their nodes: the finest
-on which the drawing is no longer than 2^27 units. The unit is told. Where that
-has no position near enough, one handle moves to a short decimal multiple of the
-other one, or of a line, which takes more decimals. --grid UNIT takes another
-grid, such as 0.001, also a finer one than that of the file, which mends what is
-"not on this grid"; then no other positions are taken.
+on which the drawing is no longer than 2^27 units. The report tells the unit.
+Where this grid has no position near enough, one handle moves to a short decimal
+multiple of the other one, or of a line, which takes more decimals. --grid UNIT
+takes another grid, such as 0.001, also a finer one than that of the file, which
+mends what is "not on this grid"; then no other positions are taken.
 
-Of an arc another radius, or another end where it is free, may make a kink
-vanish exactly. Such numbers are told where no handle can move, and --arcs takes
-the first of them that is a short decimal. Of a chain, --reverse reverses curves
-that run backwards, as few as leave the fewest gaps, and --close GAP closes gaps
-up to this width: both ends move to the middle, with the handles that are theirs
-alone, or one end to the other where fewer joins would be harmed.
+An arc with another radius, or with another end where it is free, may make a
+kink vanish exactly. The report tells such numbers where no handle can move, and
+--arcs takes the first of them that is a short decimal. In a chain, --reverse
+reverses the curves that run backwards, as few as leave the fewest gaps, and
+--close GAP closes gaps up to this width: both ends move to the middle, with the
+handles that are theirs alone, or one end to the other where fewer joins would
+be harmed.
 
-Nothing else in the file changes: of drawings only numbers in the attribute d of
-paths, in which a shorthand S or T becomes C or Q where its handle moves. What
-is written is read and decided again before it replaces FILE, which may be the
-input, by the reader of verify, and the joins are counted as verify does; those
-of paths that are defined and not drawn are repaired, too, and counted apart. A
-drawing that is packed by gzip is refused. Units are those of each path.
+Nothing else in the file changes. In drawings only numbers in the attribute d of
+paths change, and a shorthand S or T becomes C or Q where its handle moves. The
+reader of verify reads and decides the result again before it replaces FILE,
+which may be the input. Joins are counted as verify counts them. Paths that are
+defined and not drawn are repaired, too, and counted apart. A drawing that is
+packed by gzip is refused. Units are those of each path.
 
 A font is written where FILE ends with .ttf, .otf, .woff or .woff2, a collection
 where it ends with .ttc or .otc: fontTools, in the Python that
@@ -92,10 +93,10 @@ that need not change keeps its bytes, and what is written is decided again. The
 masters of a variable font (gvar or CFF2) are mended together: at each node that
 is no corner in any of them the handles get one ratio or one direction in all
 masters, by the least moves on the grid, so that no instance has a kink; all
-instances are verified with --max-kink 0. These moves can be long, --max-move
-bounds them, and other joins stay. With --to G2 the curvatures of all masters
-are made to agree as well, and the largest jump that is left at them and halfway
-between two is told.
+instances are verified with --max-kink 0. These moves can be long; --max-move
+bounds them. Other joins stay. With --to G2 the curvatures of all masters are
+made to agree as well, and the report tells the largest jump that is left at a
+master or halfway between two.
 -o FILE.json is the list of moves in the units of the font instead, which
 scripts of font editors can apply, {"moves":[{"glyph":"S","index":54,
 "contour":0,"point":7,"node":[x,y],"from":[x,y],"to":[x,y]},...]}. A component
@@ -108,12 +109,12 @@ lies on half a unit, no handle of its contour does.
 
 Of road networks (.xodr) the joins of reference lines are repaired where the gap
 exceeds --gap, or the kink --kink, and they are no more than --max-move metres
-and --kink-angle degrees off. Where the end of a road is free, the pieces behind
-start where the one before ends, as it is enclosed; where only its start is, the
-pieces before move there. Where both ends are linked, the longer of both pieces
-becomes three clothoids, whose joins are proved to be G2; its curvatures at the
-ends stay, and its length changes by what the gap was. Other bytes of the file
-stay, and all that verify decides is counted before and after.
+and --kink-angle degrees off. Where the end of a road is free, each piece behind
+the gap starts at the enclosed end of the one before. Where only its start is
+free, the pieces before the gap move. Where both ends are linked, the longer of
+both pieces becomes three clothoids, whose joins are proved to be G2; its
+curvatures at the ends stay, and its length changes by what the gap was. Other
+bytes of the file stay, and all that verify decides is counted before and after.
 
 The source of a font, a folder .ufo, .glyphs or .designspace with its UFOs, is
 repaired by the Python module, where that is installed: masters with compatible
