@@ -98,7 +98,7 @@ class G2_surface_text {
   template <class> friend class G2_surface_text_reader;
   friend class G2_grid;
 
-  // With number(x) for each coordinate and knot(x) for each knot.
+  // Returns the surface with number(x) for each coordinate and knot(x) for each knot.
   template <class Traits, class Number, class Knot> Bspline_surface<Traits> surface(Number number, Knot knot) const {
     typedef typename Traits::FT FT;
     std::vector<typename Traits::Point> points;

@@ -45,7 +45,7 @@ template <class Traits, int Degree, class Parameters_> struct Blend_curve : Bezi
   Parameters parameters; ///< what the strategy chose
   Shape shape;           ///< the shape parameters, given or chosen
 
-  /// From the coordinates of the control points.
+  /// Constructs the blend from the coordinates of its control points.
   /// \throws Error `not_finite` for an infinite or undefined floating-point coordinate
   CGAL_GC_FORCEINLINE Blend_curve(const std::array<Geometric_continuity::Coordinates<Traits>, Degree + 1>& points,
                                   const Parameters& given_parameters, const Shape& given_shape)

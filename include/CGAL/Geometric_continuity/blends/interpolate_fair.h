@@ -57,7 +57,7 @@ template <class Traits> struct Fair_spline : Composite_bezier_curve<Traits, 5> {
   /// other dimensions, where nothing is asked.
   std::vector<int> waves;
 
-  /// From the curve, what rounding has done and where there are waves.
+  /// Takes the curve, the effects of rounding and the pieces with waves.
   Fair_spline(const Composite_bezier_curve<Traits, 5>& curve, const typename Traits::FT& change,
               std::vector<int> rounded_joins, std::vector<int> with_waves = {})
       : Composite_bezier_curve<Traits, 5>(curve), moved(change), rounded(std::move(rounded_joins)),

@@ -57,7 +57,7 @@ template <class Traits> struct Representable_blend : Bezier_curve<Traits, 5> {
   /// what was needed at the start of \f$ \psi \f$
   Representable_join<FT, dimension_v<Traits>> end_join;
 
-  /// From the blend, the two curves and what the joins needed.
+  /// Takes the blend, the two curves and what the joins needed.
   Representable_blend(const Bezier_curve<Traits, 5>& gamma, const Bezier_curve<Traits>& given_phi,
                       const Bezier_curve<Traits>& given_psi,
                       const Representable_join<FT, dimension_v<Traits>>& at_start,

@@ -202,7 +202,7 @@ template <int D> Spline_parameter spline_parameter(const Cad_curve<D>& curve) {
   ++of_basis.offsets;
   return of_basis;
 }
-// In u and v.
+// Both parameters of a surface, u and v.
 inline std::array<Spline_parameter, 2> spline_parameters(const Cad_surface& surface) {
   std::array<Spline_parameter, 2> of;
   if (const auto* s = std::get_if<Cad_spline_surface>(&surface)) {

@@ -51,9 +51,8 @@ namespace Geometric_continuity {
 /// describe curves and surfaces are taken as the rational numbers they are, the formulas of
 /// `Cad_geometry.h` as they stand: a seam that a system has at `0` and at the floating-point number
 /// next to \f$ 2 \pi \f$ has a gap. Gaps and kinks of the size of rounding errors are reported as
-/// such; how large they are `edge_enclosure()` says.
-///
-/// Decided are
+/// such; `edge_enclosure()` tells how large they are.
+/// The following pairs are decided:
 /// - two spline surfaces, rational or not, on each of which the edge is a parameter line, boundary
 ///   or not, or a part of it, run through linearly: as for whole edges;
 /// - a plane, or a spline surface that is a parallelogram, in which the edge is a spline, and a
@@ -149,9 +148,9 @@ struct Edge_precision {
   double angle = 1e-8;          ///< minimum of angles, in radians
   double curvature_jump = 1e-4; ///< minimum of relative jumps
   double flat_curvature = 1e-6; ///< normal curvatures below it count as flat, in units of 1/length
-  /// so many ranges are evaluated at most for each of the three, and 8 for each piece
+  /// how many ranges are evaluated at most for each of the three numbers, plus 8 for each piece
   int boxes = 4000;
-  int most_boxes = 1'000'000; ///< but not more than these, whatever the number of pieces
+  int most_boxes = 1'000'000; ///< the largest number of ranges, whatever the number of pieces
   bool with_curvature = true; ///< whether the curvature jump is wanted
 };
 

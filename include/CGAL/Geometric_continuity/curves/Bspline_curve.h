@@ -266,7 +266,7 @@ public:
   Bspline_curve(int given_degree, const std::vector<Number>& knots, std::vector<Point> points)
       : Bspline_curve(std::move(points), Knot_vector<FT>(given_degree, knots)) {}
 
-  // These refuse the same in other orders, and what lacks knots or the degree.
+  // These refuse other orders of the arguments, and calls without knots or the degree.
   template <class Number = FT>
   Bspline_curve(int, const std::vector<Point>& points, const std::vector<Number>& knots)
       : Bspline_curve(internal::refused_order<Number>(), knots, points) {}

@@ -426,7 +426,7 @@ private:
   Shape shape_;
   Weights weights_;
 
-  // For splines.
+  // This constructor is for splines.
   Rational_curve(internal::Unspecified, const std::vector<Point>& points, Weights weights, const Knot_vector<FT>& knots)
       : shape_(Kind::checked(points, weights, knots).begin(), points.end(), knots), weights_(std::move(weights)) {
     Kind::check_weights(shape_, weights_);

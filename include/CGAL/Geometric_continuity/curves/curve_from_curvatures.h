@@ -61,8 +61,9 @@ template <class Traits> struct Integrated_curve {
 
   std::vector<Framed_point<Traits>> samples; ///< in order, at the ends of all steps
 
-  /// How far the last point, and with it every sample, is at most from the exact curve, as far as
-  /// the error estimate of the integrator can be trusted, up to rounding and terms of second order.
+  /// A bound of the distance of the last point, and of every sample, from the exact curve. It
+  /// relies on the error estimate of the integrator, and holds up to rounding and terms of second
+  /// order.
   FT error_bound;
 
   /// Returns the segmented Bézier curve of degree 5 on [0, length] whose knots are the arc lengths

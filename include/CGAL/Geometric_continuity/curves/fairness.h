@@ -28,12 +28,10 @@
 
 /// \file fairness.h
 /// Measures of the fairness of a curve.
-///
-/// As numbers that depend neither on its scale nor on its parameter: the variation of its
-/// curvature, which the strategy `Fair` makes small, and its bending energy. Moreton and Séquin.
-///
-/// As what a designer wants few of: where the curvature is largest and smallest, and where the
-/// curve inflects, counted exactly, by the changes of sign of polynomials. In the plane these are
+/// Two numbers measure a curve, independently of its scale and its parameter: the variation of its
+/// curvature, which the strategy `Fair` makes small, and its bending energy (Moreton and Séquin).
+/// Designers also want few extrema of the curvature and few inflections. Both are counted exactly,
+/// by the changes of sign of polynomials. In the plane these are
 /// \f$ g \det(d_1,d_3) - 3 (d_1\cdot d_2) \det(d_1,d_2) \f$ of degree `4m - 7`, with
 /// \f$ g = d_1\cdot d_1 \f$, and \f$ \det(d_1,d_2) \f$; in other dimensions the numerator of the
 /// derivative of \f$ \kappa^2 = |d_1\wedge d_2|^2/g^3 \f$, of degree `6m - 11`, and

@@ -52,7 +52,7 @@ template <class Traits> struct Fitted_curve : Composite_bezier_curve<Traits> {
   /// without going back, and so that the two points are never farther apart.
   double distance;
 
-  /// From the curve, vertices, corners and distance.
+  /// Takes the curve, the vertices, the corners and the distance.
   Fitted_curve(Composite_bezier_curve<Traits> curve, std::vector<int> at_vertices, std::vector<int> at_corners,
                double proven_distance)
       : Composite_bezier_curve<Traits>(std::move(curve)), vertices(std::move(at_vertices)),

@@ -596,7 +596,7 @@ Edge_certificate<Field> edge_certificate_on(const std::pair<Edge_rows<Field, 4>,
   return c;
 }
 
-// On each span of the verdict.
+// Returns the certificate of each span of the verdict.
 template <class Field>
 std::vector<Edge_certificate<Field>>
 edge_certificates_on(const std::vector<Edge_piece<Field, 4>>& a, const std::vector<Edge_piece<Field, 4>>& b,
@@ -608,7 +608,7 @@ edge_certificates_on(const std::vector<Edge_piece<Field, 4>>& a, const std::vect
   return certificates;
 }
 
-// With homogeneous points.
+// Returns the pieces with homogeneous points.
 template <class Field, int N> std::vector<Edge_piece<Field, 4>> homogeneous(std::vector<Edge_piece<Field, N>> pieces) {
   if constexpr (N == 4)
     return pieces;

@@ -135,7 +135,7 @@ template <class Field, int N> Enclosure largest_distance(const std::vector<Edge_
   return gap;
 }
 
-// With the gap on the spans, which is known.
+// The deviation on spans whose gap is known.
 template <class Field, int N>
 Edge_deviation edge_deviation(const std::vector<Edge_sides<Field, N>>& spans, const Enclosure& gap,
                               Edge_direction direction) {
@@ -149,7 +149,7 @@ Edge_deviation edge_deviation(const std::vector<Edge_sides<Field, N>>& spans, co
   return d;
 }
 
-// Along the whole edges, forwards or backwards, whichever has the smaller gap.
+// The deviation along the whole edges, forwards or backwards, whichever has the smaller gap.
 template <class Field, int N>
 Edge_deviation edge_deviation(const std::vector<Edge_piece<Field, N>>& a, const std::vector<Edge_piece<Field, N>>& b) {
   const std::vector<Edge_sides<Field, N>> forwards = sides_on_spans(a, b, whole_map(a, b, Edge_direction::same));

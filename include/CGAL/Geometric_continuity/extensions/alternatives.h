@@ -132,7 +132,7 @@ public:
   /// The number type of the kernel, or the exact one in which predicates are decided.
   typedef typename Base::Field Field;
 
-  /// From the last points \f$ b_{-1}, b_0 \f$ of a polygon of degree `m`.
+  /// Takes the last points \f$ b_{-1}, b_0 \f$ of a polygon of degree `m`.
   /// \throws Error `wrong_number_of_points` when `m < 1`, `nonpositive_beta` unless `ratio > 0`,
   ///   `dimension_mismatch`, `zero_tangent` when \f$ p = 0 \f$, `not_finite` for an infinite or
   ///   undefined floating-point number
@@ -169,7 +169,7 @@ public:
   /// The number type of the kernel, or the exact one in which predicates are decided.
   typedef typename Base::Field Field;
 
-  /// From the last points \f$ b_{-2}, b_{-1}, b_0 \f$ of a polygon of degree `m`.
+  /// Takes the last points \f$ b_{-2}, b_{-1}, b_0 \f$ of a polygon of degree `m`.
   /// \throws Error `wrong_number_of_points` when `m < 2`, `nonpositive_beta` unless `ratio > 0`,
   ///   `dimension_mismatch`, `zero_tangent` when \f$ p = 0 \f$, `not_finite` for an infinite or
   ///   undefined floating-point number
@@ -263,7 +263,7 @@ public:
   /// The number type of the kernel, or the exact one in which predicates are decided.
   typedef typename Base::Field Field;
 
-  /// From the last points \f$ b_{-3}, \dots, b_0 \f$ of a polygon of degree `m`, and the
+  /// Takes the last points \f$ b_{-3}, \dots, b_0 \f$ of a polygon of degree `m`, and the
   /// \f$ C_0 \f$ of \f$ b_2 \f$.
   /// \throws Error `wrong_number_of_points` when `m < 3`, `nonpositive_beta` unless `ratio > 0`,
   ///   `dimension_mismatch`, `zero_tangent` when \f$ p = 0 \f$, `not_finite` for an infinite or

@@ -131,7 +131,7 @@ template <class Traits> struct Curve_ends<Bspline_curve<Traits>> : Bspline_ends<
 
 namespace internal {
 
-// Those of the four control points next to an end.
+// Decides whether the weights of the four control points next to an end are positive.
 template <class Curve> bool weights_are_positive(const Curve& c, Curve_end end) {
   const int first = Curve_ends<Curve>::point_number(c, end), last = (std::min)(c.degree(), 3);
   for (int j = 0; j <= last; ++j)

@@ -57,8 +57,8 @@ public:
   /// \throws Error as `continuity()` does
   Result orders(int max_order = 3) const { return decided(max_order, internal::Join_asked::orders); }
 
-  /// Makes of the result of `orders()` that of `continuity()` for the same `max_order`, without
-  /// deciding again what is known.
+  /// Completes the result of `orders()` to the result of `continuity()` for the same `max_order`,
+  /// without deciding the orders again.
   /// \throws Error as `continuity()` does
   void complete(Result& join, int max_order = 3) const {
     if (max_order < 2 || max_order > 3 ||

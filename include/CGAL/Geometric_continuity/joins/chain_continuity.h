@@ -190,7 +190,7 @@ chain_joins(const Range& chain, Closure closure) {
   return chain_joins(chain, 3, closure);
 }
 
-// Tells whether a chain is closed is no number, and would be taken for the order.
+// A bool in the place of `closed` is refused: it would be taken for the order.
 template <class Iterator, class Flag, class = std::enable_if_t<std::is_same_v<Flag, bool>>>
 Chain_summary chain_continuity(Iterator first, Iterator last, Flag closed) = delete;
 template <class Range, class Flag, class = std::enable_if_t<std::is_same_v<Flag, bool>>>

@@ -194,7 +194,8 @@ struct Has_end_jets_over<Field, Curve,
                                      decltype(std::declval<const Curve&>().template start_jet_over<Field>(0))>>
     : std::true_type {};
 
-// Tells what has two parameters, so that a surface in the place of a curve ends in one sentence.
+// Recognises types with two parameters, so that a surface in the place of a curve is refused by one
+// sentence.
 template <class T, class = void> constexpr bool is_surface = false;
 template <class T> constexpr bool is_surface<T, std::void_t<decltype(std::declval<const T&>().domain_v())>> = true;
 

@@ -106,7 +106,7 @@ enum class Road_end { start, end };
 /// \ingroup PkgGeometricContinuityAlignments
 /// A link names what comes before or after a road.
 struct Road_link {
-  /// nothing, a road, a junction, or what is neither of them
+  /// nothing, a road, a junction, or something else
   enum class Target { none, road, junction, other };
   Target target = Target::none;
   std::string id = {};

@@ -71,7 +71,7 @@ template <class Surface> void check_normals(const Surface& surface, Patch_edge e
   throw Error(Error_code::singular_frame, place + ": the normal vanishes " + where);
 }
 
-// Along two edges that are the same as a whole and not smooth.
+// Returns how the second edge runs, if the edges are the same as a whole and not smooth.
 template <class Surface_a, class Surface_b>
 Edge_direction direction_of_sharp_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b) {
   const auto edge = edge_continuity(a, edge_a, b, edge_b);
@@ -363,8 +363,8 @@ private:
     });
   }
 
-  // Which goes on from blends that end where it does, if it can: with their derivatives across the
-  // side, or only with the same curve.
+  // The blend continues blends that end where it starts, if it can: with their derivatives across
+  // the side, or only with the same curve.
   template <class Strategy> Surface blend_with_sides(const Row& row, const Strategy& strategy) {
     const Surface &a = result_.surfaces[row.patch_a], &b = result_.surfaces[*row.patch_b];
     const bool reversed = row.continuity.reversed;

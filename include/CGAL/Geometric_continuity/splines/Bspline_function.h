@@ -532,7 +532,7 @@ public:
   }
 
 private:
-  // Is a function that is no number positive?
+  // Decides whether a function that is no number is positive.
   bool is_positive_function() const {
     const std::vector<FT>& c = f_.coefficients();
     // mostly

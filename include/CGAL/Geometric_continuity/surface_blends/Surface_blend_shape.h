@@ -60,7 +60,7 @@ template <class FT_> struct Edge_reparametrisation {
 /// factors \f$ \lambda_0 \f$ and \f$ 1 + \lambda_1 v + \frac12 \lambda_2 v^2 \f$.
 /// \tparam FT a field number type
 template <class FT> struct Rational_edge_reparametrisation : Edge_reparametrisation<FT> {
-  /// of the parameter along the edge
+  /// a function of the parameter along the edge
   typedef typename Edge_reparametrisation<FT>::Function Function;
 
   FT lambda = FT(1);                  ///< the factor at the edge, positive
@@ -69,7 +69,7 @@ template <class FT> struct Rational_edge_reparametrisation : Edge_reparametrisat
 
   /// Sets \f$ \beta \f$ to 1 and all others to 0.
   Rational_edge_reparametrisation() = default;
-  /// With the factor 1.
+  /// Takes a polynomial reparametrisation, with the factor 1.
   Rational_edge_reparametrisation(const Edge_reparametrisation<FT>& r) : Edge_reparametrisation<FT>(r) {}
 };
 
@@ -94,7 +94,7 @@ template <class FT> struct Rational_surface_blend_shape {
   Rational_surface_blend_shape(const Rational_edge_reparametrisation<FT>& given_start,
                                const Rational_edge_reparametrisation<FT>& given_end)
       : start(given_start), end(given_end) {}
-  /// With the factor 1 at both ends.
+  /// Takes a polynomial shape, with the factor 1 at both ends.
   Rational_surface_blend_shape(const Surface_blend_shape<FT>& shape) : start(shape.start), end(shape.end) {}
 };
 
@@ -114,7 +114,7 @@ template <class Reparametrisation> struct Septic_edge_reparametrisation : Repara
 
   /// Sets \f$ \beta \f$ to 1 and all others to 0.
   Septic_edge_reparametrisation() = default;
-  /// With third derivatives that are 0.
+  /// Takes numbers up to order 2; the third derivatives are 0.
   Septic_edge_reparametrisation(const Reparametrisation& r) : Reparametrisation(r) {}
 };
 
@@ -130,7 +130,7 @@ template <class Shape> struct Septic_surface_blend_shape {
 
   /// Sets all functions \f$ \beta \f$ to 1 and all others to 0.
   Septic_surface_blend_shape() = default;
-  /// With third derivatives that are 0.
+  /// Takes numbers up to order 2; the third derivatives are 0.
   Septic_surface_blend_shape(const Shape& shape) : start(shape.start), end(shape.end) {}
 };
 

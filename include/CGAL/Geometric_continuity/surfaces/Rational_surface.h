@@ -278,7 +278,8 @@ public:
 
   /// @}
   /// \name Operations
-  /// Those that compute new control points cost and throw as those of the polynomial shape.
+  /// Operations that compute new control points have the cost and the errors of the polynomial
+  /// shape.
   /// @{
 
   /// Returns the surface \f$ (u, v) \mapsto S(v, u) \f$.
