@@ -3,7 +3,7 @@
 
 /** A number as it is, or the text of an exact one: a decimal or a fraction, e.g. "0.1", "1/3". */
 export type Exact = number | bigint | string;
-/** An array of any dimension, or an object; a DOMPoint lies in the plane. */
+/** A point: an array of any dimension, or an object. A DOMPoint lies in the plane. */
 export type Point = ArrayLike<Exact> | { readonly x: Exact; readonly y: Exact; readonly z?: Exact };
 
 /** A Segment of paper.js: handles are relative to the point, and added exactly. */
@@ -34,11 +34,11 @@ export type Curve = string | CurveChain | ReadonlyArray<Point> | { readonly v0?:
   control_points?: ReadonlyArray<Point>;
   points?: ReadonlyArray<Point>;
   weights?: ReadonlyArray<Exact>;
-  /** [0, 1] unless it is given. */
+  /** The domain, [0, 1] by default. */
   domain?: readonly [Exact, Exact];
 };
 
-/** The control points of a Bézier patch in space: those of one u together. */
+/** The control points of a Bézier patch in space; each row has the points of one u. */
 export type Patch = ReadonlyArray<ReadonlyArray<Point>>;
 export type Edge = 'u0' | 'u1' | 'v0' | 'v1';
 
@@ -101,9 +101,9 @@ export interface SepticEnd<Number> {
 }
 
 export interface BlendOptions {
-  /** "energy3" unless it is given; of roundCorner "fair". */
+  /** The default is "energy3", and "fair" for roundCorner. */
   strategy?: QuinticStrategy | SepticStrategy;
-  /** The shape parameters; chosen where they are not given. */
+  /** The shape parameters; where they are not given, they are chosen. */
   beta?: Exact;
   eta?: Exact;
   /** Of the strategy "free". */
@@ -149,15 +149,15 @@ export interface RoundedCorner<BlendOfCorner = Blend> {
   blend: BlendOfCorner;
 }
 
-/** Where a curve is bent most whose curvature exceeds a bound. */
+/** The place where a curve is bent most, if its curvature exceeds a bound. */
 export interface CurvatureExcess {
   parameter: Enclosure;
-  /** In the plane with a sign; null where it has no bound, as in a cusp. */
+  /** The curvature, in the plane with a sign; null where it has no bound, as in a cusp. */
   curvature: Enclosure | null;
 }
 
 export interface EdgeContinuity {
-  /** -1 when the edges differ, otherwise 0, 1 or 2. */
+  /** The order: -1 when the edges differ, otherwise 0, 1 or 2. */
   g_order: number;
   is_g3: boolean;
   defect: string;

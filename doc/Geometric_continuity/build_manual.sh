@@ -15,6 +15,9 @@ done
   [ ! -e html/geometric_continuity.html ] || echo 'ALIASES += "play{1}=<a href=\"geometric_continuity.html#\1\">Play with it.</a>"'
 } | "$doxygen" -
 
+# Doxygen makes a paragraph of the first sentence of a page, which it takes as a brief description.
+sed -i -z 's,\(<div class="textblock"><p >[^\n]*\)</p>\n<p >,\1 ,' html/Geometric_continuity_[A-Z]*.html
+
 # Chapters, the reference and examples can be searched, but not lists of names and sources.
 cd html
 ls index.html Geometric_continuity_*.html class*.html struct*.html group__*.html citelist.html | grep -v -e '-members\.html' -e '^classes\.html' |

@@ -74,7 +74,7 @@ class Clothoid_blend:
 
 @dataclass(frozen=True)
 class Rounded_corner:
-    """Two curves without what is near their corner, and the blend between them."""
+    """Two curves that are cut near their corner, and the blend between them."""
 
     left: numpy.ndarray  #: control points of the left curve from its start to the cut
     blend: Any  #: control points of the blend, an array; of cubics a `Segmented_curve`

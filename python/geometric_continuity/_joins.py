@@ -31,7 +31,7 @@ def continuity(left, right=None, max_order: int = 3) -> Join_continuity:
     Raises Error: `negative_count`, `dimension_mismatch`, `wrong_number_of_points` for other shapes, `not_finite`, `work_limit`.
     """
     if right is None:
-        raise Error("wrong_number_of_points", "continuity", "a join is that of two curves, continuity(left, right); "
+        raise Error("wrong_number_of_points", "continuity", "a join has two curves: continuity(left, right); "
                     "chain_joins(curve) decides those inside of a spline or between the curves of a list")
     if not isinstance(max_order, (int, numpy.integer)) or isinstance(max_order, bool):
         raise Error("parameter_outside_domain", "continuity", f"max_order is the highest order that is decided, such as 3, not {max_order!r}; "
@@ -78,7 +78,7 @@ def order_within(left, right, tolerance=0, *, gap=None, tangent_angle=None, curv
     is proved, refuted, or undecided where a tolerance lies inside of an enclosure of `deviation`.
 
     left, right: curves as of `continuity`.
-    tolerance: that of each quantity that has none of its own. By default these must hold exactly.
+    tolerance: the tolerance of each quantity that has none of its own; by default these must hold exactly.
     gap: in units of the coordinates; tangent_angle: in radians; curvature_jump: relative; torsion_jump: in space, in 1/length;
         curvature_derivative: in the plane, in 1/length^2.
 
