@@ -18,6 +18,15 @@ class Surface:
         self.rational = weights is not None
         w = weights or [[F(1)] * len(row) for row in points]
         self.grid = [[[x * w[i][j] for x in a] + [w[i][j]] for j, a in enumerate(row)] for i, row in enumerate(points)]
+        self.columns, self.other = {}, None
+
+    def transposed(self):
+        """The surface with u and v exchanged."""
+        if self.other is None:
+            t = Surface.__new__(Surface)
+            t.p, t.q, t.u, t.v, t.rational, t.grid = self.q, self.p, self.v, self.u, self.rational, [list(column) for column in zip(*self.grid)]
+            t.columns, t.other, self.other = {}, self, t
+        return self.other
 
     def same(self, other):
         return (self.p, self.q, self.u, self.v, self.grid) == (other.p, other.q, other.u, other.v, other.grid)
@@ -31,7 +40,9 @@ class Surface:
 
     def jet(self, u, v, upper_u, upper_v):
         """S, S_u, S_v, S_uu, S_uv, S_vv and the weight."""
-        columns = [self.derivatives([row[j] for row in self.grid], self.u, self.p, u, upper_u) for j in range(len(self.grid[0]))]
+        if (u, upper_u) not in self.columns:  # along an edge they stay the same
+            self.columns[u, upper_u] = [self.derivatives(column, self.u, self.p, u, upper_u) for column in zip(*self.grid)]
+        columns = self.columns[u, upper_u]
         rows = [self.derivatives([c[k] for c in columns], self.v, self.q, v, upper_v) for k in range(3)]
         h = {(i, j): rows[i][j] for i in range(3) for j in range(3) if i + j <= 2}
         w = {k: x[3] for k, x in h.items()}
@@ -71,12 +82,10 @@ class Side:
     """An edge of a surface, along which a parameter runs from 0 to 1; or a knot line, from one of its sides."""
 
     def __init__(self, surface, edge, backwards=False, knot=None, upper=None):
-        self.surface, self.edge, self.backwards = surface, edge, backwards
-        self.along = surface.v if edge[0] == "u" else surface.u
-        across = surface.u if edge[0] == "u" else surface.v
+        self.surface, self.backwards = surface if edge[0] == "u" else surface.transposed(), backwards
+        self.along, self.degree, across = self.surface.v, self.surface.q, self.surface.u
         self.upper = edge[1] == "1" if upper is None else upper
         self.at = knot if knot is not None else across[-1] if self.upper else across[0]
-        self.degree = surface.q if edge[0] == "u" else surface.p
         self.sign = 1 if self.upper else -1
 
     def breaks(self):
@@ -90,15 +99,9 @@ class Side:
             t, upper = 1 - t, not upper
         x = self.along[0] + t * (self.along[-1] - self.along[0])
         turn = -1 if self.backwards else 1
-        if self.edge[0] == "u":
-            s, w = self.surface.jet(self.at, x, self.upper, upper)
-            out, along = (1, 0), (0, 1)
-        else:
-            s, w = self.surface.jet(x, self.at, upper, self.upper)
-            out, along = (0, 1), (1, 0)
-        twice = lambda k: (2 * k[0], 2 * k[1])
+        s, w = self.surface.jet(self.at, x, self.upper, upper)
         o = self.sign
-        return s[0, 0], combine((turn, s[along])), combine((o, s[out])), s[twice(along)], combine((o * turn, s[1, 1])), s[twice(out)], w
+        return s[0, 0], combine((turn, s[0, 1])), combine((o, s[1, 0])), s[0, 2], combine((o * turn, s[1, 1])), s[2, 0], w
 
 
 def interpolated(values, low, high):
@@ -228,16 +231,14 @@ def edge_pairs(surfaces):
 
 def distances(first, second):
     """Each edge of one surface with each of the other, and the square of how far they are apart."""
+    def sampled(side):
+        return side, [side.point(t, False)[0] for t in (F(1, 7), F(1, 2), F(6, 7))]
+    others = [sampled(Side(second, f, backwards)) for f in ("u0", "u1", "v0", "v1") for backwards in (False, True)]
     pairs = []
-    for e in ("u1", "u0", "v0", "v1"):
-        for f in ("u0", "u1", "v0", "v1"):
-            for backwards in (False, True):
-                a, b = Side(first, e), Side(second, f, backwards)
-                far = F(0)
-                for t in (F(1, 7), F(1, 2), F(6, 7)):
-                    step = combine((1, a.point(t, False)[0]), (-1, b.point(t, False)[0]))
-                    far = max(far, inner(step, step))
-                pairs.append((far, len(pairs), a, b))
+    for a, points in [sampled(Side(first, e)) for e in ("u1", "u0", "v0", "v1")]:
+        for b, places in others:
+            steps = [combine((1, x), (-1, y)) for x, y in zip(points, places)]
+            pairs.append((max(inner(step, step) for step in steps), len(pairs), a, b))
     return pairs
 
 

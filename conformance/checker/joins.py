@@ -30,7 +30,11 @@ def inner(u, v):
 
 def combine(*terms):
     """The sum of (factor, vector)."""
-    return [sum(k * v[i] for k, v in terms) for i in range(len(terms[0][1]))]
+    (k, first), *rest = terms
+    total = [k * x for x in first]
+    for k, v in rest:
+        total = [total[i] + k * v[i] for i in range(len(first))]
+    return total
 
 
 def is_zero(v):
