@@ -346,8 +346,8 @@ void describe_repair(po::options_description_easy_init add) {
       "free, if the kink vanishes exactly and the number is a short decimal");
   add("reverse", "of chains: curves that run backwards are reversed, as few as leave the fewest gaps");
   add("closed", "the last curve of the chain leads back to the first");
-  add("allow-undecided", "what is undecided does not count as not met");
-  add("allow-uncovered", "what is not covered does not count as not met");
+  add("allow-undecided", "undecided joins and edges do not fail a requirement");
+  add("allow-uncovered", "parts that are not covered do not fail a requirement");
   add("json", "print JSON");
 }
 
