@@ -295,8 +295,8 @@ void describe_verify(po::options_description_easy_init add) {
   add("glyphs", po::value<std::string>(), "for fonts: the glyphs to verify, e.g. a-z,U+00E9,ampersand");
   add("worst", po::value<int>()->default_value(10),
       "for fonts: how many joins to show of each, in JSON of each glyph; SARIF and JUnit have all if it is not given");
-  add("allow-undecided", "what is undecided does not count as not met");
-  add("allow-uncovered", "what is not covered does not count as not met");
+  add("allow-undecided", "undecided joins and edges do not fail a requirement");
+  add("allow-uncovered", "parts that are not covered do not fail a requirement");
   add("allow-empty", "accept that there is no join");
   add("summary", "print only the counts and what does not meet the requirement; so it is on a terminal for more than "
                  "5000 joins");

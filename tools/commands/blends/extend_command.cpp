@@ -26,12 +26,12 @@ are members of Hagen's families:
   b1 = b0 + beta p
   b2 = b0 + beta^2 (b-2 - b0) + c0 p
   b3 = b0 + beta^3 (b-2 - b-3) + c1 p + c2 r
-with the numbers --c0, --c1 and --c2, p = b0 - b-1 and r = b-2 - b-1. What is
-not given continues the curve as smoothly as possible. With --toward the segment
-ends at the point, or as near to it as possible, with the least energy. The join
-is decided exactly on the numbers that are written, as verify reads them. Of a
-curve with inner knots the last span counts; all curves are written as Bezier
-curves. Numbers R are decimals or fractions p/q.
+with the numbers --c0, --c1 and --c2, p = b0 - b-1 and r = b-2 - b-1. Numbers
+that are not given are chosen so that the curve goes on as smoothly as possible.
+With --toward the segment ends at the point, or as near to it as possible, with
+the least energy. The join is decided exactly on the numbers that are written,
+as verify reads them. In a curve with inner knots the last span counts; all
+curves are written as Bezier curves. Numbers R are decimals or fractions p/q.
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
 allows N steps, about N nanoseconds, instead of 4000000000.
 examples:

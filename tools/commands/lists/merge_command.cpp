@@ -27,11 +27,11 @@ const char* const merge_usage = R"(usage: geometric_continuity merge RECORDS... 
 Adds up the records that verify --jsonl has written, of one run or of many on
 different machines: how many files met the requirement, what was given, decided
 and left open in all of them, which files did not meet it or have no answer, and
-what was asked. A file that has the same record twice counts once, and of those
-that stand in one text and answer the same question the last one counts. Records
-of a file that were asked different questions, are of different versions of the
-program or of different content are refused. Lines that are no records, and a
-last one that an interruption has cut off, are left out, and said.
+what was asked. A file that has the same record twice counts once. Of several
+records in one text that answer the same question, the last one counts. Records
+of one file with different options, versions of the program or content are
+refused. Lines that are no records, and a last line that an interruption has cut
+off, are left out and reported.
 
 example:
   geometric_continuity merge part-*.jsonl

@@ -32,14 +32,14 @@ const char* const round_edges_usage =
     R"(usage: geometric_continuity round-edges MODEL.g2... --set-back R [OPTIONS]
        geometric_continuity round-edges SOLID.step|.brep|.off --set-back R ...
 
-Rounds the edges of a solid, and the result is closed: the faces are plane, have
-straight edges, and three edges meet at each vertex. A solid is a CAD model, a
-polygon mesh, or a model .g2 of plane surfaces without a boundary. Each edge is
-cut off at the distance R in both faces. Chains of edges are replaced by
-B-spline surfaces of the degrees 5 and 5: C2 along the chain, and G2 with the
-faces and each other along whole edges, which is decided exactly on the numbers
-that are written. A .g2 has them cut into patches with four edges, a CAD model
-has trimmed faces that share their edges.
+Rounds the edges of a solid with plane faces and straight edges, three of which
+meet at each vertex. The result is closed. A solid is a CAD model, a polygon
+mesh, or a model .g2 of plane surfaces without a boundary. Each edge is cut off
+at the distance R in both faces. Chains of edges are replaced by B-spline
+surfaces of the degrees 5 and 5: C2 along the chain, and G2 with the faces and
+each other along whole edges, which is decided exactly on the numbers that are
+written. A .g2 has them cut into patches with four edges, a CAD model has
+trimmed faces that share their edges.
 
 A CAD model may also have walls, cylinders and extrusions, which meet planes at
 right angles: plates with rounded outlines, holes and bosses. An outline that is
@@ -53,16 +53,16 @@ where one other edge of a vertex stays sharp, blends meet in a mitre, and where
 two do, they run out at the face. Errors name an edge or a vertex, and where
 cuts are too long for each other, the bound.
 
-The sharp edges of other models .g2 are rounded where two surfaces meet: both
-are trimmed back from the edge, so that their new edges are about R away from
-the old one, within one per cent, and exactly where the surface is linear across
-the edge and its length across is rational; and a surface of degree 5 across
-leads from the one new edge to the other. It is G2 with both along the whole new
-edges. Edges stay that are G2, and those where the largest angle between the
-normals is less than --min-kink or, as they are meant, greater than --max-kink.
+The sharp edges of other models .g2 are rounded where two surfaces meet. Both
+are trimmed back from the edge. The distance of their new edges from the old one
+is R within one per cent, and exactly R where the surface is linear across the
+edge and its length across is rational. A surface of degree 5 across leads from
+one new edge to the other. It is G2 with both along the whole new edges. Edges
+that are G2 stay. So do edges where the largest angle between the normals is
+less than --min-kink, or greater than --max-kink, because these are intended.
 Where more than two surfaces meet at the end of a rounded edge, a hole is left
-open: the report names it. It also names blends that may be folded, as they are
-where they have not enough room. --open does so with solids, too.
+open: the report names it. It also names blends that may be folded, which
+happens where they lack room. --open does so with solids, too.
 
 Exact arithmetic on numbers of thousands of digits can take long: --max-work N
 allows N steps, about N nanoseconds, for each edge instead of 4000000000.

@@ -27,9 +27,9 @@ const char* const fit_usage = R"(usage: geometric_continuity fit POINTS --tolera
 
 Makes few Bezier curves near the polyline through the points: cubics with joins
 that are G1, or with --order G2 quintics with joins that are G2. The joins are
-decided exactly on the numbers that are written. No point of the curves is
-farther than R from the polyline, and no point of it from the curves: that is
-proved, and the report has the bound.
+decided exactly on the numbers that are written. It is proved that no point of
+the curves is farther than R from the polyline, and no point of the polyline is
+farther from the curves. The report has the bound.
 
 POINTS has the coordinates of a vertex in each line, decimals or fractions p/q
 with blanks or commas between them; what follows # is skipped. With --closed the

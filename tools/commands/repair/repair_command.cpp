@@ -328,12 +328,11 @@ void describe_repair(po::options_description_easy_init add) {
   add("to", po::value<std::string>()->default_value("G1"), "G1 or G2");
   add("kink-angle", po::value<std::string>()->default_value("5"), "the largest angle of a kink, in degrees, up to 45");
   add("max-move", po::value<std::string>(),
-      "how far a handle may move, in units of the last decimal; twice what the kink is off and one more unless it is "
-      "given, and for --to G2 a tenth of the shorter handle, at least 1; of road networks in metres, 0.05 if not "
-      "given");
+      "how far a handle may move, in units of the last decimal; by default one more than twice the offset of the kink, "
+      "and for --to G2 a tenth of the shorter handle, at least 1; for road networks in metres, by default 0.05");
   add("grid", po::value<std::string>(),
-      "handles move to whole multiples of this power of ten from their nodes, e.g. 0.001; of the last decimal unless "
-      "it is given, or where that is too fine of the smallest that the size of the drawing allows, which is told");
+      "handles move to whole multiples of this power of ten from their nodes, e.g. 0.001; by default that of the last "
+      "decimal, or where that is too fine, the smallest that the size of the drawing allows, which the report tells");
   describe_road_tolerances(add);
   add("off-by", po::value<std::string>(),
       "for fonts: up to so many units a handle may be off because of rounding, which is counted apart from kinks; 1 if "
@@ -346,8 +345,8 @@ void describe_repair(po::options_description_easy_init add) {
       "free, if the kink vanishes exactly and the number is a short decimal");
   add("reverse", "of chains: curves that run backwards are reversed, as few as leave the fewest gaps");
   add("closed", "the last curve of the chain leads back to the first");
-  add("allow-undecided", "what is undecided does not count as not met");
-  add("allow-uncovered", "what is not covered does not count as not met");
+  add("allow-undecided", "undecided joins and edges do not fail a requirement");
+  add("allow-uncovered", "parts that are not covered do not fail a requirement");
   add("json", "print JSON");
 }
 

@@ -42,14 +42,14 @@ struct G2_curve_text {
     std::size_t begin, end;
   };
 
-  int dimension; ///< of the points
+  int dimension; ///< the dimension of the points
   int points;    ///< the number of control points
   int order;     ///< the degree plus one
   /// each point is followed by its weight, \f$ (w x, w) \f$
   bool rational;
   /// the object is a line (class 120): its control points are not in the text
   bool is_line;
-  /// of one point after the other, with weights; empty for a line
+  /// the coordinates of one point after the other, with weights; empty for a line
   std::vector<Written_number> coordinates;
 };
 

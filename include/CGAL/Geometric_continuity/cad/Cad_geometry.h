@@ -158,7 +158,7 @@ struct Edge_curve {
 /// An end of an edge that is a curve in space, such as one of a wire, or a side of a knot inside.
 struct Edge_end {
   Edge_curve curve;
-  double parameter;      ///< of the end
+  double parameter;      ///< the parameter of the end
   bool reversed = false; ///< whether the edge runs against its parameter
 };
 

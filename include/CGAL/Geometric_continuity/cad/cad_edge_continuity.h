@@ -98,7 +98,7 @@ inline std::optional<Edge_continuity<Exact_field<double>::type>> edge_continuity
 /// \ingroup PkgGeometricContinuityCadEdges
 /// The largest value of a function along an edge, and where its lower bound is attained.
 struct Edge_maximum {
-  Enclosure value;    ///< of the largest value
+  Enclosure value;    ///< an enclosure of the largest value
   double parameter;   ///< where the function is at least `value.lower`
   Cad_point<3> point; ///< the point of the first side there, rounded
   /// In the middle of the part of the edge that has the largest upper bound.
@@ -425,8 +425,8 @@ inline Edge_side projected_side(const Edge_side& side, const Edge_curve& curve, 
 struct Foot_comparison {
   /// of the point of the curve and its foot points on both sides, in units of the coordinates
   std::array<double, 2> distances;
-  double gap;            ///< of the foot points
-  double angle;          ///< of the oriented normals there, in radians
+  double gap;            ///< the distance of the foot points
+  double angle;          ///< the angle of the oriented normals there, in radians
   double curvature_jump; ///< relative, see `Edge_enclosure::curvature_jump`
 };
 

@@ -376,7 +376,7 @@ template <class Surface_a, class Surface_b> bool is_g3_edge(const Surface_a& a, 
 template <class FT> struct Knot_line {
   bool constant_u;  ///< the knot is one of `u`, and `v` varies on the line; otherwise the reverse
   FT knot;          ///< the constant parameter
-  int multiplicity; ///< of the knot
+  int multiplicity; ///< the multiplicity of the knot
   /// The first surface is the part at smaller parameters, the second the part at larger ones.
   /// Parameters are those along the line. On spans where the surface jumps the order is -1.
   Spline_edge_continuity<FT> continuity;
@@ -454,8 +454,8 @@ std::vector<Knot_line<Edge_field<Traits>>> knot_line_continuity(const Rational_b
 /// \ingroup PkgGeometricContinuitySurfaces
 /// An edge of one patch and an edge of another that are the same curve.
 struct Common_edge {
-  Patch_edge edge_a; ///< of the first patch
-  Patch_edge edge_b; ///< of the second patch
+  Patch_edge edge_a; ///< the edge of the first patch
+  Patch_edge edge_b; ///< the edge of the second patch
   bool reversed;     ///< they run in opposite directions
 };
 
@@ -536,7 +536,7 @@ template <class FT> struct Edge_certificate {
 
   FT begin;           ///< the parameter of the first edge
   FT end;             ///< where the span ends
-  int g_order;        ///< as `Edge_continuity::g_order`
+  int g_order;        ///< the same as `Edge_continuity::g_order`
   Edge_rows<FT, 4> a; ///< \f$ P, P_v, P_{vv} \f$
   Edge_rows<FT, 4>
       /// \f$ Q, Q_v, Q_{vv} \f$, in the direction of the first edge, with the weight of `P` where

@@ -232,7 +232,7 @@ struct Edge_tolerance {
 /// The orders 0 and 1 of two surfaces along an edge, within a tolerance. (The order 2 has no
 /// tolerance: it is decided exactly by `edge_continuity()`.)
 struct Edge_order_within {
-  Edge_deviation deviation; ///< on which the verdicts rest
+  Edge_deviation deviation; ///< the deviation on which the verdicts rest
   /// For each order: the edges are the same; in addition the tangent planes agree and the surfaces
   /// continue each other.
   std::array<Verdict, 2> verdicts;

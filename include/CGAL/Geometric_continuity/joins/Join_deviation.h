@@ -56,7 +56,7 @@ struct Join_tolerance {
 /// \ingroup PkgGeometricContinuityContinuity
 /// The orders 0 to 3 of a join, within a tolerance.
 struct Order_within {
-  Join_deviation deviation; ///< on which the verdicts rest
+  Join_deviation deviation; ///< the deviation on which the verdicts rest
   /// For each order: the ends meet; in addition the tangents agree; the curvature vectors; the
   /// torsions, or in the plane the derivatives of the curvature with respect to arc length. Each of
   /// them within the tolerance, or exactly.

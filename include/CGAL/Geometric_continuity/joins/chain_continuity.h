@@ -218,8 +218,8 @@ template <class Traits> struct Composite_join {
   typename Traits::FT knot;        ///< the parameter at the end of the left segment
   /// the orders, with the shape parameters in the global parameter
   Join_continuity<FT> continuity;
-  Join_side<FT> left_side;  ///< of the left segment
-  Join_side<FT> right_side; ///< of the right segment
+  Join_side<FT> left_side;  ///< the values of the left segment
+  Join_side<FT> right_side; ///< the values of the right segment
 };
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -305,7 +305,7 @@ template <class Curve> struct Split_view {
 template <class Traits> struct Knot_continuity {
   typename Traits::FT knot;                   ///< the parameter
   int multiplicity;                           ///< how often it is repeated
-  Join_continuity<Predicate_FT<Traits>> join; ///< of the pieces on both sides
+  Join_continuity<Predicate_FT<Traits>> join; ///< the join of the pieces on both sides
 
   /// Writes the parameter, a colon and the join.
   friend std::ostream& operator<<(std::ostream& os, const Knot_continuity& k) { return os << k.knot << ": " << k.join; }

@@ -35,7 +35,7 @@ using Road_number = Exact_field<double>::type;
 /// The shape of a piece of a reference line.
 enum class Road_shape {
   line,
-  arc,        ///< of one curvature
+  arc,        ///< it has one curvature
   spiral,     ///< a clothoid: the curvature is linear in the length
   poly3,      ///< \f$ v = a + b u + c u^2 + d u^3 \f$, as far as its arc length reaches
   param_poly3 ///< \f$ u, v \f$ are cubic polynomials of a parameter
@@ -66,7 +66,7 @@ struct Road_geometry {
 /// A record of a profile: from the length \f$ s \f$ on, the value is
 /// \f$ a + b\,u + c\,u^2 + d\,u^3 \f$ with \f$ u \f$ the length since \f$ s \f$.
 struct Road_cubic {
-  Road_number s; ///< of widths and borders, since the start of the lane section
+  Road_number s; ///< for widths and borders, from the start of the lane section on
   Road_number a, b, c, d;
   long long line = 0; ///< as in `Road_geometry`
 };
@@ -86,7 +86,7 @@ struct Road_lane {
   bool is_level = false; ///< it does not take part in the superelevation
   bool has_height = false;
   std::vector<int> predecessors = {}, successors = {}; ///< the lanes that it names
-  std::vector<Road_cubic> widths = {}, borders = {};   ///< of which the widths count, if there are any
+  std::vector<Road_cubic> widths = {}, borders = {};   ///< the widths count, if there are any
   long long line = 0;                                  ///< as in `Road_geometry`
 };
 
@@ -136,7 +136,7 @@ struct Road {
 /// leads out of a direct junction.
 struct Road_connection {
   std::string id = {}, incoming = {}, connecting = {};
-  std::optional<Road_end> contact = {};        ///< of the connecting road
+  std::optional<Road_end> contact = {};        ///< the end of the connecting road
   std::vector<std::pair<int, int>> lanes = {}; ///< from lanes of the one to lanes of the other
   bool is_direct = false, has_overlap = false; ///< overlapping lanes may change their width
   long long line = 0;                          ///< as in `Road_geometry`
@@ -226,7 +226,7 @@ enum class Road_profile_kind { elevation, superelevation, lane_offset, width, bo
 /// A place where one record of a profile passes into the next one.
 struct Road_profile_join {
   const Road& road;
-  const Road_lane* lane; ///< of widths and borders
+  const Road_lane* lane; ///< the lane of widths and borders
   Road_profile_kind kind;
   Road_number s; ///< along the road
   long long line;
@@ -269,7 +269,7 @@ struct Road_contact {
 struct Road_link_join {
   Road_contact from, to;
   Alignment_join join;
-  Road_number step, grade_jump; ///< of the elevations
+  Road_number step, grade_jump; ///< the jumps of the elevation and its slope
   bool is_returned;             ///< the other road names this one, or a junction
   bool has_lanes;               ///< lanes of both are linked, by themselves or by a junction
   long long line;
@@ -282,8 +282,8 @@ struct Road_lane_join {
   const Road_lane &lane, &to_lane;
   bool is_in_junction;                ///< a connection of a junction names them
   bool is_named_back;                 ///< only the second lane names the first
-  bool has_overlap;                   ///< of a direct junction, so that widths may change
-  std::vector<Enclosure> gaps, steps; ///< of the borders that meet, first on the left: in the plane, in height
+  bool has_overlap;                   ///< it belongs to a direct junction, so widths may change
+  std::vector<Enclosure> gaps, steps; ///< distances of the borders that meet, the left ones first
   Verdict within;
   std::optional<Verdict> within_height; ///< nothing where a road gives its lanes other heights
   long long line;
@@ -295,7 +295,7 @@ struct Road_lane_join {
 struct Road_border_join {
   Road_contact from, to;
   const Road_lane &lane, &to_lane;
-  bool is_left; ///< of the first lane, in the direction of its road
+  bool is_left; ///< the side of the first lane, in the direction of its road
   Alignment_join join;
   long long line;
 };

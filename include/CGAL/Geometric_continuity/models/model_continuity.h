@@ -142,7 +142,7 @@ template <class FT> struct Model_continuity {
   std::vector<Model_edge<FT>> edges;
   /// by the number of the surface, see `knot_line_continuity()`
   std::vector<Model_knot_line<FT>> knot_lines;
-  Model_summary summary; ///< of edges and knot lines
+  Model_summary summary; ///< the counts of edges and knot lines
 
   /// Returns whether all shared edges and all knot lines have at least this order.
   bool has_order(int g_order) const { return failing(g_order).empty() && failing_knot_lines(g_order).empty(); }

@@ -49,8 +49,8 @@ template <class Traits_> struct Rounded_polyhedron {
   typedef typename Traits::FT FT;          ///< the field
   typedef typename Traits::Point Point;    ///< the points
   typedef typename Traits::Vector Vector;  ///< the vectors
-  typedef Bspline_surface<Traits> Surface; ///< of blends
-  typedef Bspline_curve<Traits> Curve;     ///< of edges
+  typedef Bspline_surface<Traits> Surface; ///< the type of blends
+  typedef Bspline_curve<Traits> Curve;     ///< the type of edges
 
   /// The kinds of edges, by what is on both sides.
   enum class Edge_kind {
@@ -63,7 +63,7 @@ template <class Traits_> struct Rounded_polyhedron {
 
   /// An edge.
   struct Edge {
-    Curve curve;       ///< of degree 5, or 1 where it is sharp
+    Curve curve;       ///< its degree is 5, or 1 where the edge is sharp
     std::size_t start; ///< the number of a vertex
     std::size_t end;   ///< the number of a vertex; the same one if the edge is closed
     Edge_kind kind;    ///< what it separates

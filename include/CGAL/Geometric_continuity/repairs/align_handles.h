@@ -123,7 +123,7 @@ struct Handle_side {
   Grid_vector handle; ///< from the handle to the node, or from the node to the handle
   /// from the control point next to the handle to the node, or from the node to that control point
   Grid_vector second;
-  int degree;   ///< of the curve, at least 2
+  int degree;   ///< the degree of the curve, at least 2
   bool movable; ///< whether the handle may move
 };
 

@@ -46,7 +46,7 @@ namespace Geometric_continuity {
 /// \tparam FT_ a field number type
 template <class FT_> struct Edge_reparametrisation {
   typedef FT_ FT;                     ///< the number type
-  typedef Edge_function<FT> Function; ///< of the parameter along the edge
+  typedef Edge_function<FT> Function; ///< a function of the parameter along the edge
 
   Function alpha = Function{FT(0)};  ///< the first derivative along the edge
   Function beta = Function{FT(1)};   ///< the first derivative across the edge, positive
@@ -105,7 +105,7 @@ template <class FT> struct Rational_surface_blend_shape {
 /// \tparam Reparametrisation `Edge_reparametrisation` or `Rational_edge_reparametrisation`
 template <class Reparametrisation> struct Septic_edge_reparametrisation : Reparametrisation {
   typedef typename Reparametrisation::FT FT;             ///< the number type
-  typedef typename Reparametrisation::Function Function; ///< of the parameter along the edge
+  typedef typename Reparametrisation::Function Function; ///< a function of the parameter along the edge
 
   Function alpha3 = Function{FT(0)}; ///< the third derivative along the edge
   Function delta3 = Function{FT(0)}; ///< the third derivative across the edge

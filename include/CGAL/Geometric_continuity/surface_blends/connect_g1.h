@@ -49,11 +49,11 @@ template <class FT> struct Ribbon_end {
 /// are decided, and to the given curves without rounding.
 /// \tparam Traits a model of `GeometricContinuityTraits` of dimension 3
 template <class Traits_> struct G1_ribbon {
-  typedef Traits_ Traits; ///< of the curves and the surfaces
+  typedef Traits_ Traits; ///< the traits class of the curves and the surfaces
   /// the field of the numbers that are not control points
   typedef Edge_field<Traits> Field;
-  typedef Bernstein_polynomial<Field> Polynomial; ///< of \f$ \alpha_k \f$ and \f$ \beta_k \f$
-  typedef Bspline_surface<Traits> Surface;        ///< of each side
+  typedef Bernstein_polynomial<Field> Polynomial; ///< the type of \f$ \alpha_k \f$ and \f$ \beta_k \f$
+  typedef Bspline_surface<Traits> Surface;        ///< the surface of each side
 
   Polynomial alpha;        ///< \f$ \alpha_1 \f$, with the domain mapped to [0, 1]
   Polynomial beta;         ///< \f$ \beta_1 \f$, with the domain mapped to [0, 1]

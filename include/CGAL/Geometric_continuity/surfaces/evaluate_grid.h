@@ -67,7 +67,7 @@ public:
 /// Which normals `evaluate_grid()` computes.
 enum class Grid_normals {
   unnormalised, ///< \f$ S_u \times S_v \f$, without roots
-  unit          ///< of length 1, or zero where \f$ S_u \times S_v = 0 \f$
+  unit          ///< normals of length 1, or zero where \f$ S_u \times S_v = 0 \f$
 };
 
 CGAL_GEOMETRIC_CONTINUITY_LOOP_WARNINGS_OFF
