@@ -73,7 +73,7 @@ std::pair<FT, FT> end_of_graph(const std::vector<FT>& p, const FT& length) {
   return {certain, to};
 }
 
-// What is decided of a piece: whether it meets the bound, and its largest curvature where that is
+// The decision about a piece: whether it meets the bound, and its largest curvature where that is
 // known, with the place.
 struct Bend {
   Claim claim = Claim::met;
