@@ -45,6 +45,24 @@ decides 1 "$(piece 0 0 0 0 10 '<paramPoly3 aU="0" bU="1" cU="0" dU="0" aV="0" bV
   "pRange is missing" "arc length differs by 9 m"  "m if pRange were arcLength - a wrong length" "if pRange were arcLength: G2"
 decides 0 "$(piece 0 0 0 0 5 '<poly3 a="0" b="0.75" c="0" d="0"/>')$(piece 5 4 3 0.643501108793284 10 $line)" "plan G2, gap 0 m, kink at most " "e-15 rad, curvature equal"
 
+# --max-curvature: closed forms are exact; a graph ends where its arc length does
+bends() { # CODE BOUND LENGTH PIECE TEXT...
+  local code=$1 bound=$2 text
+  network "$(road 1 "$3" "$(piece 0 0 0 0 "$3" "$4")")"
+  shift 4
+  run "$code" verify roads.xodr --allow-empty --max-curvature "$bound" && says out "$@" && valid roads.xodr --allow-empty --max-curvature "$bound"
+}
+bends 0 0.1 10 '<spiral curvStart="-0.1" curvEnd="0.05"/>' "s = 0 (line 2): bend spiral, curvature 0.1/m at its start" "and every piece of a reference line is G1 within the tolerances, or bent by at most the curvature 0.1, proved"
+bends 1 0.0999999999999999999999 10 '<spiral curvStart="-0.1" curvEnd="0.05"/>' "- not bent by at most the curvature 0.0999999999999999999999" "1 bend (1 bent too much)"
+bends 0 0 10 "$line" "bend line, curvature 0/m"
+# v = u^2 / 2 and v = u^2 - u, of which the vertex is reached, or not
+bends 0 1 5 '<poly3 a="0" b="0" c="0.5" d="0"/>' "bend poly3, bent by at most the curvature 1"
+bends 1 1.999999 0.8 '<poly3 a="0" b="-1" c="1" d="0"/>' "bend poly3, curvature 2/m at u = 0.5"
+bends 0 1.7 0.4 '<poly3 a="0" b="-1" c="1" d="0"/>' "bend poly3, bent by at most the curvature 1.7"
+bends 1 1.68 0.4 '<poly3 a="0" b="-1" c="1" d="0"/>' "bend poly3, curvature 1.6" "not bent by at most the curvature 1.68"
+bends 1 1 4 '<paramPoly3 aU="0" bU="0" cU="1" dU="0" aV="0" bV="0" cV="0" dV="1" pRange="normalized"/>' "curvature without a bound, as in a cusp, at p = 0"
+run 1 verify roads.xodr --max-curvature 1 --format sarif && says out '"ruleId":"bend"'
+
 # profiles: steps and kinks of the elevation; a linear change of the superelevation is meant
 profile() { printf '<%s s="%s" a="%s" b="%s" c="%s" d="%s"/>' "$@"; }
 network "$(road 1 40 "$(piece 0 0 0 0 40 $line)" '' "<elevationProfile>$(profile elevation 0 1 0.02 0 0)$(profile elevation 10 1.2 0.02 0.001 0)$(profile elevation 20.5 1.52025 0.041 0 0)$(profile elevation 30 1.9097 0.043 0 0)$(profile elevation 50 0 0 0 0)</elevationProfile><lateralProfile>$(profile superelevation 5 0.001 0.01 0 0)</lateralProfile>")"

@@ -136,7 +136,8 @@ mil-std-31000a 0.01,2deg.
 than K, one over a length in the units of the coordinates, and --min-radius R
 that its radius of curvature is nowhere less than R, which is K = 1/R. This is
 decided exactly, for the curves between the joins, also of fonts, in units of
-the font; the bound may be reached.
+the font, and of the reference lines of roads; the bound may be reached. It is
+not for surfaces and CAD models.
 Corners at the joins are those that --require G1 asks for. Where a curve exceeds
 the bound, the report names the place where it is bent most.
 
@@ -373,7 +374,7 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
   }
   line.refuse({"glyphs", "worst", "max-kink", "off-by"}, "only for fonts");
   const GC::Work_scope each(line.work_limit());
-  if (are_cad_files(files)) refuse_bound("not for CAD models");
+  if (are_cad_files(files)) refuse_bound("not for CAD models: it bounds curves of .g2, drawings, fonts and roads");
   if (are_cad_files(files))
     return verify_cad(files, mode, cad_demand(line, required),
                       {Cad_drawing::none, line.length("sew"), line.seconds("time-limit", 60)});
@@ -382,15 +383,16 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
   if (roads != 0) {
     if (roads != static_cast<std::ptrdiff_t>(files.size()))
       throw std::invalid_argument("road networks (.xodr) and other files cannot be verified together");
-    refuse_bound("not for road networks");
-    return verify_roads(files, mode, road_demand(line, required));
+    Road_demand demand = road_demand(line, required);
+    demand.bound = bound;
+    return verify_roads(files, mode, demand);
   }
   line.refuse({"lane-borders"}, "only for road networks");
   const auto rails = std::count_if(files.begin(), files.end(), is_rail_file);
   if (rails != 0) {
     if (rails != static_cast<std::ptrdiff_t>(files.size()))
       throw std::invalid_argument("alignments (.ifc, LandXML) and other files cannot be verified together");
-    refuse_bound("not for alignments");
+    refuse_bound("not for alignments: of roads it bounds the reference lines of OpenDRIVE");
     return verify_rails(files, mode, rail_demand(line, required));
   }
   line.refuse({"gap", "kink", "curvature"}, "only for road networks and alignments");
@@ -403,7 +405,7 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
       throw std::invalid_argument("--certificate: not for toolpaths");
   }
   if (line.has("surfaces")) {
-    refuse_bound("not with --surfaces");
+    refuse_bound("not with --surfaces: it bounds curves, not the normal curvatures of surfaces");
     line.refuse({"closed", "max-order", "kernel", "kink-angle"}, "not with --surfaces");
     std::optional<GC::Edge_tolerance> tolerance;
     if (line.has("within")) tolerance = parse_tolerances(line.text("within"), true).edges();

@@ -5,6 +5,7 @@
 #include "commands/roads/verify_roads.h"
 
 #include "commands/roads/Road_claims.h"
+#include "commands/roads/road_curvature.h"
 #include "files/input.h"
 #include "formats/opendrive/read_opendrive.h"
 #include "reports/Report.h"
@@ -51,6 +52,10 @@ class Road_report {
     s.required = "G" + std::to_string(demand.order) + " within the tolerances";
     s.required_in_json = "\"required\":\"G" + std::to_string(demand.order) + '"';
     s.proof = "proved";
+    if (!demand.bound) return s;
+    demand_curvature(s, *demand.bound);
+    s.noun = "join";
+    s.every = "every join and every piece of a reference line";
     return s;
   }
 
@@ -188,6 +193,9 @@ class Road_report {
       for (const GC::Road_section& section : road.sections)
         for (const GC::Road_lane& lane : section.lanes) lanes_with_height_ += lane.has_height;
     }
+    if (demand_.bound)
+      for (const GC::Road& road : opendrive.network.roads)
+        for (const GC::Road_geometry& piece : road.plan) add(decide_curvature(road, piece, *demand_.bound));
     GC::road_joins(opendrive.network, demand_.tolerance,
                    Visitor{*this, Road_claims(demand_, File_digits(opendrive.digits))}, demand_.borders);
   }
@@ -216,7 +224,7 @@ class Road_report {
           std::pair("width", "with a step"), std::pair("border", "with a step"), std::pair("section lane", "apart"),
           std::pair("section lane back", "apart"), std::pair("road lane", "apart"),
           std::pair("road lane back", "apart"), std::pair("junction lane", "apart"),
-          std::pair("lane border", "not smooth enough")}) {
+          std::pair("lane border", "not smooth enough"), std::pair("bend", "bent too much")}) {
       const Kind_summary& k = kind(name);
       if (k.joins == 0) continue;
       os << separator << k.joins << ' ' << name;
