@@ -366,7 +366,7 @@ const fileBytes = (text) => {
 };
 
 /** Loads the module. What reads files is a second one, which is loaded when it is needed first. */
-export default async function load({ wasm, filesWasm } = {}) {
+async function load({ wasm, filesWasm } = {}) {
   const module = await Instance.of(wasm, 'geometric_continuity');
   const call = (...words) => module.call(...words);
   let files = null;
@@ -505,7 +505,7 @@ const isAsked = (name) => typeof name === 'symbol' || /^[_$@]|^(then|toJSON|asym
 
 // Names that other libraries have, and the call here.
 const guesses = [
-  [/^is_?([CG])_?([123])|^([CG])([123])$/i, "continuity(left, right).g_order >= 1, c_order with derivatives; failingJoins(curves, { order: 'G1' }) for many"],
+  [/^is_?([CG])_?([123])|^([CG])([123])$|^(geometric|parametric)_?Continuity$/i, "continuity(left, right).g_order >= 1, c_order with derivatives; failingJoins(curves, { order: 'G1' }) for many"],
   [/font|glyph/i, 'verifyFont(bytes), fontCurves(bytes)'],
   [/surface|patch|face/i, "edgeContinuity(patchA, 'u1', patchB, 'u0')"],
   [/^(smooth|mend|fix|repair|harmoni)|simplify/i, 'repairSvg(d) for path data or a drawing, alignHandles(left, right) for two handles, blend(left, right) between curves'],
@@ -517,7 +517,7 @@ const guesses = [
   [/^connect|^bridge|^fair|^join$/i, "blend(left, right, { strategy: 'fair' })"],
   [/^(fit|interpolate|evaluate|spline|length|split|offset|intersect|derivative|bbox|get)/i, 'evaluate(), interpolate() or fit() of the Python module or of C++; curves of bezier-js, paper.js and three.js are taken here'],
   [/^(init|load|default)$/, 'gc.continuity(left, right) and the others at once: the module is loaded'],
-  [/bezier|curve$|^(line|path|point|segment)$/i, 'continuity(left, right) with arrays of control points or path data, which are curves; no class is needed'],
+  [/bezier|spline$|nurbs|curve$|^(line|path|point|segment)$/i, 'continuity(left, right) with arrays of control points or path data, which are curves; no class is needed'],
 ];
 
 function missing(name, names) {
@@ -526,16 +526,28 @@ function missing(name, names) {
   throw new TypeError(`gc.${name} is not there: ${meant ? `call ${meant}` : best ? `did you mean ${best}(...)?` : `there are ${names.join(', ')}`}`);
 }
 
+// Names that are imported though they are not there: when called they tell what is.
+const guessed = ['BezierCurve', 'BSpline', 'Nurbs', 'isC1', 'isC2', 'isG1', 'isG2', 'isG3', 'geometricContinuity'];
+
 // The functions by their names work when the module has been loaded.
 let current = null;
 const byName = new Proxy({}, {
-  get: (_, name) => (...given) => {
+  get: (_, name) => function called(...given) { // no arrow, so that new also gets the answer
+    if (guessed.includes(name)) missing(name, ['continuity']);
     if (current === null) throw new Error(`${name}: the module is not loaded yet; call const gc = await load(); gc.${name}(...)`);
     return current[name](...given);
   },
 });
-export { load };
+// A function that is asked of what loads it.
+const loader = new Proxy(load, {
+  get(all, name) {
+    if (name in all || isAsked(name)) return Reflect.get(all, name);
+    throw new TypeError(`${String(name)}: what is imported is the function that loads the module; call const gc = await load(); then gc.${String(name)}(...)`);
+  },
+});
+export { loader as load, loader as default };
 export const {
   continuity, deviation, joinGrade, blend, roundCorner, roundCorners, curvatureExcess, edgeContinuity, alignHandles, failingJoins, verifySvg, repairSvg,
   svgCurves, verifyFont, fontCurves, verifyG2,
+  BezierCurve, BSpline, Nurbs, isC1, isC2, isG1, isG2, isG3, geometricContinuity,
 } = byName;

@@ -9,6 +9,9 @@ import load, * as named from 'geometric-continuity';
 
 const { GeometricContinuityError } = named;
 assert.throws(() => named.continuity(), /^Error: continuity: the module is not loaded yet; call const gc = await load\(\); gc.continuity\(\.\.\.\)$/);
+assert.throws(() => load.verifySvg, /^TypeError: verifySvg: .* call const gc = await load\(\); then gc.verifySvg\(\.\.\.\)$/);
+assert.throws(() => new named.BezierCurve(), /^TypeError: gc.BezierCurve is not there: .* no class is needed$/);
+assert.throws(() => named.isG2(), /^TypeError: gc.isG2 is not there: call continuity\(left, right\).g_order/);
 const gc = await load();
 const phi = [[-3, 0], [-3, 2], [-2, 3], [0, 3]], psi = [[4, 0], [5, -1]];
 
