@@ -3,14 +3,14 @@
 # is short otherwise. The target long_tests builds what the long ones need: other kernels and
 # examples than the most common, many optima and samples, proofs by Gappa. The target release_tests
 # builds the program as it is released, with optimisation, and what its tests need, under limits of
-# time and memory or on many files; the exact cases on three kernels, and what optimisation could
+# time and memory or on many files; the exact cases on one kernel, and what optimisation could
 # break, belong to it.
 option(GEOMETRIC_CONTINUITY_SHORT_TESTS_ONLY "Leave out tests that take long" OFF)
 option(GEOMETRIC_CONTINUITY_UNOPTIMISED_PROGRAM "Leave out the optimisation of the program, and the tests of what is released"
        ${GEOMETRIC_CONTINUITY_SHORT_TESTS_ONLY})
 set(long_tests
     # other kernels
-    test_kernel_archetype test_kernel_cpp_rational test_kernel_double test_kernel_epeck_d test_kernel_epick_d test_kernel_gmpq
+    cases_double cases_epeck test_kernel_archetype test_kernel_cpp_rational test_kernel_double test_kernel_epeck_d test_kernel_epick_d test_kernel_gmpq
     test_kernel_homogeneous
     # what computes much
     conformance_alterations conformance_checked conformance_generated test_Edge_enclosure test_Fair test_Fair_kernels test_curve_from_curvatures test_decide_join test_largest_kink parallel_tests
@@ -28,7 +28,7 @@ set(long_tests
     # inputs that searches have found
     fuzz_certificates fuzz_curves fuzz_drawings fuzz_fonts fuzz_numbers fuzz_paths fuzz_repairs fuzz_surfaces fuzz_variable_fonts)
 set(release_tests
-    cases_double cases_epeck cases_epick test_optimised_splines
+    cases_epick test_optimised_splines
     # the package in other projects, and what is packed
     install packaging_deb
     # the program

@@ -42,7 +42,7 @@ BOOST_AUTO_TEST_CASE(moduli_have_no_common_divisors) {
   Integer product = 1;
   std::uint64_t c = 0;
   for (const std::uint16_t given : moduli) {
-    while (gcd(product, modulus(c)) != 1) ++c;
+    while (gcd(Integer(product % modulus(c)), modulus(c)) != 1) ++c;
     BOOST_TEST_REQUIRE(given == c);
     product *= modulus(c);
   }
