@@ -104,7 +104,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <ostream>
 #include <type_traits>
 #include <vector>
 
@@ -169,6 +168,10 @@ template <class Kernel> using Bezier_traits_3 [[deprecated("the class is Traits_
 [[deprecated("the edge is Patch_edge::u1")]] inline constexpr Patch_edge U_MAX = Patch_edge::u1;
 [[deprecated("the edge is Patch_edge::v0")]] inline constexpr Patch_edge V_MIN = Patch_edge::v0;
 [[deprecated("the edge is Patch_edge::v1")]] inline constexpr Patch_edge V_MAX = Patch_edge::v1;
+struct [[deprecated("the edges are Patch_edge::u0, Patch_edge::u1, Patch_edge::v0 and Patch_edge::v1")]] Edge {
+  static constexpr Patch_edge U_MIN = Patch_edge::u0, U_MAX = Patch_edge::u1, V_MIN = Patch_edge::v0,
+                              V_MAX = Patch_edge::v1;
+};
 
 namespace internal {
 
@@ -196,6 +199,13 @@ template <int order> struct Has_order {
     return false;
   }
 
+  // This refuses two surfaces with the edges.
+  template <class A, class B> bool operator()(const A&, const Patch_edge&, const B&, const Patch_edge&) const {
+    static_assert(!std::is_same_v<A, A>, "edge_continuity(a, Patch_edge::u1, b, Patch_edge::u0).g_order is the order "
+                                         "of two surfaces along these edges");
+    return false;
+  }
+
   template <class Chain> bool operator()(const Chain& chain) const {
     if constexpr (Has_traits<Chain>::value) {
       const auto knots = knot_continuities(chain, order);
@@ -205,13 +215,12 @@ template <int order> struct Has_order {
   }
 };
 
-template <class...> constexpr bool never = false;
-
-// The result of a function that does not exist: it fits everywhere, so that there is one error.
-struct No_result {
-  template <class T> operator T() const;
-  friend std::ostream& operator<<(std::ostream& os, No_result) { return os; }
-};
+// The type of this is asked by constructors that refuse.
+template <class T> auto refused_tolerance() {
+  static_assert(never<T>, "order_within(a, b, 1e-6) takes one bound for all, or a Join_tolerance with the members "
+                          "tangent_angle, curvature_jump, torsion_jump, gap and curvature_derivative");
+  return 0;
+}
 
 } // namespace internal
 
@@ -228,6 +237,11 @@ struct No_result {
 [[deprecated("call is_c_join<1>(a, b)")]] inline constexpr internal::Parametric_join_predicate<1> is_C1{}, is_c1{};
 [[deprecated("call is_c_join<2>(a, b)")]] inline constexpr internal::Parametric_join_predicate<2> is_C2{}, is_c2{};
 [[deprecated("call is_c_join<3>(a, b)")]] inline constexpr internal::Parametric_join_predicate<3> is_C3{}, is_c3{};
+
+// A class of tolerances by another name, which has other members.
+struct Tolerance {
+  template <class T = void, class = decltype(internal::refused_tolerance<T>())> Tolerance();
+};
 
 // Orders, where a strategy is expected: blend() tells the strategies.
 [[deprecated("the strategy tells the order: Fair() for G2, Fair_g3() for G3")]] inline constexpr int G1 = 1, G2 = 2,
@@ -277,6 +291,12 @@ template <class Input_iterator> auto interpolate(Input_iterator, Input_iterator,
                                                  "has degree 5: there is no degree to give");
   return internal::No_result();
 }
+template <class Kernel, class Input_iterator, class = typename Kernel::Point_2>
+auto interpolate(Input_iterator, Input_iterator, int) {
+  static_assert(internal::never<Kernel>, "interpolate(first, last) is a cubic spline over the kernel of the points: "
+                                         "there is no kernel and no degree to give");
+  return internal::No_result();
+}
 
 // A length, by which no curve is extended.
 template <class Curve, class = typename Curve::Traits> auto extend(const Curve&, double) {
@@ -316,10 +336,10 @@ CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(extend)
 #undef CGAL_GEOMETRIC_CONTINUITY_NO_CURVE
 
 // A function that does not exist, with the sentence that is the first error of the compiler where
-// it is called.
+// it is called, also with a kernel in angle brackets.
 #define CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(name, sentence)                                                          \
-  template <class... Given> auto name(const Given&...) {                                                               \
-    static_assert(internal::never<Given...>, sentence);                                                                \
+  template <class Kernel = void, class... Given> auto name(const Given&...) {                                          \
+    static_assert(internal::never<Kernel, Given...>, sentence);                                                        \
     return internal::No_result();                                                                                      \
   }
 
@@ -335,6 +355,13 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(geometric_continuity, CGAL_GEOMETRIC_CONTI
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(join_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(continuity_order, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(order_of_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(parametric_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(order_of_geometric_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_C1, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_C2, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_G1, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_G2, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_G3, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN
 
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN                                                                            \
@@ -347,6 +374,8 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_chain_continuous, CGAL_GEOMETRIC_CONTIN
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_chain, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(joins, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(classify_joins, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(chain_order, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_closed, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN
 
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE                                                                             \
@@ -359,6 +388,7 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_edge, CGAL_GEOMETRIC_CONTINUITY_ASK
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE
 
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(blend_curves, "blend(a, b) joins two curves with G2; blend(a, b, Fair_g3()) G3")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(G2_blend, "blend(a, b) joins two curves with G2; blend(a, b, Fair_g3()) G3")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(make_blend, "blend(a, b) joins two curves with G2; blend(a, b, Fair_g3()) G3")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
     blend_surfaces, "blend(a, Patch_edge::v1, b, Patch_edge::v0) joins two surfaces by a surface that is G2 along both "
@@ -381,6 +411,7 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_points, "interpolate(points) l
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(maximum_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(minimum_radius, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(squared_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_g2,
                                       "read_g2_curves<Traits>(in) returns Bezier curves, read_g2_bsplines<Traits>(in) "

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/curves/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/internal/for_each_index.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/internal/jet_of_differences.h>
@@ -53,7 +54,7 @@ using Range_of_points = std::enable_if_t<
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
 /// \tparam Degree the degree `m >= 0`, or `dynamic_degree`
-template <class Traits_, int Degree> class Bezier_polygon {
+template <class Traits_, int Degree> class Bezier_polygon : public internal::Other_members {
   static_assert(internal::Checked_traits<Traits_>::value);
   template <int> friend class internal::Grid_join; // reads the ends of the domain, and copies none
 

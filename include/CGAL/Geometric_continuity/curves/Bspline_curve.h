@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
+#include <CGAL/Geometric_continuity/curves/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
@@ -120,7 +121,7 @@ constexpr bool misses_order = !has_knot_vector<FT, Third> &&
 /// base of `Bspline_curve` stores and checks them, and answers what needs no evaluation.
 ///
 /// \tparam Traits a model of `GeometricContinuityTraits`
-template <class Traits_> class Bspline_polygon {
+template <class Traits_> class Bspline_polygon : public internal::Other_members {
   static_assert(internal::Checked_traits<Traits_>::value);
 
 public:

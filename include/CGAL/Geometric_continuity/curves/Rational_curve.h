@@ -8,6 +8,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
+#include <CGAL/Geometric_continuity/curves/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/curves/internal/Rational_bezier_shape.h>
 #include <CGAL/Geometric_continuity/curves/internal/Rational_bspline_shape.h>
 #include <CGAL/Geometric_continuity/curves/internal/denominator.h>
@@ -52,7 +53,7 @@ namespace Geometric_continuity {
 ///
 /// \tparam Shape `Bezier_curve<Traits, Degree>` or `Bspline_curve<Traits>`
 /// \cgalModels{ParametricCurve}
-template <class Shape_> class Rational_curve {
+template <class Shape_> class Rational_curve : public internal::Other_members {
   typedef internal::Curve_shape<Shape_> Kind;
   static constexpr int Degree = Kind::Degree;
   friend Kind;
@@ -96,9 +97,10 @@ public:
   Rational_curve(const Points& points, const Numbers& weights, const FT& a = FT(0), const FT& b = FT(1))
       : Rational_curve(std::begin(points), std::end(points), std::begin(weights), std::end(weights), a, b) {}
 
-  /// Takes a list of control points and a list of their weights, for a Bézier curve on [0, 1].
+  /// Takes a list of control points and their weights, also in braces, for a Bézier curve on
+  /// [0, 1].
   /// \throws Error as for ranges
-  Rational_curve(std::initializer_list<Point> points, std::initializer_list<FT> weights)
+  Rational_curve(std::initializer_list<Point> points, const std::vector<FT>& weights)
       : Rational_curve(points.begin(), points.end(), weights.begin(), weights.end()) {}
 
   /// Takes a range of control points, a range of as many weights, and the knots of a B-spline
