@@ -162,13 +162,13 @@ using Blend_surface_shape = typename internal::Blended_shape<Surface_a, Surface_
 /// fold: the least mean of the variations of curvature of the curves `u` = const, see
 /// `mean_fairness()`. Of surfaces only.
 ///
-/// The shapes of `Matching_second_derivative`, `Minimal_energy<2>`, `Minimal_energy<3>` and `Fair`
-/// are compared, and that with the least mean is taken for which `possible_fold()` proves that
-/// there is no fold. From there \f$ \beta \f$ and \f$ \delta \f$ at both ends are improved by the
-/// method of Levenberg and Marquardt, where no step leads into a fold, and \f$ \beta \f$ stays
-/// within a factor of 4 of the automatic shape. So it is never less fair than the four, and has no
-/// fold where one of them has none. Where all have one, it is the fairest of what was found, as is
-/// in other dimensions than 3.
+/// It starts from those shapes of `Matching_second_derivative`, `Minimal_energy<2>`,
+/// `Minimal_energy<3>` and `Fair` for which `possible_fold()` proves that there is no fold. From
+/// each \f$ \beta \f$ and \f$ \delta \f$ at both ends are improved by the method of Levenberg
+/// and Marquardt, where no step leads into a fold, and \f$ \beta \f$ stays within a factor of 4 of
+/// the automatic shape; the least mean is taken. So it is never less fair than these, and has no
+/// fold where one of the four has none. Where all have one, it is the fairest of what was found, as
+/// it is in other dimensions than 3.
 struct Fairest {};
 
 /// \ingroup PkgGeometricContinuityStrategies

@@ -309,10 +309,22 @@ public:
         std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& x) { return !is_folded(x.shape); });
     const bool all_folded = best == candidates.end();
     if (all_folded) best = candidates.begin();
-    const Candidate found =
-        dimension() <= 3 ? improved<3>(*best, all_folded, automatic) : improved<5>(*best, all_folded, automatic);
-    if (all_folded && !is_folded(found.shape)) return found.shape;
-    return found.fairness < best->fairness ? found.shape : best->shape;
+    // There are several local minima where surfaces are steep: each candidate leads to one.
+    Candidate least = *best;
+    bool is_least_folded = all_folded;
+    for (const Candidate& from : candidates) {
+      const bool is_from_folded = all_folded || is_folded(from.shape);
+      if (is_from_folded && !all_folded) continue;
+      const Candidate found = dimension() <= 3 ? improved<3>(from, is_from_folded, automatic)
+                                               : improved<5>(from, is_from_folded, automatic);
+      const bool is_found_folded = is_from_folded && is_folded(found.shape);
+      if (is_found_folded < is_least_folded ||
+          (is_found_folded == is_least_folded && found.fairness < least.fairness)) {
+        least = found;
+        is_least_folded = is_found_folded;
+      }
+    }
+    return least.shape;
   }
 
 private:
