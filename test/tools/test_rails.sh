@@ -105,6 +105,28 @@ $(placed 30 5. 6. 1. 0.) $(segment 11 DISCONTINUOUS 31 9. 6) $(placed 31 7.11805
 #20=IFCGRADIENTCURVE((#10,#11),.F.,#21,\$);"
 run 0 verify --kink 0.000000001 --curvature 0.001 inner.ifc && run 1 verify --kink 0.000000000001 --curvature 0.000001 inner.ifc && says out "curvature jump 1.504e-06 - not one direction, not one curvature"
 
+# parts of spirals and graphs from a place on, forwards and backwards, against 30 digits of mpmath:
+# the end is met by a line, so that the jump is the curvature there
+part() { # CURVE START LENGTH X Y COSINE SINE JUMP
+  ifc part.ifc "$start #5=$1; #10=IFCCURVESEGMENT(.CONTSAMEGRADIENT.,#30,IFCLENGTHMEASURE($2),IFCLENGTHMEASURE($3),#5);
+$(placed 30 5. 6. 1. 0.) $(segment 11 DISCONTINUOUS 31 0. 3) $(placed 31 "$4" "$5" "$6" "$7") #20=IFC${9:-COMPOSITE}CURVE((#10,#11),.F.,#21,\$);"
+  run 0 verify --gap 0.000000000001 --kink 0.000000000001 part.ifc && says out "curvature jump $8"
+}
+wave="IFCCOSINESPIRAL(#2,400.,500.)"
+part "$wave" 30. 100. 104.766536666986768773 12.5340709643017652239 0.99746343686985452941 0.07118070038836178649 0.0005305
+part "$wave" 30. -100. 102.589320092294688907 -13.195669892335190377 0.94644373499448678726 -0.3228687914458219455 0.0005305
+wave="IFCSINESPIRAL(#2,700.,300.,1000.)"
+part "$wave" 30. 100. 104.595726562375628599 13.7992008244678759903 0.98221347211534184887 0.18776766280466021791 0.003803
+part "$wave" 30. -100. 104.833648955999804594 0.48604590536036983194 0.99697683312750853116 -0.0776993835692665442 0.001581
+graph="IFCPOLYNOMIALCURVE(#2,(0.,1.),(3.,-0.2,0.1,0.01),\$)"
+part "$graph" -1. 3. 7.82936550919339880814 6.81533690636001063914 0.79455138039609007052 0.60719692350230808424 0.277 GRADIENT
+part "$graph" 2. -3. 7.74314633213438920377 4.92984503179045094611 0.79455138039609007052 -0.6071969235023080842 0.1181 GRADIENT
+part "$graph" 2. -1. 5.98723290203149795363 5.86202424253515440333 0.96250456299523011846 -0.2712654902735714676 0.2593 GRADIENT
+part "$graph" -1. -2. 6.99175276834146083046 5.83580834530120469900 0.99113964464190476311 -0.1328239617656345424 0.02326 GRADIENT
+part "$graph" -3. 2. 6.99591371709443460311 6.10181563525745264033 0.99113964464190476311 0.13282396176563454240 0.1181 GRADIENT
+part "IFCCOSINESPIRAL(#2,-2000.,2000.)" 30. 100. 105. 6.0587785252292473129 1. -0.001270800923078815083 "" SEGMENTEDREFERENCE
+part "IFCSINESPIRAL(#2,-6283.,300.,\$)" 30. -100. 105. 6.1111111111111111111 1. 0.0014201372194551296 "" SEGMENTEDREFERENCE
+
 # the design: transitions, a profile, cant; which need not claim anything
 nested() { echo "#$1=IFCRELNESTS('',\$,\$,\$,#$2,($3));"; }
 design() { echo "#$1=IFCALIGNMENTSEGMENT('',\$,\$,\$,\$,\$,\$,#$2);"; }
@@ -121,9 +143,11 @@ $(nested 81 80 '#82,#83,#84,#85,#86') $(design 82 92) $(design 83 93) $(design 8
 #96=IFCALIGNMENTVERTICALSEGMENT(\$,\$,250.,50.,10.5000125,-0.01,0.,\$,.CLOTHOID.);"
 run 1 verify --gap 0.00001 design.ifc && says out "design horizontal, gap 0, kink 0 rad, curvature jump 0" "design vertical, gap 0, kink 0 rad, curvature jump 0.0003999" \
   "#93 - #94 (line 16): design vertical, gap 0, kink 0 rad, curvature jump 0.0005999" "#94 - #95 (line 17): design vertical, gap 3.125e-10" \
-  "curvature jump 0.0004" "not covered: a vertical segment of the type CLOTHOID"
+  "curvature jump 0.0004" "not covered: a vertical segment of the type CLOTHOID, of which IFC does not say at which end it is straight"
 sed 's/5000.249993750,.CIRC/5000.35,.CIRC/' design.ifc >arc.ifc && run 1 verify --allow-uncovered --gap 0.0001 arc.ifc && says out "#94 - #95 (line 17): design vertical, gap 0.001" "not one position"
-sed 's/5000.249993750,.CIRC/\$,.CIRC/' design.ifc >arc.ifc && run 1 verify arc.ifc && says out "a vertical arc without a radius"
+sed 's/5000.249993750,.CIRC/\$,.CIRC/' design.ifc >arc.ifc && run 1 verify arc.ifc && says out "#93 - #94 (line 16): design vertical, gap at most 1" "#94 - #95 (line 17): design vertical, gap 3.125e-10, kink 0 rad, curvature jump 0.0004"
+sed '/#94=/s/-0.01,0.,5000.249993750/0.03,-0.05,$/; /#95=/s/10.75000625/10.5007986424354257242014/' design.ifc >arc.ifc && run 1 verify --gap 1.E-20 arc.ifc && says out "#94 - #95 (line 17): design vertical, gap 4.023e-24"
+sed -i '/#95=/s/10.5007/10.5008/' arc.ifc && run 1 verify arc.ifc && says out "gap 0.0001, kink 0.04996 rad, curvature jump 0.001398 - not one position"
 run 1 verify --allow-uncovered --require G2 --gap 0.00001 design.ifc && says out "not one curvature"
 run 0 verify --allow-uncovered --gap 0.00001 design.ifc
 # y = x^3 / (6 R L) from either end: what turns into the arc, and back out of it
@@ -196,7 +220,16 @@ points "11 5" 5 && run 1 verify points.xml && says out "kink 0.1974 rad" "Start 
 profile() { sed 's,</Alignment>,<Profile><ProfAlign name="P"><PVI>0 10</PVI><ParaCurve length="60">100 12</ParaCurve><UnsymParaCurve lengthIn="'"$1"'" lengthOut="20">200 11</UnsymParaCurve>'"${2:-}"'<PVI>300 10</PVI></ProfAlign></Profile>&,' track.xml; }
 profile 70 >profile.xml && run 0 verify profile.xml && says out "ParaCurve 2 - UnsymParaCurve 3 (line 9): profile, overlap off by 0"
 profile 70.5 >profile.xml && run 1 verify profile.xml && says out "overlap off by 0.5 - not one overlap"
-profile 70 '<CircCurve length="20" radius="500">250 9</CircCurve>' >profile.xml && run 1 verify profile.xml && says out "not covered: 2 joins, an arc in a profile"
+# an arc reaches R tan(d / 2) along its tangents: 9.998000599800069974809 over the distance
+circle() { # LENGTH STATION
+  sed 's,</Alignment>,<Profile><ProfAlign><PVI>0 10</PVI><CircCurve length="'"$1"'" radius="500">100 8</CircCurve><ParaCurve length="40">'"$2"'</ParaCurve><PVI>300 12</PVI></ProfAlign></Profile>&,' track.xml >profile.xml
+}
+circle 19.99733397315053306 "200 10" && run 0 verify profile.xml && says out "CircCurve 2 (line 9): arc length, arc length off by at most" "CircCurve 2 - ParaCurve 3 (line 9): profile, overlap off by 0"
+circle 19.996001199600139949618 "200 10" && run 0 verify profile.xml
+circle 19.99 "200 10" && run 1 verify profile.xml && says out "arc length off by 0.006001 - not one arc length"
+circle 19.996 "129.998 8.59996" && run 0 verify profile.xml && says out "overlap off by 5.998e-07"
+circle 19.996 "129.996 8.59992" && run 1 verify profile.xml && says out "overlap off by 0.002001 - not one overlap"
+sed 's/ radius="500"//' profile.xml >bare.xml && run 1 verify bare.xml && says out "not covered: 2 joins, an arc without a radius"
 sed 's/>143.879/>x143.879/' track.xml >bad.xml && refused "bad.xml:5: no number: 'x143.87912809452'" verify bad.xml
 sed 's/radians/gon/g' track.xml >unit.xml && refused "the unit of angles 'gon'" verify unit.xml
 

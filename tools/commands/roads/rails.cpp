@@ -115,7 +115,8 @@ class Rail_report {
           verdict = GC::at_most(x, GC::Bound(GC::enclosure(bound)));
         };
         const bool exact_points = check.ends->left.point.rational() && check.ends->right.point.rational();
-        if (!exact_points) widen(d.join->gap, d.join->g0, tolerance.gap);
+        if (check.rounded_points) d.join->same_point = false;
+        if (!exact_points || check.rounded_points) widen(d.join->gap, d.join->g0, tolerance.gap);
         if (!d.join->same_heading) widen(d.join->kink, d.join->g1, tolerance.kink); // whatever the unit is
         if (check.rounded_curvature && !d.join->same_curvature) widen(*d.join->jump, d.join->g2, tolerance.curvature);
       }

@@ -11,6 +11,7 @@
 #include <CGAL/Geometric_continuity/curves/Clothoid_segment.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -50,6 +51,36 @@ std::vector<Q> along(std::vector<Q> p, const Q& a, const Q& l) {
   return p;
 }
 
+// Adds c cos(pi frequency (a + w direction)), or c times the sine, as a polynomial of w in [0, 1]:
+// the series of Taylor around 1/2, with an error below 10^-60 c.
+void add_wave(std::vector<Q>& p, const Q& c, bool is_sine, int frequency, const Q& a, int direction) {
+  if (c == 0) return;
+  constexpr int terms = 74; // pi^terms / terms! < 10^-70
+  Q turn = Q(frequency * (a + Q(direction) / 2) - (is_sine ? Q(1) / 2 : Q(0)));
+  const double size = CGAL::to_double(turn);
+  if (!(-1e15 < size && size < 1e15)) throw Not_covered{"a wave that begins beyond 10^15 of its lengths"};
+  turn = Q(turn - 2 * Q(std::floor((size + 1) / 2)));
+  const Q angle = shortened(Q(long_pi() * turn)), square = Q(angle * angle);
+  Q cosine(1), sine = angle, even(1), odd = angle;
+  for (int k = 2; k <= terms; k += 2) {
+    even = shortened(Q(-even * square / ((k - 1) * k)));
+    odd = shortened(Q(-odd * square / (k * (k + 1))));
+    cosine = Q(cosine + even);
+    sine = Q(sine + odd);
+  }
+  const Q derivatives[] = {cosine, Q(-sine), Q(-cosine), sine};
+  const Q rate = Q(frequency * direction * long_pi());
+  std::vector<Q> wave;
+  Q factor = c;
+  for (int j = 0; j < terms; ++j) {
+    wave.push_back(shortened(Q(factor * derivatives[j % 4])));
+    factor = shortened(Q(factor * rate / (j + 1)));
+  }
+  wave = along(std::move(wave), Q(Q(-1) / 2), Q(1));
+  if (p.size() < wave.size()) p.resize(wave.size(), Q(0));
+  for (std::size_t j = 0; j < wave.size(); ++j) p[j] = Q(p[j] + wave[j]);
+}
+
 // The curvature of a parent curve as a function of its length: a polynomial, and waves over the
 // whole length of a segment.
 struct Parent_curvature {
@@ -57,6 +88,17 @@ struct Parent_curvature {
   Q cosine = 0, sine = 0; // of pi w and 2 pi w
 
   bool has_waves() const { return cosine != 0 || sine != 0; }
+
+  // From `start` over `length`, as a polynomial of the part of it, but for waves that begin there.
+  std::vector<Q> part(const Q& start, const Q& length) const {
+    std::vector<Q> p = along(polynomial, start, length);
+    if (!has_waves() || start == 0) return p;
+    if (length == 0) throw Not_covered{"a cosine or sine spiral without a length"};
+    const Q a = Q(start / absolute(length));
+    add_wave(p, cosine, false, 1, a, length < 0 ? -1 : 1);
+    add_wave(p, sine, true, 2, a, length < 0 ? -1 : 1);
+    return p;
+  }
 };
 
 struct Segment {
@@ -65,7 +107,8 @@ struct Segment {
   std::string claim; // the Transition
   std::optional<GC::Alignment_end> start, end;
   std::optional<Q> length; // 0 or more, where it is known
-  bool rounded = false;    // directions and curvatures have pi in them
+  bool rounded = false;    // directions and curvatures have pi or roots in them
+  bool rounded_points = false;
   // The heading of the end is measured from the direction of a graph at an arc length.
   struct Place_on_graph {
     GC::Parametric_cubic::Coefficients graph;
@@ -161,10 +204,9 @@ class Ifc_reader {
   static GC::Curvature_law law(const Parent_curvature& k, const Q& start, const Q& length) {
     const Q sign(length < 0 ? -1 : 1);
     GC::Curvature_law law;
-    law.polynomial = along(k.polynomial, start, length);
+    law.polynomial = k.part(start, length);
     for (Q& p : law.polynomial) p = Q(p * sign);
-    if (k.has_waves()) {
-      if (start != 0) throw Not_covered{"a part of a cosine or sine spiral that does not begin at its start"};
+    if (start == 0) {
       law.cosine = Q(k.cosine * sign);
       law.sine = k.sine; // the sine changes its sign as well
     }
@@ -199,6 +241,7 @@ class Ifc_reader {
     const Q from = measure(start, segment, same), l = measure(length, segment, same);
     const std::optional<Parent_curvature> k = spiral(curve);
     if (!k) throw Not_covered{"a segment of " + curve.type};
+    s.rounded = k->has_waves() && from != 0;
     set_ends(s, GC::Clothoid_segment(p.x, p.y, p.heading, law(*k, from, l), absolute(l)));
   }
 
@@ -252,22 +295,31 @@ class Ifc_reader {
   // enclosed. The frame is that in which the graph has the direction of the placement at its start.
   void read_inner_part(Segment& s, const Placement& p, std::vector<Q> y, const Q& from, const Q& l,
                        bool by_length) const {
-    if (!by_length || from < 0 || l < 0)
-      throw Not_covered{"a part of a polynomial curve from an arc length on, backwards or by a parameter"};
+    if (!by_length) throw Not_covered{"a part of a polynomial curve from an arc length on, by a parameter"};
     y.resize(4, Q(0));
-    const GC::Parametric_cubic::Coefficients v = {Q(0), y[1], y[2], y[3]},
-                                             mirrored = {Q(0), Q(-y[1]), Q(-y[2]), Q(-y[3])};
-    const auto at = [](const Placement& place, const GC::Parametric_cubic::Coefficients& graph, const Q& length) {
-      return GC::Parametric_cubic::graph(place.x, place.y, place.heading, graph, length).end();
+    typedef GC::Parametric_cubic::Coefficients Coefficients;
+    // turned by a half turn, which is the same graph backwards: -v(-t)
+    const auto turned = [](const Coefficients& v) { return Coefficients{Q(0), v[1], Q(-v[2]), v[3]}; };
+    const Coefficients given = {Q(0), y[1], y[2], y[3]}, v = l < 0 ? turned(given) : given,
+                       mirrored = {Q(0), Q(-v[1]), Q(-v[2]), Q(-v[3])};
+    const auto at = [&](const Placement& place, const Coefficients& graph, const Q& length) {
+      if (!(length < 0)) return GC::Parametric_cubic::graph(place.x, place.y, place.heading, graph, length).end();
+      const auto end = [&](const GC::Heading& heading) {
+        return GC::Parametric_cubic::graph(place.x, place.y, heading, turned(graph), Q(-length)).end();
+      };
+      GC::Alignment_end result = end(place.heading); // the slope is the same
+      result.point = end(place.heading.reversed()).point;
+      if (result.curvature) result.curvature = result.curvature->reversed();
+      return result;
     };
-    const GC::Heading frame = at({Q(0), Q(0), p.heading}, mirrored, from).heading;
-    const Q to = Q(from + l);
-    s.start = GC::Alignment_end{GC::Enclosed_point(p.x, p.y), p.heading, at(p, v, from).curvature};
+    const Q start = l < 0 ? Q(-from) : from, to = Q(start + absolute(l));
+    const GC::Heading frame = at({Q(0), Q(0), p.heading}, mirrored, start).heading;
+    s.start = GC::Alignment_end{GC::Enclosed_point(p.x, p.y), p.heading, at(p, v, start).curvature};
     s.end = at({p.x, p.y, frame}, v, to);
-    s.end->point = s.end->point + at({Q(0), Q(0), frame.reversed()}, v, from).point;
+    s.end->point = s.end->point + at({Q(0), Q(0), frame.reversed()}, v, start).point;
     s.end->heading = at(p, v, to).heading;
-    s.turned_from = Segment::Place_on_graph{v, from};
-    s.length = l;
+    s.turned_from = Segment::Place_on_graph{start < 0 ? turned(v) : v, absolute(start)};
+    s.length = absolute(l);
   }
 
   // The cant is a graph over the distance along. Where the parent is a spiral its curvature times
@@ -281,35 +333,34 @@ class Ifc_reader {
     if (l == 0) return set_ends(s, GC::Clothoid_segment(p.x, p.y, p.heading, Q(0), Q(0), Q(0)));
     const std::optional<Parent_curvature> k = spiral(curve);
     if (!k) throw Not_covered{"a segment of " + curve.type};
-    if (l < 0) throw Not_covered{"a cant backwards"};
-    if (k->has_waves() && from != 0)
-      throw Not_covered{"a part of a cosine or sine spiral that does not begin at its start"};
-    std::vector<Q> h = along(k->polynomial, from, l); // of the part of the length
-    for (Q& x : h) x = Q(x * l);
+    std::vector<Q> h = k->part(from, l); // of the part of the length
+    for (Q& x : h) x = Q(x * l);         // backwards it is turned by a half turn
+    const Q size = absolute(l), cosine = from == 0 ? k->cosine : Q(0), sine = from == 0 ? k->sine : Q(0);
     // l c cos(pi w) has no slope at both ends, l s sin(2 pi w) no second derivative
     const auto end = [&](const Q& w) {
-      Q value(w == 0 ? Q(0) : Q(-2 * l * k->cosine)), slope(2 * long_pi() * k->sine * l),
-          second((w == 0 ? -1 : 1) * long_pi() * long_pi() * k->cosine * l);
+      Q value(w == 0 ? Q(0) : Q(-2 * l * cosine)), slope(2 * long_pi() * sine * size),
+          second((w == 0 ? -1 : 1) * long_pi() * long_pi() * cosine * l);
       for (std::size_t j = 0; j < h.size(); ++j) {
         const int n = static_cast<int>(j);
         if (j >= 1) value = Q(value + h[j] * power(w, n));
         if (j >= 1) slope = Q(slope + n * h[j] * power(w, n - 1));
         if (j >= 2) second = Q(second + n * (n - 1) * h[j] * power(w, n - 2));
       }
-      slope = Q(slope / l);
+      slope = Q(slope / size);
       second = Q(second / (l * l));
       const Q speed = Q(1 + slope * slope);
-      return GC::Alignment_end{GC::Enclosed_point(Q(p.x + w * l), Q(p.y + value)), GC::Heading(Q(0), Q(1), slope),
+      return GC::Alignment_end{GC::Enclosed_point(Q(p.x + w * size), Q(p.y + value)), GC::Heading(Q(0), Q(1), slope),
                                GC::End_curvature(second < 0   ? -1
                                                  : second > 0 ? 1
                                                               : 0,
                                                  Q(second * second / (speed * speed * speed)))};
     };
     s.rounded = k->has_waves();
+    s.rounded_points = s.rounded && from != 0;
     s.start = end(Q(0));
     s.start->heading = p.heading; // as it is given
     s.end = end(Q(1));
-    s.length = l;
+    s.length = size;
   }
 
   // ---- curves of segments
@@ -336,6 +387,11 @@ class Ifc_reader {
       s.not_covered = what.reason;
     }
     return s;
+  }
+
+  static void set_rounded(Rail_check& check, const Segment& before, const Segment& next) {
+    check.rounded = check.rounded_curvature = before.rounded || next.rounded;
+    check.rounded_points = before.rounded_points || next.rounded_points;
   }
 
   static int order_of(const std::string& claim) {
@@ -376,7 +432,7 @@ class Ifc_reader {
             check.ends->right.heading =
                 GC::Parametric_cubic::graph(Q(0), Q(0), next.start->heading, place->graph, place->length).end().heading;
         }
-        check.rounded = check.rounded_curvature = before->rounded || next.rounded;
+        set_rounded(check, *before, next);
         result_.checks.push_back(std::move(check));
       }
       before = std::move(next);
@@ -398,6 +454,22 @@ class Ifc_reader {
       for (const std::uint64_t part : file_.references(a[5], e)) parts.push_back(part);
     }
     return result;
+  }
+
+  // A vertical arc by its horizontal length: between the angles a and b the radius is
+  // length / (sin b - sin a), and the chord rises by tan((a + b) / 2).
+  static void set_arc_of_length(Segment& s, const Q& x, const Q& height, const Q& g0, const Q& g1, const Q& length) {
+    if (length == 0) throw Not_covered{"a vertical arc without a radius and a length"};
+    const auto is_finite = [](const Q& g) { return std::fabs(CGAL::to_double(g)) < 1e140; };
+    if (!is_finite(g0) || !is_finite(g1)) throw Not_covered{"a gradient beyond 10^140"};
+    const Q root0 = long_root(Q(1 + g0 * g0)), root1 = long_root(Q(1 + g1 * g1)),
+            rise = Q((g0 * root1 + g1 * root0) / (root0 + root1));
+    const GC::End_curvature curvature{Q((g1 / root1 - g0 / root0) / length)};
+    s.start = GC::Alignment_end{GC::Enclosed_point(x, height), GC::Heading(Q(0), Q(1), g0), curvature};
+    s.end = GC::Alignment_end{GC::Enclosed_point(Q(x + length), Q(height + length * rise)), GC::Heading(Q(0), Q(1), g1),
+                              curvature};
+    s.length = length;
+    s.rounded = s.rounded_points = true;
   }
 
   // A segment of the horizontal layer.
@@ -455,8 +527,8 @@ class Ifc_reader {
     if (length < 0) throw Not_covered{"a negative length"};
     if (type == "CIRCULARARC") { // by its radius, from one gradient to the other
       const Q radius = absolute(number(7));
-      if (radius == 0) throw Not_covered{"a vertical arc without a radius"};
       if (g0 == g1) throw Not_covered{"a vertical arc between equal gradients"};
+      if (radius == 0) return set_arc_of_length(s, x, height, g0, g1, length);
       const Q r = g0 < g1 ? radius : Q(-radius);
       const GC::Heading from(Q(0), Q(1), g0), to(Q(0), Q(1), g1);
       const GC::Enclosed_point begin(x, height);
@@ -469,7 +541,9 @@ class Ifc_reader {
     const bool is_parabola = type == "PARABOLICARC";
     if (!is_parabola && (type != "CONSTANTGRADIENT" || g0 != g1))
       throw Not_covered{"a vertical segment of the type " + std::string(type) +
-                        (type == "CONSTANTGRADIENT" ? " with two gradients" : "")};
+                        (type == "CONSTANTGRADIENT" ? " with two gradients"
+                         : type == "CLOTHOID"       ? ", of which IFC does not say at which end it is straight"
+                                                    : "")};
     if (length == 0) {
       s.start = s.end =
           GC::Alignment_end{GC::Enclosed_point(x, height), GC::Heading(Q(0), Q(1), g0), GC::End_curvature()};
@@ -549,6 +623,7 @@ class Ifc_reader {
         check.line = before->line;
         check.claimed = 0;
         check.length = before->length;
+        set_rounded(check, *before, next);
         if (before->end && next.start)
           check.ends = {*before->end, *next.start};
         else

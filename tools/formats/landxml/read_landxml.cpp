@@ -38,12 +38,14 @@ struct Element {
 enum class Angle_unit { radians, degrees, grads, degrees_minutes };
 
 // A point of a vertical alignment at which two gradients meet, and how far the curve there reaches
-// on both sides; an arc reaches as far as its radius says, which is not decided.
+// on both sides; an arc reaches as far as its radius says.
 struct Profile_point {
   long long line = 0;
   std::string type;
-  std::optional<Q> station;
+  std::optional<Q> station, height;
   Q in = 0, out = 0;
+  std::optional<Q> radius, length; // of an arc, as they are declared
+  bool rounded = false;            // there are roots in `in` and `out`
 };
 
 // The elements of an alignment, or of a vertical one.
@@ -91,6 +93,10 @@ class Landxml_reader : Xml_reader {
     if (type == "UnsymParaCurve") {
       p.in = length("lengthIn");
       p.out = length("lengthOut");
+    }
+    if (type == "CircCurve") {
+      if (given.count("radius") != 0) p.radius = number(given["radius"]);
+      if (given.count("length") != 0) p.length = number(given["length"]);
     }
     if (type == "PVI" || type == "ParaCurve" || type == "UnsymParaCurve" || type == "CircCurve")
       profiles_.back().points.push_back(std::move(p));
@@ -146,8 +152,11 @@ class Landxml_reader : Xml_reader {
       if (text_.find_first_not_of(" \t\r\n") != std::string::npos) elements_.back().points[type] = point();
     } else if (type == "CgPoint" && text_.find_first_not_of(" \t\r\n") != std::string::npos)
       named_points_.emplace(point_name_, point());
-    else if (is_in("ProfAlign") && !profiles_.back().points.empty() && profiles_.back().points.back().type == type)
-      profiles_.back().points.back().station = point()[0];
+    else if (is_in("ProfAlign") && !profiles_.back().points.empty() && profiles_.back().points.back().type == type) {
+      const std::vector<Q> place = point();
+      profiles_.back().points.back().station = place[0];
+      profiles_.back().points.back().height = place[1];
+    }
     open_.pop_back();
     if (type == "CoordGeom") {
       plans_.push_back({alignment_, std::move(elements_), std::exchange(declared_length_, std::nullopt)});
@@ -426,22 +435,65 @@ class Landxml_reader : Xml_reader {
     result_.checks.push_back(std::move(c));
   }
 
+  static std::string name(const Profile_point& p, std::size_t i) { return p.type + ' ' + std::to_string(i + 1); }
+
+  // The gradient from one point of a profile to the next one.
+  static std::optional<Q> gradient(const Profile_point& p, const Profile_point& next) {
+    if (!p.station || !next.station || !(*p.station < *next.station)) return std::nullopt;
+    const Q g = Q((*next.height - *p.height) / (*next.station - *p.station));
+    if (!(std::fabs(CGAL::to_double(g)) < 1e140)) return std::nullopt;
+    return g;
+  }
+
+  // How far an arc reaches: with the angle d between the gradients its tangents have the length
+  // R tan(d / 2), which is shorter seen from above. Its length is R d, or that seen from above:
+  // both are written, and the closer one counts. Returns why nothing is known.
+  std::string place_arc(Profile_text& profile, std::size_t i) {
+    Profile_point& p = profile.points[i];
+    if (i == 0 || i + 1 == profile.points.size()) return "an arc at the end of a profile";
+    const std::optional<Q> g0 = gradient(profile.points[i - 1], p), g1 = gradient(p, profile.points[i + 1]);
+    if (!g0 || !g1) return "an arc between points that are not one behind the other";
+    if (!p.radius || *p.radius == 0) return "an arc without a radius";
+    const Q radius = *p.radius < 0 ? Q(-*p.radius) : *p.radius, root0 = long_root(Q(1 + *g0 * *g0)),
+            root1 = long_root(Q(1 + *g1 * *g1)), turn = Q(*g1 < *g0 ? *g0 - *g1 : *g1 - *g0),
+            tangent = Q(radius * turn / (root0 * root1 + 1 + *g0 * *g1));
+    p.in = Q(tangent / root0);
+    p.out = Q(tangent / root1);
+    p.rounded = true;
+    if (!p.length) return "";
+    Element at;
+    at.line = p.line;
+    Rail_check c = check("arc length", name(p, i), at, 0);
+    const GC::Enclosure angle = GC::Heading(Q(0), Q(1 + *g0 * *g1), turn).enclosure();
+    const GC::Enclosure along{GC::enclosure(Q(*p.length - radius * Q(angle.upper))).lower,
+                              GC::enclosure(Q(*p.length - radius * Q(angle.lower))).upper},
+        above = GC::enclosure(Q(*p.length - p.in - p.out));
+    const auto size = [](const GC::Enclosure& e) { return std::fabs(e.lower / 2 + e.upper / 2); };
+    c.difference = {"arc length", Q(0), false, size(above) < size(along) ? above : along};
+    c.rounded = true;
+    result_.checks.push_back(std::move(c));
+    return "";
+  }
+
   // Vertical curves meet the gradients between them one behind the other.
-  void check_profile(const Profile_text& profile) {
+  void check_profile(Profile_text& profile) {
     alignment_ = profile.name;
+    std::vector<std::string> unknown(profile.points.size());
+    for (std::size_t i = 0; i < profile.points.size(); ++i)
+      if (profile.points[i].type == "CircCurve") unknown[i] = place_arc(profile, i);
     if (profile.points.size() > 1) ++result_.curves;
     for (std::size_t i = 0; i + 1 < profile.points.size(); ++i) {
       const Profile_point &p = profile.points[i], &next = profile.points[i + 1];
       Element at;
       at.line = next.line;
-      Rail_check c = check(
-          "profile", p.type + ' ' + std::to_string(i + 1) + " - " + next.type + ' ' + std::to_string(i + 2), at, 0);
-      if (p.type == "CircCurve" || next.type == "CircCurve")
-        c.not_covered = "an arc in a profile";
+      Rail_check c = check("profile", name(p, i) + " - " + name(next, i + 1), at, 0);
+      if (!unknown[i].empty() || !unknown[i + 1].empty())
+        c.not_covered = unknown[i].empty() ? unknown[i + 1] : unknown[i];
       else if (!p.station || !next.station)
         c.not_covered = "a point of a profile without station";
       else {
         const Q overlap = Q(p.out + next.in - (*next.station - *p.station));
+        c.rounded = (p.rounded || next.rounded) && overlap > Q(-1e-30);
         c.difference = {"overlap", overlap > 0 ? overlap : Q(0), false, std::nullopt};
       }
       result_.checks.push_back(std::move(c));
@@ -490,7 +542,7 @@ public:
     read(stream);
     result_.precision = Q(Q(1) / 1000);
     for (Alignment_text& plan : plans_) decide(plan);
-    for (const Profile_text& profile : profiles_) check_profile(profile);
+    for (Profile_text& profile : profiles_) check_profile(profile);
     if (references_ > 0)
       result_.notes.push_back("points without coordinates, of which there are " + std::to_string(references_) +
                               ", name none that is in the file");

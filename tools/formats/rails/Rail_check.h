@@ -9,6 +9,9 @@
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/joins/alignment_join.h>
 
+#include <CGAL/number_utils.h>
+
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +23,24 @@ inline const CGAL::Exact_rational& long_pi() {
   static const CGAL::Exact_rational pi =
       GC::parse_number<CGAL::Exact_rational>("3.141592653589793238462643383279502884197169399375105820974944592308");
   return pi;
+}
+
+// The sum of five floating-point numbers, which differs from x by less than 2^-260 parts.
+inline CGAL::Exact_rational shortened(const CGAL::Exact_rational& x) {
+  CGAL::Exact_rational sum(0);
+  for (int i = 0; i < 5; ++i) {
+    const double rest = CGAL::to_double(CGAL::Exact_rational(x - sum));
+    if (!std::isfinite(rest)) return x;
+    sum = CGAL::Exact_rational(sum + CGAL::Exact_rational(rest));
+  }
+  return sum;
+}
+
+// The root of x with an error below 2^-250 parts, by Newton's iteration. \pre 1 <= x < 10^300
+inline CGAL::Exact_rational long_root(const CGAL::Exact_rational& x) {
+  CGAL::Exact_rational root(std::sqrt(CGAL::to_double(x)));
+  for (int i = 0; i < 4; ++i) root = shortened(CGAL::Exact_rational((root + x / root) / 2));
+  return root;
 }
 
 // Two statements of a file about one thing: the end of a piece and the start of the next, or a
@@ -52,6 +73,7 @@ struct Rail_check {
   // widened by what floating-point numbers show.
   bool rounded = false;
   bool rounded_curvature = false; // the same of curvatures that have pi in them
+  bool rounded_points = false;    // and of points whose coordinates are rational numbers close to them
 
   std::string not_covered = {}; // why nothing is decided; empty where there are ends or a difference
 };
