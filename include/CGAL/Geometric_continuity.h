@@ -89,7 +89,6 @@
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
 
-#include <CGAL/Geometric_continuity/repairs/Grid_vector.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
 

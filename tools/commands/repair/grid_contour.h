@@ -12,7 +12,7 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
-#include <CGAL/Geometric_continuity/repairs/Grid_vector.h>
+#include <CGAL/Geometric_continuity/repairs/align_handles.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <cstddef>
