@@ -6,14 +6,13 @@
 #define CGAL_GEOMETRIC_CONTINUITY_CURVES_FAIRNESS_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Gauss_rule.h>
 #include <CGAL/Geometric_continuity/curves/internal/Curvature_polynomials.h>
 #include <CGAL/Geometric_continuity/curves/internal/curve_pieces.h>
 #include <CGAL/Geometric_continuity/curves/internal/decision_numbers.h>
 #include <CGAL/Geometric_continuity/curves/internal/double_derivatives.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
-
-#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <array>
@@ -111,14 +110,13 @@ private:
   }
 
   Values gauss(std::size_t piece, double a, double b) const {
-    // its nodes on one side of 0, in [-1, 1]
-    typedef boost::math::quadrature::gauss<double, 10> Rule;
+    const Gauss_rule<10>& rule = Gauss_rule<10>::instance();
     const double middle = (a + b) / 2, half = (b - a) / 2;
     Values sum{};
-    for (std::size_t i = 0; i < Rule::abscissa().size(); ++i)
-      for (double x : {-Rule::abscissa()[i], Rule::abscissa()[i]}) {
+    for (std::size_t i = 0; i < rule.abscissa.size(); ++i)
+      for (double x : {-rule.abscissa[i], rule.abscissa[i]}) {
         const Values values = pieces_[piece](middle + half * x);
-        for (int k = 0; k < 2; ++k) sum[k] += half * Rule::weights()[i] * values[k];
+        for (int k = 0; k < 2; ++k) sum[k] += half * rule.weight[i] * values[k];
       }
     return sum;
   }

@@ -6,11 +6,10 @@
 #define CGAL_GEOMETRIC_CONTINUITY_BLENDS_INTERNAL_FAIRNESS_QUADRATURE_H
 
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Gauss_rule.h>
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
 #include <CGAL/Geometric_continuity/internal/independent_iterations.h>
-
-#include <boost/math/quadrature/gauss.hpp>
 
 #include <array>
 #include <cmath>
@@ -46,14 +45,13 @@ template <int degree, int nodes> struct Gauss_nodes {
 
 private:
   Gauss_nodes() {
-    // its nodes on one side of 0, in [-1, 1]
-    typedef boost::math::quadrature::gauss<double, nodes> Rule;
+    const Gauss_rule<nodes>& rule = Gauss_rule<nodes>::instance();
     for (int i = 0; i < nodes; ++i) {
       const bool left = i < nodes / 2;
       const std::size_t from_middle = left ? nodes / 2 - 1 - i : i - nodes / 2;
       // of the node (1 - z)/2
-      const double z = left ? Rule::abscissa()[from_middle] : -Rule::abscissa()[from_middle];
-      weight[i] = Rule::weights()[from_middle] / 2;
+      const double z = left ? rule.abscissa[from_middle] : -rule.abscissa[from_middle];
+      weight[i] = rule.weight[from_middle] / 2;
       root_of_weight[i] = std::sqrt(weight[i]);
       for (int j = 0; j <= degree; ++j) {
         std::array<double, degree + 1> c{};

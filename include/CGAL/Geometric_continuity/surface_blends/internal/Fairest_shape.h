@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/algebra/internal/Gauss_rule.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
@@ -21,8 +22,6 @@
 #include <CGAL/Geometric_continuity/surface_blends/internal/Blend_end.h>
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
 #include <CGAL/number_utils.h>
-
-#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 #include <array>
@@ -65,10 +64,10 @@ template <int M, bool is_rational> class Variation_of_curvature {
 
 public:
   Variation_of_curvature() {
-    typedef boost::math::quadrature::gauss<double, nodes> Rule;
+    const Gauss_rule<nodes>& rule = Gauss_rule<nodes>::instance();
     for (int i = 0; i < nodes; ++i) {
-      const double z = i % 2 == 0 ? Rule::abscissa()[i / 2] : -Rule::abscissa()[i / 2];
-      weight_[i] = Rule::weights()[i / 2] / 2;
+      const double z = i % 2 == 0 ? rule.abscissa[i / 2] : -rule.abscissa[i / 2];
+      weight_[i] = rule.weight[i / 2] / 2;
       for (int j = 0; j <= degree; ++j) {
         std::vector<double> c(degree + 1, 0.);
         c[j] = 1;
