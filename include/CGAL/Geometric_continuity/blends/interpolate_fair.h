@@ -597,7 +597,8 @@ private:
 /// in `Fair_spline::waves`: where the polygon turns to one side at both ends of a piece, this has
 /// no inflection, and one where the sides differ; exactly decided for the returned control points.
 /// A piece with waves gets shorter handles, or tangents farther from the chords, if there are some
-/// without. Points on a line with both neighbours, which do not turn to different sides, give lines.
+/// without. Points on a line with both neighbours, which do not turn to different sides, give
+/// lines.
 ///
 /// With an exact kernel the points are met exactly, and the joins are \f$ G^2 \f$ whatever was
 /// found. With floating-point numbers, so few digits are taken that nothing is rounded, or
