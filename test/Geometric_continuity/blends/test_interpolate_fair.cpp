@@ -277,6 +277,22 @@ BOOST_AUTO_TEST_CASE(no_waves) {
       BOOST_CHECK_LE(std::abs(GC::curvature(piece, piece.domain().first + t)), 2.);
 }
 
+// Points that are nearly on a line, where tangents have hardly room between the chords, and others
+// where shorter handles alone leave a wave.
+BOOST_AUTO_TEST_CASE(narrow_turns) {
+  const std::vector<Plane::Point>
+      parabola = {{-0.0057206107419528213, 0.028592053139183938},  {-0.0057785704740212721, 0.01846447063436139},
+                  {-0.0055983383990563544, 0.011056372481067353},  {-0.0047367871827965332, 0.0012364087190769955},
+                  {-0.003516913492223332, -0.0035183827038117199}, {-0.00242592315024192, -0.0050613050792530567},
+                  {0.0014801888837261681, -0.0026003815318454944}, {0.0036579525987399035, 0.0014608454449568477},
+                  {0.0089837026671513841, 0.015379421731831005}},
+      polygon = {{0.12727232932190891, 0.36064893221549588}, {0.67349072074087102, 0.14407425491726744},
+                 {0.95154226105346296, 0.26966816358687618}, {0.057798080308094746, 0.3688157028901794},
+                 {0.25895629482536331, 0.44053189084944011}, {0.18120931983989208, 0.077917207801541211}};
+  BOOST_CHECK(spline<Plane>(parabola, Closure::open, 1e-12).waves.empty());
+  BOOST_CHECK(spline<Plane>(polygon, Closure::closed, 1e-9).waves.empty());
+}
+
 // Polygons that turn at random: all of these lead to curves without waves, from whichever end.
 BOOST_AUTO_TEST_CASE(random_polygons) {
   repeat(40, [](Random& random) {

@@ -256,55 +256,56 @@ std::vector<double> chord_lengths(const Fair_points<Traits>& p,
   return lengths;
 }
 
-// The jets at the points: the tangent as long as the shorter chord h, and h^2 times the curvature,
-// both of short numbers, from which all is constructed in the field. Given tangents that are not
-// rounded stay as they are.
+// The jet at a point: the tangent as long as the shorter chord h, or as its speed, and its square
+// times the curvature, both of short numbers, from which all is constructed in the field.
+template <class Traits> struct Short_jet {
+  Coordinate_jet<typename Traits::FT, dimension_v<Traits>> jet;
+  double speed;
+  int digits; // binary ones that are left for handles
+};
+
+// Given tangents that are not rounded stay as they are.
 template <class Traits>
-std::vector<Coordinate_jet<typename Traits::FT, dimension_v<Traits>>>
-short_jets(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_v<Traits>>>& joints,
-           const std::vector<double>& lengths, std::vector<double>& speeds, std::vector<int>& digits) {
+Short_jet<Traits> short_jet(const Fair_points<Traits>& p, const std::vector<Fair_joint<dimension_v<Traits>>>& joints,
+                            const std::vector<double>& lengths, int i) {
   typedef typename Traits::FT FT;
   constexpr bool rounds = std::is_floating_point_v<FT>;
   constexpr int most_digits = rounds ? (std::min)(20, std::numeric_limits<FT>::digits / 3) : 20,
                 fewest_digits = 4; // so that no tangent is lost next to points that are far away
   const int n = p.exponent(), dimension = p.points[0].dimension();
-  std::vector<Coordinate_jet<FT, dimension_v<Traits>>> jets;
-  for (int i = 0; i < p.number(); ++i) {
-    Work_meter::pause();
-    const double before = i > 0 ? lengths[i - 1] : lengths.back(), after = i < p.pieces() ? lengths[i] : before,
-                 h = (std::min)(p.closed || i > 0 ? before : after, after);
-    // the binary digits below h that are left, and those of handles; the products of them and of
-    // the jets need room
-    const int room = rounds ? std::numeric_limits<FT>::digits - 4 + std::ilogb(h) + n - std::ilogb(p.size) : 80;
-    digits.push_back((std::min)(10, (room - 4) / 3));
-    int unit = std::ilogb(h) - (digits.back() >= 5 ? 20 : most_digits), unit_of_second = unit;
-    if (digits.back() >= 5) {
-      unit = (std::max)(unit, std::ilogb(h) - room + digits.back());
-      unit_of_second = (std::max)(unit, std::ilogb(h) - room + 2 * digits.back() + 2);
-    } else
-      unit_of_second = unit = (std::max)(unit, (std::min)(std::ilogb(p.size) - n + 9 - std::numeric_limits<FT>::digits,
-                                                          std::ilogb(h) - fewest_digits));
-    const bool is_kept = !rounds && joints[i].given;
-    Coordinate_jet<FT, dimension_v<Traits>> jet(dimension, 2);
-    jet[0] = p.points[i];
-    double speed = h;
-    if (is_kept) {
-      jet[1] = *p.tangents[i];
-      const Coordinate_vector<double, dimension_v<Traits>> t = rounded_column<Traits>(jet[1], dimension, p.given(i));
-      speed = length(t);
-    }
-    speeds.push_back(is_kept ? std::ldexp(speed, -n) : h);
-    const int unit_of_bend = is_kept ? unit + 2 * (std::ilogb(speed) - std::ilogb(h)) : unit_of_second;
-    for (int k = 0; k < dimension; ++k) {
-      if (!is_kept) jet[1][k] = short_number_in<FT>(std::ldexp(multiple_of_power(h * joints[i].tangent[k], unit), n));
-      const double bend = multiple_of_power(speed * speed * joints[i].curvature[k], unit_of_bend),
-                   second = std::ldexp(bend, is_kept ? -n : n);
-      check_finite(second, "interpolate_fair: a second derivative");
-      jet[2][k] = short_number_in<FT>(second);
-    }
-    jets.push_back(std::move(jet));
+  const double before = i > 0 ? lengths[i - 1] : lengths.back(), after = i < p.pieces() ? lengths[i] : before,
+               h = (std::min)(p.closed || i > 0 ? before : after, after);
+  // the binary digits below h that are left, and those of handles; the products of them and of
+  // the jets need room
+  const int room = rounds ? std::numeric_limits<FT>::digits - 4 + std::ilogb(h) + n - std::ilogb(p.size) : 80,
+            digits = (std::min)(13, (room - 4) / 3);
+  int unit = std::ilogb(h) - (digits >= 5 ? 20 : most_digits), unit_of_second = unit;
+  if (digits >= 5) {
+    unit = (std::max)(unit, std::ilogb(h) - room + digits);
+    unit_of_second = (std::max)(unit, std::ilogb(h) - room + 2 * digits + 2);
+  } else
+    unit_of_second = unit = (std::max)(
+        unit, (std::min)(std::ilogb(p.size) - n + 9 - std::numeric_limits<FT>::digits, std::ilogb(h) - fewest_digits));
+  const bool is_kept = !rounds && joints[i].given;
+  Short_jet<Traits> result{Coordinate_jet<FT, dimension_v<Traits>>(dimension, 2), h, digits};
+  auto& jet = result.jet;
+  jet[0] = p.points[i];
+  double speed = h;
+  if (is_kept) {
+    jet[1] = *p.tangents[i];
+    const Coordinate_vector<double, dimension_v<Traits>> t = rounded_column<Traits>(jet[1], dimension, p.given(i));
+    speed = length(t);
+    result.speed = std::ldexp(speed, -n);
   }
-  return jets;
+  const int unit_of_bend = is_kept ? unit + 2 * (std::ilogb(speed) - std::ilogb(h)) : unit_of_second;
+  for (int k = 0; k < dimension; ++k) {
+    if (!is_kept) jet[1][k] = short_number_in<FT>(std::ldexp(multiple_of_power(h * joints[i].tangent[k], unit), n));
+    const double bend = multiple_of_power(speed * speed * joints[i].curvature[k], unit_of_bend),
+                 second = std::ldexp(bend, is_kept ? -n : n);
+    check_finite(second, "interpolate_fair: a second derivative");
+    jet[2][k] = short_number_in<FT>(second);
+  }
+  return result;
 }
 
 // The end and the start of curves with a jet at their join: parabolas with these control points.
@@ -463,70 +464,123 @@ inline std::vector<int> pieces_with_waves(const Fair_turns& turns, const std::ve
   return waves;
 }
 
-// The pieces from each jet to the next one, in the order of the given points. A piece with waves
-// gets short handles, if these have none.
-template <class Traits, class Jet>
-Fair_spline<Traits> pieces_between(const Fair_points<Traits>& p, const std::vector<Jet>& jets,
-                                   const std::vector<Fair_joint<dimension_v<Traits>>>& joints,
-                                   const std::vector<Fair_handles>& handles, const std::vector<double>& speeds,
-                                   const std::vector<int>& digits, const typename Traits::FT& moved) {
+// The pieces between jets, in the order of the points; in the plane those with waves are mended.
+template <class Traits> class Fair_pieces {
   typedef typename Traits::FT FT;
-  typedef std::optional<Bezier_curve<Traits, 5>> Piece;
-  std::vector<typename Traits::Point> points(5 * p.pieces() + 1);
-  std::vector<FT> knots(1, FT(0));
-  std::vector<char> is_rounded(p.number(), 0);
-  std::vector<Inflections> inflections; // in the plane
-  std::optional<Fair_turns> turns;
-  if (p.points[0].dimension() == 2) turns.emplace(joints, p.closed);
-  const auto with_handles = [&](int i, const Fair_handles& h) {
-    const int j = p.next(i);
-    return quintic_with_handles<Traits>(jets[i], jets[j], h, {speeds[i], speeds[j]}, (std::min)(digits[i], digits[j]),
-                                        p.size);
-  };
-  const auto put = [&](int i, const Bezier_curve<Traits, 5>& piece) {
-    const auto place = points.begin() + 5 * p.given_piece(i);
-    if (p.is_reversed)
-      std::reverse_copy(piece.begin(), piece.end(), place);
-    else
-      std::copy(piece.begin(), piece.end(), place);
-  };
-  for (int i = 0; i < p.pieces(); ++i) {
-    Work_meter::pause();
-    const int j = p.next(i);
-    const Jet &start = jets[i], &end = jets[j];
-    Piece piece;
-    if (!handles.empty()) piece = with_handles(i, handles[i]);
-    if constexpr (std::is_floating_point_v<FT>)
-      if (!piece) {
-        piece = unmoved_blend<Traits>(start, end);
-        if (!piece) is_rounded[p.given(i)] = is_rounded[p.given(j)] = 1;
-      }
-    if (!piece) piece = blend(Curve_jet<Traits>(start), Curve_jet<Traits>(end), Fair());
-    if (turns) inflections.push_back(inflections_of(*piece, turns->inflections(i)));
-    put(i, *piece);
-    knots.push_back(FT(i + 1));
+  typedef Bezier_curve<Traits, 5> Piece;
+
+  const Fair_points<Traits>& p_;
+  const std::vector<double>& lengths_; // of the chords
+  std::vector<Fair_joint<dimension_v<Traits>>> joints_;
+  std::vector<Short_jet<Traits>> jets_;
+  std::vector<Piece> pieces_;
+  std::vector<char> is_rounded_; // points
+  std::optional<Fair_turns> turns_;
+  std::vector<Inflections> inflections_;
+
+public:
+  Fair_pieces(const Fair_points<Traits>& p, const std::vector<double>& lengths,
+              std::vector<Fair_joint<dimension_v<Traits>>> joints, const std::vector<Fair_handles>& handles)
+      : p_(p), lengths_(lengths), joints_(std::move(joints)), is_rounded_(p.number(), 0) {
+    if (p.points[0].dimension() == 2) turns_.emplace(joints_, p.closed);
+    for (int i = 0; i < p.number(); ++i) {
+      Work_meter::pause();
+      jets_.push_back(short_jet(p, joints_, lengths_, i));
+    }
+    for (int i = 0; i < p.pieces(); ++i) {
+      Work_meter::pause();
+      std::optional<Piece> piece;
+      if (!handles.empty()) piece = with_handles(i, handles[i]);
+      pieces_.push_back(piece ? std::move(*piece) : blended(i));
+      if (turns_) inflections_.push_back(inflections_of(pieces_[i], turns_->inflections(i)));
+    }
+    if (turns_) mend_waves();
   }
-  std::vector<int> waves;
-  if (turns) {
-    for (const int i : pieces_with_waves(*turns, inflections))
-      for (double part = longest_part; part > shortest_part; part *= 0.8) {
-        const Piece piece = with_handles(i, short_handles(joints[i], joints[p.next(i)], turns->bend(i), part));
-        if (!piece) break;
-        const Inflections now = inflections_of(*piece, turns->inflections(i));
-        if (now.number > turns->inflections(i)) continue;
-        inflections[i] = now;
-        put(i, *piece);
-        break;
-      }
-    for (const int i : pieces_with_waves(*turns, inflections)) waves.push_back(p.given_piece(i));
+
+  Fair_spline<Traits> spline(const FT& moved) const {
+    std::vector<typename Traits::Point> points(5 * p_.pieces() + 1);
+    std::vector<FT> knots(1, FT(0));
+    for (int i = 0; i < p_.pieces(); ++i) {
+      const auto place = points.begin() + 5 * p_.given_piece(i);
+      if (p_.is_reversed)
+        std::reverse_copy(pieces_[i].begin(), pieces_[i].end(), place);
+      else
+        std::copy(pieces_[i].begin(), pieces_[i].end(), place);
+      knots.push_back(FT(i + 1));
+    }
+    std::vector<int> waves, rounded;
+    if (turns_)
+      for (const int i : pieces_with_waves(*turns_, inflections_)) waves.push_back(p_.given_piece(i));
     std::sort(waves.begin(), waves.end());
+    for (int i = p_.closed ? 0 : 1; i < p_.pieces(); ++i)
+      if (is_rounded_[i]) rounded.push_back(i);
+    return Fair_spline<Traits>(Composite_bezier_curve<Traits, 5>(points, std::move(knots)), moved, std::move(rounded),
+                               std::move(waves));
   }
-  std::vector<int> rounded;
-  for (int i = p.closed ? 0 : 1; i < p.pieces(); ++i)
-    if (is_rounded[i]) rounded.push_back(i);
-  return Fair_spline<Traits>(Composite_bezier_curve<Traits, 5>(points, std::move(knots)), moved, std::move(rounded),
-                             std::move(waves));
-}
+
+private:
+  std::optional<Piece> with_handles(int i, const Fair_handles& h) const {
+    const Short_jet<Traits>&a = jets_[i], &b = jets_[p_.next(i)];
+    return quintic_with_handles<Traits>(a.jet, b.jet, h, {a.speed, b.speed}, (std::min)(a.digits, b.digits), p_.size);
+  }
+
+  // By `Fair`; it notes joints that rounding breaks.
+  Piece blended(int i) {
+    const auto &start = jets_[i].jet, &end = jets_[p_.next(i)].jet;
+    if constexpr (std::is_floating_point_v<FT>) {
+      if (const std::optional<Piece> piece = unmoved_blend<Traits>(start, end)) return *piece;
+      is_rounded_[p_.given(i)] = is_rounded_[p_.given(p_.next(i))] = 1;
+    }
+    return blend(Curve_jet<Traits>(start), Curve_jet<Traits>(end), Fair());
+  }
+
+  // Tries short handles; returns whether there are some without waves.
+  bool has_short_handles(int i) {
+    for (double part = longest_part; part > shortest_part; part *= 0.8) {
+      const std::optional<Piece> piece =
+          with_handles(i, short_handles(joints_[i], joints_[p_.next(i)], turns_->bend(i), part));
+      if (!piece) return false;
+      const Inflections now = inflections_of(*piece, turns_->inflections(i));
+      if (now.number > turns_->inflections(i)) continue;
+      inflections_[i] = now;
+      pieces_[i] = *piece;
+      return true;
+    }
+    return false;
+  }
+
+  // A piece with waves gets short handles. Where this does not suffice, the tangents at its ends
+  // move away from the chords, further and further, and the pieces beside get short handles, too.
+  void mend_waves() {
+    for (const int i : pieces_with_waves(*turns_, inflections_)) has_short_handles(i);
+    for (const double part : {0.05, 0.1, 0.2, 0.3})
+      for (const int i : pieces_with_waves(*turns_, inflections_)) {
+        Work_meter::pause();
+        const int before = (i + p_.pieces() - 1) % p_.pieces(), after = (i + 1) % p_.pieces();
+        if (p_.pieces() < 3) return;
+        const auto kept = std::array{joints_[i], joints_[p_.next(i)]};
+        const auto kept_pieces = std::array{pieces_[before], pieces_[i], pieces_[after]};
+        const auto kept_inflections = std::array{inflections_[before], inflections_[i], inflections_[after]};
+        const auto put_jets = [&] {
+          for (const int k : {i, p_.next(i)}) jets_[k] = short_jet(p_, joints_, lengths_, k);
+        };
+        for (const int k : {i, p_.next(i)}) turns_->confine(joints_, k, part);
+        put_jets();
+        bool is_mended = true;
+        for (const int k : {before, i, after})
+          if (k == i || p_.closed || (k == before ? i > 0 : i + 1 < p_.pieces()))
+            is_mended = has_short_handles(k) && is_mended;
+        if (is_mended) continue;
+        joints_[i] = kept[0];
+        joints_[p_.next(i)] = kept[1];
+        put_jets();
+        for (const int k : {0, 1, 2}) {
+          pieces_[std::array{before, i, after}[k]] = kept_pieces[k];
+          inflections_[std::array{before, i, after}[k]] = kept_inflections[k];
+        }
+      }
+  }
+};
 
 } // namespace internal
 
@@ -542,8 +596,9 @@ Fair_spline<Traits> pieces_between(const Fair_points<Traits>& p, const std::vect
 /// In the plane the curve has no more inflections than the polygon of the points, but at the pieces
 /// in `Fair_spline::waves`: where the polygon turns to one side at both ends of a piece, this has
 /// no inflection, and one where the sides differ; exactly decided for the returned control points.
-/// A piece with waves gets shorter handles, if there are some without. Points on a line with both
-/// neighbours, which do not turn to different sides, give lines.
+/// A piece with waves gets shorter handles, or tangents farther from the chords, if there are some
+/// without. Points on a line with both neighbours, which do not turn to different sides, give
+/// lines.
 ///
 /// With an exact kernel the points are met exactly, and the joins are \f$ G^2 \f$ whatever was
 /// found. With floating-point numbers, so few digits are taken that nothing is rounded, or
@@ -572,10 +627,7 @@ Fair_spline<Traits> interpolate_fair(InputIterator first, InputIterator last, Cl
   std::vector<internal::Fair_joint<dimension_v<Traits>>> joints = internal::joints_of(p);
   const std::vector<double> lengths = internal::chord_lengths(p, joints);
   const std::vector<internal::Fair_handles> handles = internal::choose_fair_joints(joints, p.closed);
-  std::vector<double> speeds;
-  std::vector<int> digits;
-  const auto jets = internal::short_jets(p, joints, lengths, speeds, digits);
-  return internal::pieces_between(p, jets, joints, handles, speeds, digits, moved);
+  return internal::Fair_pieces<Traits>(p, lengths, std::move(joints), handles).spline(moved);
 }
 
 /// \ingroup PkgGeometricContinuityConstruction

@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/algebra/internal/solve_positive_definite.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_family.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fair_minimum.h>
+#include <CGAL/Geometric_continuity/blends/internal/Fair_turns.h>
 #include <CGAL/Geometric_continuity/blends/internal/Fairness_quadrature.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
@@ -36,18 +37,6 @@
 namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
-
-template <int N> struct Fair_joint {
-  Coordinate_vector<double, N> point, tangent, curvature; // of length 1, and orthogonal to that
-  bool given = false;                                     // the tangent
-};
-
-// Whatever its size: a square may overflow, or be zero.
-template <int N> double length(const Coordinate_vector<double, N>& x) {
-  double length = 0;
-  for (const double y : x) length = std::hypot(length, y);
-  return length;
-}
 
 // The tangent, unless it is given, and the curvature of the circle through a point and its
 // neighbours, with the chords u to the point and v from it. `place` is 0 where the circle is wanted
@@ -85,111 +74,6 @@ template <int N> void take_circles(std::vector<Fair_joint<N>>& joints, bool clos
     else
       take_circle<N>(joints[i], chord(i == 0 ? 0 : n - 3), chord(i == 0 ? 1 : n - 2), i == 0 ? -1 : 1);
   }
-}
-
-// How far along the tangents the control points of a piece lie, in the order in which they are: b_1
-// = A + first T, b_2 = A + second T + 5/4 first^2 K, and likewise from the end inwards.
-struct Fair_handles {
-  std::array<double, 2> first, second;
-};
-
-template <class Vector> double cross_in_plane(const Vector& u, const Vector& v) { return u[0] * v[1] - u[1] * v[0]; }
-
-// The turns of a polygon in the plane.
-class Fair_turns {
-  typedef Coordinate_vector<double, 2> Vector;
-  std::vector<int> sign_; // at each point, 0 at the ends of an open polygon as well
-  std::vector<double> angle_;
-  std::vector<char> line_, free_;           // pieces
-  std::vector<int> bend_;                   // of each piece: its sign where it may have no inflection, or else 0
-  static constexpr double small_turn = 0.3; // as a part of the turns beside it
-
-public:
-  // The points have two coordinates.
-  template <int N> Fair_turns(const std::vector<Fair_joint<N>>& joints, bool closed) {
-    const int n = static_cast<int>(joints.size()), pieces = closed ? n : n - 1;
-    const auto chord = [&](int i) {
-      Vector v(2);
-      for (int k = 0; k < 2; ++k) v[k] = joints[(i + 1) % n].point[k] - joints[i].point[k];
-      return v;
-    };
-    sign_.assign(n, 0);
-    angle_.assign(n, 0);
-    line_.assign(pieces, n == 2);
-    bend_.assign(pieces, 0);
-    free_.assign(pieces, 0);
-    std::vector<char> back(n, 0);
-    for (int i = closed ? 0 : 1; i < (closed ? n : n - 1); ++i) {
-      const Vector u = chord((i + n - 1) % n), v = chord(i);
-      const double c = cross_in_plane(u, v), size = std::sqrt(dot(u, u) * dot(v, v));
-      angle_[i] = std::atan2(c, dot(u, v));
-      sign_[i] = c > 1e-12 * size ? 1 : c < -1e-12 * size ? -1 : 0;
-      back[i] = sign_[i] == 0 && dot(u, v) < 0;
-    }
-    let_inflections_be_at_points();
-    for (int i = 0; i < n; ++i) { // on a line with both neighbours, which do not turn to different sides
-      if (sign_[i] != 0 || back[i] || (!closed && (i == 0 || i == n - 1))) continue;
-      const int before = (i + n - 1) % n, after = (i + 1) % n;
-      if (sign_[before] * sign_[after] < 0) continue;
-      line_[before] = line_[i] = 1;
-    }
-    for (int i = 0; i < pieces; ++i) {
-      const int j = (i + 1) % n;
-      if (!line_[i] && !back[i] && !back[j] && sign_[i] * sign_[j] >= 0)
-        bend_[i] = sign_[i] + sign_[j] > 0 ? 1 : sign_[i] + sign_[j] < 0 ? -1 : 0;
-      free_[i] = line_[i] || (bend_[i] == 0 && sign_[i] * sign_[j] >= 0);
-    }
-  }
-
-  // Between turns to different sides the inflection may be on either side of a point, so the sign
-  // of its turn is not asked for where it is small: within the narrow angle of its chords the
-  // tangent would have to be nearly the chord, and the rest of the turn would be a corner.
-  void let_inflections_be_at_points() {
-    const int n = static_cast<int>(sign_.size());
-    const std::vector<int> sign = sign_;
-    for (int i = 0; i < n; ++i) {
-      const int before = (i + n - 1) % n, after = (i + 1) % n;
-      if (sign[before] * sign[after] < 0 &&
-          std::abs(angle_[i]) < small_turn * (std::min)(std::abs(angle_[before]), std::abs(angle_[after])))
-        sign_[i] = 0;
-    }
-  }
-
-  int sign(int i) const { return sign_[i]; }
-  int bend(int piece) const { return bend_[piece]; }
-  // Frees a piece from all conditions.
-  void release(int piece) { free_[piece] = 1; }
-  bool is_free(int piece) const { return free_[piece] != 0; }
-  // The sum of the turns at both ends of a piece.
-  double angle(int piece) const { return std::abs(angle_[piece]) + std::abs(angle_[after(piece)]); }
-  // Returns whether a point is between turns to different sides, and its own does not matter.
-  bool is_inflection(int i) const {
-    const int n = static_cast<int>(sign_.size());
-    return sign_[i] == 0 && sign_[(i + n - 1) % n] * sign_[(i + 1) % n] < 0;
-  }
-  int after(int i) const { return (i + 1) % static_cast<int>(sign_.size()); }
-  bool is_line(int piece) const { return line_[piece] != 0; }
-  // The number of inflections that a piece may have.
-  int inflections(int piece) const { return sign_[piece] * sign_[after(piece)] < 0 ? 1 : 0; }
-};
-
-// Handles of a piece in the plane with which its control polygon hardly turns but at its ends:
-// parts of the sides of the triangle of the tangents, where the piece bends to one side by less
-// than 180 degrees, or else of the chord.
-constexpr double longest_part = 0.24, shortest_part = 0.02;
-template <int N> Fair_handles short_handles(const Fair_joint<N>& a, const Fair_joint<N>& b, int bend, double part) {
-  const Coordinate_vector<double, N> chord = b.point - a.point;
-  const double whole = cross_in_plane(a.tangent, b.tangent), h = length(chord);
-  const std::array<double, 2> side = {cross_in_plane(chord, b.tangent) / whole,
-                                      cross_in_plane(a.tangent, chord) / whole};
-  const bool meet = bend != 0 && side[0] > 0 && side[1] > 0;
-  Fair_handles handles;
-  for (const int k : {0, 1}) {
-    const double s = meet ? (std::min)(side[k], h) : 0.5 * h;
-    handles.first[k] = part * s;
-    handles.second[k] = (0.35 + part) * s;
-  }
-  return handles;
 }
 
 template <int M> class Fair_joints {
@@ -247,7 +131,8 @@ public:
 
   // Takes steps until they help no more; returns the handles of the pieces.
   std::vector<Fair_handles> minimise() {
-    for (int i = 0; i < number(); ++i) confine(i);
+    if constexpr (M == 2)
+      for (int i = 0; i < number(); ++i) turns_->confine(joints_, i, 0.02);
     double last = 0;
     for (int i = 0; i < pieces(); ++i) {
       Piece& p = pieces_[i];
@@ -407,36 +292,16 @@ private:
 
   // In the plane the sign of the curvature at a joint, where it is known: then it is multiplied.
   int sign(int i) const {
-    if constexpr (M == 2) {
-      if (on_line(i)) return 0;
-      return has_before(i) && has_after(i) ? turns_->sign(i) : turns_->bend(has_before(i) ? before_(i) : i);
-    } else
+    if constexpr (M == 2)
+      return turns_->curvature_sign(i);
+    else
       return i * 0;
   }
   bool on_line(int i) const {
     if constexpr (M == 2)
-      return (has_before(i) && turns_->is_line(before_(i))) || (has_after(i) && turns_->is_line(i));
+      return turns_->on_line(i);
     else
       return i < 0;
-  }
-
-  // Makes the curvature at a joint no larger than those of the arcs with the tangent and the
-  // chords, and not much smaller than the larger one.
-  void soften(int i) {
-    if constexpr (M == 2) {
-      Joint& joint = joints_[i];
-      double least = std::numeric_limits<double>::infinity();
-      for (const int piece : {has_before(i) ? before_(i) : -1, has_after(i) ? i : -1}) {
-        if (piece < 0) continue;
-        const Vector chord = joints_[next(piece)].point - joints_[piece].point;
-        const double angle = std::abs(std::atan2(cross_in_plane(joint.tangent, chord), dot(joint.tangent, chord)));
-        least = (std::min)(least, 2 * angle / pieces_[piece].length);
-      }
-      const Vector normal = frame(joint.tangent)[0];
-      const double size = sign(i) * dot(joint.curvature, normal);
-      joint.curvature = (sign(i) * (std::min)((std::max)(size, 0.1 * least), least)) * normal;
-    } else
-      (void)i;
   }
 
   // A shape with which the control polygon turns as the inflections of the piece ask for, for these
@@ -525,54 +390,10 @@ private:
     return r;
   }
 
-  // Puts a tangent inside of the angle of the chords, with a curvature of the sign of the turn; on
-  // a line both are those of the line.
-  void confine(int i) {
-    if constexpr (M == 2) {
-      Joint& joint = joints_[i];
-      const auto direction = [&](int piece) -> Vector {
-        return (joints_[next(piece)].point - joints_[piece].point) / pieces_[piece].length;
-      };
-      const bool before = has_before(i), after = has_after(i);
-      if (on_line(i)) {
-        if (!joint.given) joint.tangent = direction(before && turns_->is_line(before_(i)) ? before_(i) : i);
-        joint.curvature = Vector(2);
-        return;
-      }
-      const bool inflects = has_no_curvature(i);
-      if (inflects) joint.curvature = Vector(2);
-      const int s = inflects ? turns_->bend(before_(i)) : sign(i);
-      if (s == 0) return;
-      if (!joint.given) {
-        // the angle from the chord before, and that of both chords
-        const Vector u = before ? direction(before_(i)) : direction(i), v = after ? direction(i) : u;
-        const double whole = s * std::atan2(cross_in_plane(u, v), dot(u, v));
-        double low = before ? 0.02 * whole : -1.4, high = after ? 0.98 * whole : 1.4;
-        if (!before) high = -1e-3;
-        if (!after) low = 1e-3;
-        if (inflects) { // on one side of both chords
-          low = (std::max)(0., whole) + 0.02 * (std::min)(turns_->angle(before_(i)), turns_->angle(i));
-          high = 1.4;
-        }
-        double angle = s * std::atan2(cross_in_plane(u, joint.tangent), dot(u, joint.tangent));
-        if (!(low <= angle && angle <= high)) {
-          angle = s * (std::min)((std::max)(angle, low), high);
-          const double size = std::sqrt(dot(joint.curvature, joint.curvature));
-          joint.tangent[0] = std::cos(angle) * u[0] - std::sin(angle) * u[1];
-          joint.tangent[1] = std::sin(angle) * u[0] + std::cos(angle) * u[1];
-          joint.curvature = (s * size) * frame(joint.tangent)[0];
-        }
-      }
-      if (inflects) return;
-      soften(i);
-    } else
-      (void)i;
-  }
-
   // In the plane, between turns to different sides.
   bool has_no_curvature(int i) const {
     if constexpr (M == 2)
-      return has_before(i) && has_after(i) && turns_->sign(i) == 0 && turns_->bend(before_(i)) * turns_->bend(i) < 0;
+      return turns_->has_no_curvature(i);
     else
       return i < 0;
   }
