@@ -7,7 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
-#include <CGAL/Geometric_continuity/curves/internal/Other_members.h>
+#include <CGAL/Geometric_continuity/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/internal/for_each_index.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/internal/jet_of_differences.h>

@@ -8,7 +8,7 @@
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
-#include <CGAL/Geometric_continuity/curves/internal/Other_members.h>
+#include <CGAL/Geometric_continuity/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>

@@ -8,10 +8,10 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/internal/Joined_bezier_curves.h>
-#include <CGAL/Geometric_continuity/curves/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/curves/internal/Rational_bezier_shape.h>
 #include <CGAL/Geometric_continuity/curves/internal/Rational_bspline_shape.h>
 #include <CGAL/Geometric_continuity/curves/internal/denominator.h>
+#include <CGAL/Geometric_continuity/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/internal/force_inline.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 

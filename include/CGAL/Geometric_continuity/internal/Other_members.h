@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-#ifndef CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_OTHER_MEMBERS_H
-#define CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_OTHER_MEMBERS_H
+#ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_OTHER_MEMBERS_H
+#define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_OTHER_MEMBERS_H
 
-#include <ostream>
+#include <iosfwd>
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -43,4 +43,4 @@ struct Other_members {
 } // namespace Geometric_continuity
 } // namespace CGAL
 
-#endif // CGAL_GEOMETRIC_CONTINUITY_CURVES_INTERNAL_OTHER_MEMBERS_H
+#endif // CGAL_GEOMETRIC_CONTINUITY_INTERNAL_OTHER_MEMBERS_H
