@@ -167,10 +167,6 @@ template <class Kernel> using Bezier_traits_3 [[deprecated("the class is Traits_
 [[deprecated("the edge is Patch_edge::u1")]] inline constexpr Patch_edge U_MAX = Patch_edge::u1;
 [[deprecated("the edge is Patch_edge::v0")]] inline constexpr Patch_edge V_MIN = Patch_edge::v0;
 [[deprecated("the edge is Patch_edge::v1")]] inline constexpr Patch_edge V_MAX = Patch_edge::v1;
-struct [[deprecated("the edges are Patch_edge::u0, Patch_edge::u1, Patch_edge::v0 and Patch_edge::v1")]] Edge {
-  static constexpr Patch_edge U_MIN = Patch_edge::u0, U_MAX = Patch_edge::u1, V_MIN = Patch_edge::v0,
-                              V_MAX = Patch_edge::v1;
-};
 
 namespace internal {
 
@@ -214,13 +210,6 @@ template <int order> struct Has_order {
   }
 };
 
-// The type of this is asked by constructors that refuse.
-template <class T> auto refused_tolerance() {
-  static_assert(never<T>, "order_within(a, b, 1e-6) takes one bound for all, or a Join_tolerance with the members "
-                          "tangent_angle, curvature_jump, torsion_jump, gap and curvature_derivative");
-  return 0;
-}
-
 } // namespace internal
 
 // Predicates, in the spelling of the orders
@@ -236,11 +225,6 @@ template <class T> auto refused_tolerance() {
 [[deprecated("call is_c_join<1>(a, b)")]] inline constexpr internal::Parametric_join_predicate<1> is_C1{}, is_c1{};
 [[deprecated("call is_c_join<2>(a, b)")]] inline constexpr internal::Parametric_join_predicate<2> is_C2{}, is_c2{};
 [[deprecated("call is_c_join<3>(a, b)")]] inline constexpr internal::Parametric_join_predicate<3> is_C3{}, is_c3{};
-
-// A class of tolerances by another name, which has other members.
-struct Tolerance {
-  template <class T = void, class = decltype(internal::refused_tolerance<T>())> Tolerance();
-};
 
 // Orders, where a strategy is expected: blend() tells the strategies.
 [[deprecated("the strategy tells the order: Fair() for G2, Fair_g3() for G3")]] inline constexpr int G1 = 1, G2 = 2,

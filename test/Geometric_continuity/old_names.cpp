@@ -60,5 +60,5 @@ std::pair<double, double> ends(const Curve& c, const GC::Bspline_curve<Plane>& s
                                const GC::Composite_bezier_curve<Plane>& p, const GC::Rational_bezier_curve<Plane>& r) {
   return {c.start_parameter() + s.start_parameter(), p.end_parameter() + r.end_parameter()};
 }
-bool common(const Patch& p) { return GC::edge_continuity(p, GC::U_MAX, p, GC::Edge::V_MIN).g_order >= 0; }
+bool common(const Patch& p) { return GC::edge_continuity(p, GC::U_MAX, p, GC::Patch_edge::V_MIN).g_order >= 0; }
 #endif
