@@ -29,7 +29,7 @@ sentence=$(awk '
   $3 == "inner" || $3 == "seam" { ++edges; ++n[$4]; if (!seen[$1]++) ++models }
   END {
     printf "In the %d models of Debian\x27s package `occt-misc` that have edges of two sides, %d edges were decided within `vda-4955`, ", models, edges
-    printf "with %d knot lines: %d G1, %d not, %d undecided", knot_lines, n["proved"], n["refuted"], n["undecided"]
+    printf "with %d knot lines: %d are G1, %d are not, and %d are undecided", knot_lines, n["proved"], n["refuted"], n["undecided"]
   }' verdicts)
 tr -s ' \n' '  ' <"$manual/Cad_models.txt" >page
 says page "$sentence"
