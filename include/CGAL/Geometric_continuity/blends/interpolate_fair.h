@@ -534,8 +534,8 @@ private:
     return blend(Curve_jet<Traits>(start), Curve_jet<Traits>(end), Fair());
   }
 
-  // Tries short handles; returns whether there are some without waves.
-  bool has_short_handles(int i) {
+  // Gives a piece short handles without waves; returns whether there are some.
+  bool shorten_handles(int i) {
     for (double part = longest_part; part > shortest_part; part *= 0.8) {
       const std::optional<Piece> piece =
           with_handles(i, short_handles(joints_[i], joints_[p_.next(i)], turns_->bend(i), part));
@@ -552,12 +552,12 @@ private:
   // A piece with waves gets short handles. Where this does not suffice, the tangents at its ends
   // move away from the chords, further and further, and the pieces beside get short handles, too.
   void mend_waves() {
-    for (const int i : pieces_with_waves(*turns_, inflections_)) has_short_handles(i);
+    for (const int i : pieces_with_waves(*turns_, inflections_)) shorten_handles(i);
+    if (p_.pieces() < 3) return;
     for (const double part : {0.05, 0.1, 0.2, 0.3})
       for (const int i : pieces_with_waves(*turns_, inflections_)) {
         Work_meter::pause();
         const int before = (i + p_.pieces() - 1) % p_.pieces(), after = (i + 1) % p_.pieces();
-        if (p_.pieces() < 3) return;
         const auto kept = std::array{joints_[i], joints_[p_.next(i)]};
         const auto kept_pieces = std::array{pieces_[before], pieces_[i], pieces_[after]};
         const auto kept_inflections = std::array{inflections_[before], inflections_[i], inflections_[after]};
@@ -569,7 +569,7 @@ private:
         bool is_mended = true;
         for (const int k : {before, i, after})
           if (k == i || p_.closed || (k == before ? i > 0 : i + 1 < p_.pieces()))
-            is_mended = has_short_handles(k) && is_mended;
+            is_mended = shorten_handles(k) && is_mended;
         if (is_mended) continue;
         joints_[i] = kept[0];
         joints_[p_.next(i)] = kept[1];

@@ -70,29 +70,14 @@ public:
     let_inflections_be_at_points();
     for (int i = 0; i < n; ++i) { // on a line with both neighbours, which do not turn to different sides
       if (sign_[i] != 0 || back[i] || (!closed && (i == 0 || i == n - 1))) continue;
-      const int before = (i + n - 1) % n, after = (i + 1) % n;
-      if (sign_[before] * sign_[after] < 0) continue;
-      line_[before] = line_[i] = 1;
+      if (sign_[before(i)] * sign_[after(i)] < 0) continue;
+      line_[before(i)] = line_[i] = 1;
     }
     for (int i = 0; i < pieces; ++i) {
-      const int j = (i + 1) % n;
+      const int j = after(i);
       if (!line_[i] && !back[i] && !back[j] && sign_[i] * sign_[j] >= 0)
         bend_[i] = sign_[i] + sign_[j] > 0 ? 1 : sign_[i] + sign_[j] < 0 ? -1 : 0;
       free_[i] = line_[i] || (bend_[i] == 0 && sign_[i] * sign_[j] >= 0);
-    }
-  }
-
-  // Between turns to different sides the inflection may be on either side of a point, so the sign
-  // of its turn is not asked for where it is small: within the narrow angle of its chords the
-  // tangent would have to be nearly the chord, and the rest of the turn would be a corner.
-  void let_inflections_be_at_points() {
-    const int n = static_cast<int>(sign_.size());
-    const std::vector<int> sign = sign_;
-    for (int i = 0; i < n; ++i) {
-      const int before = (i + n - 1) % n, after = (i + 1) % n;
-      if (sign[before] * sign[after] < 0 &&
-          std::abs(angle_[i]) < small_turn * (std::min)(std::abs(angle_[before]), std::abs(angle_[after])))
-        sign_[i] = 0;
     }
   }
 
@@ -104,10 +89,7 @@ public:
   // The sum of the turns at both ends of a piece.
   double angle(int piece) const { return std::abs(angle_[piece]) + std::abs(angle_[after(piece)]); }
   // Returns whether a point is between turns to different sides, and its own does not matter.
-  bool is_inflection(int i) const {
-    const int n = static_cast<int>(sign_.size());
-    return sign_[i] == 0 && sign_[(i + n - 1) % n] * sign_[(i + 1) % n] < 0;
-  }
+  bool is_inflection(int i) const { return sign_[i] == 0 && sign_[before(i)] * sign_[after(i)] < 0; }
   int before(int i) const { return i == 0 ? static_cast<int>(sign_.size()) - 1 : i - 1; }
   int after(int i) const { return (i + 1) % static_cast<int>(sign_.size()); }
   bool has_before(int i) const { return closed_ || i > 0; }
@@ -167,6 +149,17 @@ public:
   }
 
 private:
+  // Between turns to different sides the inflection may be on either side of a point, so the sign
+  // of its turn is not asked for where it is small: within the narrow angle of its chords the
+  // tangent would have to be nearly the chord, and the rest of the turn would be a corner.
+  void let_inflections_be_at_points() {
+    const std::vector<int> sign = sign_;
+    for (int i = 0; i < static_cast<int>(sign.size()); ++i)
+      if (sign[before(i)] * sign[after(i)] < 0 &&
+          std::abs(angle_[i]) < small_turn * (std::min)(std::abs(angle_[before(i)]), std::abs(angle_[after(i)])))
+        sign_[i] = 0;
+  }
+
   template <int N> static void set(Coordinate_vector<double, N>& x, const Vector& y) {
     for (int k = 0; k < 2; ++k) x[k] = y[k];
   }
