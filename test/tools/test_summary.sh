@@ -108,6 +108,13 @@ assert short["joins"] == [j for j in full["joins"] if j["g_order"] < 2] and len(
 del full["joins"], short["joins"]
 assert full == short'
 fi
+# Of more than 1000 rows, those of the lowest order are told, and of one order the first ones.
+run 1 verify decimal.g2 --require G3 && mv out full.txt
+run 1 verify decimal.g2 --require G3 --summary && grep -E '^[0-9]+ -> ' out >rows.txt
+says out "and 499 more, which a file or a pipe gets without --summary" "1499 of them not G3"
+{ grep -E '^[0-9]+ -> [0-9]+ +(gap|C[0-9] G[01] )' full.txt && grep -E '^[0-9]+ -> [0-9]+ +C[0-9] G2 ' full.txt | head -n 775; } |
+  sort -n >expected.txt
+same rows.txt expected.txt
 # whatever was decided of a join before it failed
 for options in "--require G3" "--require G2 --max-order 2" "--require G1 --max-order 1" "--require G0 --max-order 0" \
   "--require C1" "--require F3" "--require G2 --kernel double" "--require C2 --closed"; do

@@ -6,12 +6,14 @@
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CHAINS_CHAIN_REPORT_H
 
 #include "commands/chains/Drawn_join.h"
+#include "commands/chains/Worst_rows.h"
 #include "commands/chains/join_report.h"
 #include "commands/chains/verify_chain.h"
 #include "reports/Report.h"
 #include "reports/certificate.h"
 #include "reports/words.h"
 
+#include <atomic>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -25,6 +27,7 @@ struct Decided_joins {
   Report_part part = {};
   GC::Chain_summary summary = {};
   Drawn_counts drawn = {};
+  Worst_rows worst = {};          // of a table
   std::ostringstream stream = {}; // for parts of a row
   std::vector<std::string> certificates = {};
   // gaps that close when a curve is reversed, with the numbers of both curves
@@ -41,6 +44,8 @@ class Chain_report {
   Report report_;
   GC::Chain_summary summary_;
   Drawn_counts drawn_;
+  Worst_rows worst_;
+  std::atomic<int> worst_end_ = worst_.end();
   Certificate certificate_;
   std::size_t curves_ = 0, bent_ = 0;
   std::vector<std::size_t> backward_;       // curves of which both gaps close when they are reversed
@@ -70,9 +75,19 @@ public:
 
   std::size_t joins() const { return summary_.joins(); }
 
+  // Returns an empty part for joins that come later than those that were added. It may be called on
+  // any core.
+  Decided_joins part() const {
+    Decided_joins joins{Report_part(report_.mode())};
+    joins.worst = Worst_rows(worst_end_);
+    return joins;
+  }
+
   void add(const Decided_joins& joins) {
     summary_ += joins.summary;
     drawn_ += joins.drawn;
+    worst_ += joins.worst;
+    worst_end_ = worst_.end();
     report_.add(joins.part, "joins");
     for (const std::string& certificate : joins.certificates) certificate_.add(certificate);
     for (const Decided_joins::Gap& gap : joins.gaps) {
@@ -80,6 +95,17 @@ public:
       if (both) backward_.push_back(gap.left);
       right_closes_ = gap.reversal.right && !both ? std::optional<std::size_t>(gap.right) : std::nullopt;
     }
+  }
+
+  // Ends the joins, of which a summary has only the worst rows.
+  void end_joins() {
+    if (report_.mode().format != Report_format::text) return;
+    Report_part worst;
+    worst.failing_rows = worst_.text();
+    if (worst_.omitted() > 0)
+      worst.failing_rows +=
+          "and " + std::to_string(worst_.omitted()) + " more, which a file or a pipe gets without --summary\n";
+    report_.add(worst);
   }
 
   // Adds a curve: where it exceeds the bound on the curvature, if it does.

@@ -55,22 +55,38 @@ public:
     Claim claim = this->claim(join, drawn, within, left, right);
     if (claim == Claim::not_met && is_open && is_about_tangents()) claim = Claim::undecided;
     const bool fails = claim != Claim::met, is_noted = this->is_noted(join, drawn, within);
-    if (only_orders && (fails || (mode_.has_findings() && is_noted))) ends.complete(join, demand_.max_order);
+    if (mode_.has_findings() && (fails || is_noted)) ends.complete(join, demand_.max_order);
     joins.part.add(place.file, {claim, "join", is_open ? too_few_derivatives : "the tolerance lies between the bounds"},
                    is_noted, [&] { return finding(place, join, drawn, ends, within, claim); });
     if (mode_.has_findings() || (mode_.summary && !fails)) return;
-    std::string& rows = mode_.summary ? joins.part.failing_rows : joins.part.rows;
-    const std::size_t begin = rows.size();
-    if (mode_.format == Report_format::json)
-      append_json_row(rows, place, join, drawn, within, joins.stream);
-    else
-      append_row(rows, place, join, drawn, ends, within);
-    if (fails && !mode_.summary) joins.part.failing_rows.append(rows, begin, std::string::npos);
+    if (mode_.summary) {
+      const auto row = [&] {
+        ends.complete(join, demand_.max_order);
+        std::string text;
+        append_row(text, place, join, drawn, ends, within, joins.stream);
+        return text;
+      };
+      if (mode_.format == Report_format::json)
+        joins.part.failing_rows += row();
+      else
+        joins.worst.add(order(join), place.left, row);
+    } else {
+      std::string& rows = joins.part.rows;
+      const std::size_t begin = rows.size();
+      append_row(rows, place, join, drawn, ends, within, joins.stream);
+      if (fails && mode_.format == Report_format::text)
+        joins.worst.add(order(join), place.left, [&] { return rows.substr(begin); });
+    }
   }
 
 private:
   typedef std::optional<Drawn_join> Drawn;
   static constexpr const char* too_few_derivatives = "all derivatives that are read are zero, see --max-order";
+
+  // Returns the order by which joins that fail are better or worse.
+  int order(const Join& join) const {
+    return GC::order_of(join, demand_.order ? demand_.order->kind() : GC::Continuity_kind::G);
+  }
 
   bool is_about_tangents() const {
     return demand_.order && demand_.order->kind() != GC::Continuity_kind::C && demand_.order->order() == 1;
@@ -129,6 +145,14 @@ private:
            !(within && (*within)(smooth) == GC::Verdict::proved);
   }
 
+  void append_row(std::string& rows, const Join_place& place, const Join& join, const Drawn& drawn, const Ends& ends,
+                  const std::optional<GC::Order_within>& within, std::ostringstream& stream) const {
+    if (mode_.format == Report_format::json)
+      append_json_row(rows, place, join, drawn, within, stream);
+    else
+      append_text_row(rows, place, join, drawn, ends, within);
+  }
+
   static void append_json_row(std::string& rows, const Join_place& place, const Join& join, const Drawn& drawn,
                               const std::optional<GC::Order_within>& within, std::ostringstream& s) {
     s.str("");
@@ -149,8 +173,8 @@ private:
     return words;
   }
 
-  void append_row(std::string& rows, const Join_place& place, const Join& join, const Drawn& drawn, const Ends& ends,
-                  const std::optional<GC::Order_within>& within) const {
+  void append_text_row(std::string& rows, const Join_place& place, const Join& join, const Drawn& drawn,
+                       const Ends& ends, const std::optional<GC::Order_within>& within) const {
     append_table_row(rows, join, place.left, place.right, words(join, drawn, ends));
     if (!within) return;
     std::ostringstream s;

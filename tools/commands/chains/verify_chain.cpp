@@ -122,7 +122,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
     return true;
   };
   const auto work = [&](Batch& batch) {
-    batch.joins = Decided_joins{Report_part(mode)};
+    batch.joins = report.part();
     try {
       for (std::size_t i = 1; i < batch.size; ++i) {
         const std::size_t left = batch.first + i - 1;
@@ -150,7 +150,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
   progress.clear();
   if (size == 1 && !closed && !mode.allow_empty && !demand.curvature) throw std::invalid_argument(no_join);
   if (closed && size > 0) {
-    Decided_joins joins{Report_part(mode)};
+    Decided_joins joins = report.part();
     within_work_limit(
         [] { return std::string("the join that closes the chain"); },
         [&] {
@@ -158,6 +158,7 @@ int verify_spans(const Arguments& files, bool closed, const Report_mode& mode, c
         });
     report.add(joins);
   }
+  report.end_joins();
   if (demand.curvature)
     decide_curvatures<std::conditional_t<std::is_same_v<Number, double>, double, Exact>>(files, *demand.curvature,
                                                                                          lines, report);
