@@ -8,7 +8,7 @@
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
-#include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
+#include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Simple_cartesian.h>

@@ -9,7 +9,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
+#include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/cut_back.h>
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>

@@ -30,7 +30,6 @@
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
-#include <CGAL/Geometric_continuity/curves/Bezier_polygon.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Clothoid_segment.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
@@ -47,7 +46,6 @@
 
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
-#include <CGAL/Geometric_continuity/joins/Join_deviation.h>
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/Visual_join.h>
 #include <CGAL/Geometric_continuity/joins/alignment_join.h>
@@ -80,7 +78,6 @@
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
 #include <CGAL/Geometric_continuity/edges/swept_continuity.h>
 #include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
-#include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/surface_blends/connect_g1.h>
 #include <CGAL/Geometric_continuity/surface_blends/match.h>
@@ -93,7 +90,6 @@
 #include <CGAL/Geometric_continuity/repairs/round_corners.h>
 
 #include <CGAL/Geometric_continuity/models/Road_network.h>
-#include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
 #include <CGAL/Geometric_continuity/models/round_edges.h>
 #include <CGAL/Geometric_continuity/models/round_polyhedron.h>

@@ -9,12 +9,16 @@
 #include <CGAL/Geometric_continuity/IO/figures/Svg_figure.h>
 #include <CGAL/Geometric_continuity/IO/figures/svg_surfaces.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_polygon.h>
 #include <CGAL/Geometric_continuity/joins/Join_certificate.h>
+#include <CGAL/Geometric_continuity/joins/Join_deviation.h>
 #include <CGAL/Geometric_continuity/joins/Join_grade.h>
 #include <CGAL/Geometric_continuity/joins/Kink_bound.h>
 #include <CGAL/Geometric_continuity/joins/failing_joins.h>
+#include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/models/face_graph.h>
 #include <CGAL/Geometric_continuity/models/near_edges.h>
+#include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
 #include <CGAL/Geometric_continuity/surfaces/boundary_curve.h>
 #include <CGAL/Geometric_continuity/surfaces/trim_back.h>
 #include <CGAL/Simple_cartesian.h>

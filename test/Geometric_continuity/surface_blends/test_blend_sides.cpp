@@ -8,7 +8,7 @@
 #include "support/random_surfaces.h"
 #include "support/rational_surfaces.h"
 
-#include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
+#include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 
 BOOST_AUTO_TEST_SUITE(blend_sides)

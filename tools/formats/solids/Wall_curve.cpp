@@ -260,3 +260,20 @@ std::vector<Wall_vector> Wall_curve::rail(double distance, int side, const std::
   result.back() = end(spline_->control_point(spline_->number_of_points() - 1), directions[1]);
   return result;
 }
+
+Wall_curve::Spline spline_like(const Wall_curve::Spline& curve, const std::vector<Wall_curve::Vector>& points) {
+  std::vector<Wall_curve::Traits::Point> p;
+  for (const Wall_curve::Vector& x : points) p.emplace_back(x[0], x[1], x[2]);
+  return {p.begin(), p.end(), curve.weights().begin(), curve.weights().end(), curve.knots()};
+}
+
+std::array<Wall_curve::Vector, 2> vectors_in_plane(const Wall_curve::Vector& normal) {
+  int least = 0;
+  for (int k = 1; k < 3; ++k)
+    if (std::abs(normal[k]) < std::abs(normal[least])) least = k;
+  Wall_curve::Vector x(3);
+  x[least] = 1;
+  x -= dot(x, normal) * normal;
+  x = 1 / wall_norm(x) * x;
+  return {x, cross_product(normal, x)};
+}

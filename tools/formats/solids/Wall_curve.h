@@ -108,6 +108,12 @@ private:
   double largest_error(const std::vector<Vector>& directions) const;
 };
 
+// The spline with the knots and the weights of a curve and with these control points.
+Wall_curve::Spline spline_like(const Wall_curve::Spline& curve, const std::vector<Wall_curve::Vector>& points);
+
+// Two orthogonal unit vectors in the plane with this normal of length 1.
+std::array<Wall_curve::Vector, 2> vectors_in_plane(const Wall_curve::Vector& normal);
+
 // The point of an edge after this part of its parameters.
 std::array<double, 3> point_of_edge(const Cad_solid& solid, const Cad_solid::Edge& edge, double part);
 

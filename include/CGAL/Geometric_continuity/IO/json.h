@@ -14,7 +14,6 @@
 
 #include <CGAL/Geometric_continuity/IO/internal/utf8.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
-#include <CGAL/Geometric_continuity/joins/Join_deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 
 #include <charconv>

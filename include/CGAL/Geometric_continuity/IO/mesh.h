@@ -10,7 +10,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/models/Tessellation.h>
+#include <CGAL/Geometric_continuity/models/tessellate.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
 
 #include <CGAL/IO/OBJ.h>

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_EDGE_ROWS_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
@@ -27,7 +28,8 @@
 /// \file Edge_rows.h
 /// The input and the result of a decision along an edge. All that continuity depends on are the
 /// edge and the first two derivatives across it, as rows of coefficients. The answer of
-/// `edge_continuity()` is the order of continuity, why it is not higher, and where.
+/// `edge_continuity()` is the order of continuity, why it is not higher, and where. A certificate
+/// has the polynomials from which anybody can see that.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -432,6 +434,42 @@ template <class FT> struct Spline_edge_continuity : Edge_continuity<FT> {
       os << ", a part of " << (e.whole_b ? "the first edge" : e.whole_a ? "the second edge" : "both edges");
     return os;
   }
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// A certificate of the order of two surfaces along a span of an edge, which anybody can check by
+/// multiplying polynomials. All points are homogeneous, of polynomial surfaces with the weight 1;
+/// `P(u)` is the edge, `u` in [0, 1], and \f$ P_u, P_v, Q_v, P_{vv}, \dots \f$ are derivatives of
+/// the first surface `P` and of the second one `Q`, where `v` grows into each surface. With the
+/// planes \f$ \pi \f$ and \f$ \rho \f$, \f$ \pi \cdot x = \det(x, P, P_u, P_v) \f$ and
+/// \f$ \rho \cdot x = \det(x, P, P_u, Q_v) \f$, and coordinates `i` of planes:
+///
+/// - \f$ G^1 \f$ holds if \f$ \pi \cdot Q_v \equiv 0 \f$, which is the determinant, and
+///   \f$ \pi_1\rho_1 + \pi_2\rho_2 + \pi_3\rho_3 < 0 \f$ on the closed interval, where the first
+///   three coordinates are normals;
+/// - then \f$ Q_v = a P + \frac{m}{d} P_u + \frac{n}{d} P_v \f$ with the factors \f$ d = \pi_i \f$,
+///   \f$ m = \det(e_i, P, Q_v, P_v) \f$ and \f$ n = \rho_i \f$, where `i` is the first coordinate
+///   with \f$ \pi_i \not\equiv 0 \f$;
+/// - \f$ G^2 \f$ holds if
+///   \f$ d^2 (\pi \cdot Q_{vv}) - m^2 (\pi \cdot P_{uu}) - 2 m n (\pi \cdot P_{uv}) - n^2 (\pi \cdot P_{vv}) \equiv 0 \f$,
+///   too.
+/// \tparam FT an exact field
+template <class FT> struct Edge_certificate {
+  typedef Power_polynomial<FT> Polynomial; ///< in the parameter `u`
+
+  FT begin;           ///< the parameter of the first edge
+  FT end;             ///< where the span ends
+  int g_order;        ///< the same as `Edge_continuity::g_order`
+  Edge_rows<FT, 4> a; ///< \f$ P, P_v, P_{vv} \f$
+  /// \f$ Q, Q_v, Q_{vv} \f$, in the direction of the first edge, with the weight of `P` where the
+  /// span begins
+  Edge_rows<FT, 4> b;
+  std::optional<Polynomial> determinant; ///< empty where the edges are different curves
+  /// the scalar product of the normals; empty where the edges are different curves
+  std::optional<Polynomial> side;
+  std::vector<Polynomial> factors; ///< `d`, `m`, `n` for an order of 1 or 2
+  /// the difference of both sides of the identity of \f$ G^2 \f$, for an order of 1 or 2
+  std::optional<Polynomial> second_order;
 };
 
 } // namespace Geometric_continuity

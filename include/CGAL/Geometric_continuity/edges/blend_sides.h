@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_EDGES_BLEND_SIDES_H
 
 #define CGAL_DEPRECATED_HEADER "<CGAL/Geometric_continuity/edges/blend_sides.h>"
-#define CGAL_REPLACEMENT_HEADER "<CGAL/Geometric_continuity/surface_blends/blend_sides.h>"
+#define CGAL_REPLACEMENT_HEADER "<CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>"
 #include <CGAL/Installation/internal/deprecation_warning.h>
 
-#include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
+#include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_EDGES_BLEND_SIDES_H

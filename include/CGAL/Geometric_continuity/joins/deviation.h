@@ -5,7 +5,6 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_DEVIATION_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_DEVIATION_H
 
-#include <CGAL/Geometric_continuity/joins/Join_deviation.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>

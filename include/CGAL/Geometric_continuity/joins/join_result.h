@@ -7,14 +7,14 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
-#include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
+#include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <initializer_list>
 #include <limits>
 #include <map>
 #include <optional>
@@ -25,7 +25,8 @@
 
 /// \file join_result.h
 /// The verdict on a join: orders of continuity, what is equal, and the shape parameters, which are
-/// computed on request; the certificate by which anybody can check the orders; and how many
+/// computed on request; the certificate by which anybody can check the orders; how far a join is
+/// from being continuous, the tolerance for it, and the verdict within the tolerance; and how many
 /// joins of a chain have which order.
 
 namespace CGAL {
@@ -43,116 +44,6 @@ struct Order_up_to_rounding {
 };
 
 namespace internal {
-
-// The powers of two by which the parameters of the two curves of a join have been divided.
-struct Parameter_scale {
-  int left = 0, right = 0;
-};
-
-// One coordinate of the four control points from the join inwards, with what makes derivatives of
-// their differences. The tangent has a component along this coordinate.
-struct Parameter_end {
-  double points[4];
-  double start, end; // of the domain
-  int degree = -1;
-  double rests[4] = {0, 0, 0, 0}; // what the points are larger than these doubles
-};
-
-// Computes the shape parameters beta_1, beta_2, ... of a join on request. They come from the forms
-// of a decision on jets, beta_k = b_k / g^(2k-1). Or, for joins of curves with double coordinates,
-// they come from one coordinate, since the vectors Y^(k) - sum_{m=2}^k B_{k,m}(beta_1, ...) X^(m) =
-// beta_k X' need no more. No memory is allocated before.
-template <class FT> class Join_parameters {
-  std::vector<FT> forms_; // g, b_1, b_2, ...
-  Parameter_scale scale_;
-  Parameter_end left_, right_;
-  double unit_ = 1; // of the parameters: unit_ * 10^exponent_
-  int exponent_ = 0;
-
-public:
-  Join_parameters() = default;
-  Join_parameters(std::vector<FT> forms, Parameter_scale scale) : forms_(std::move(forms)), scale_(scale) {}
-  Join_parameters(const Parameter_end& left, const Parameter_end& right) : left_(left), right_(right) {}
-
-  // Says that the parameters of both curves are those of the ends times unit * 10^exponent.
-  void set_unit(double unit, int exponent) {
-    unit_ = unit;
-    exponent_ = exponent;
-  }
-
-  // The first `count` parameters; none if nothing has been given.
-  std::vector<FT> operator()(int count) const {
-    if (count <= 0) return {};
-    if (left_.degree >= 0) {
-      if constexpr (!std::is_floating_point_v<FT> && std::is_constructible_v<FT, double>) {
-        const int order = (std::min)(count, 3);
-        const std::array<FT, 4> x = derivatives(left_, true, order), y = derivatives(right_, false, order);
-        // beta_1 = y' / x', beta_2 = (y'' - beta_1^2 x'') / x', beta_3 = (y''' - 3 beta_1 beta_2
-        // x'' - beta_1^3 x''') / x'
-        std::vector<FT> betas(order);
-        for (int k = 1; k <= order; ++k) {
-          FT& beta = betas[k - 1];
-          beta = y[k];
-          if (k == 2) beta -= product({x[2], betas[0], betas[0]});
-          if (k == 3) {
-            beta -= product({x[2], FT(3), betas[0], betas[1]});
-            beta -= product({x[3], betas[0], betas[0], betas[0]});
-          }
-          beta /= x[1];
-        }
-        return betas;
-      }
-      // unreachable: of a field in which no shape parameter is computed from control points
-      return {};
-    }
-    if (forms_.empty()) return {}; // none in this field
-    std::vector<FT> betas(count);
-    FT power = forms_[0];
-    for (int k = 1; k <= count; ++k) {
-      FT& beta = betas[k - 1];
-      beta = forms_[k];
-      beta /= power;
-      if constexpr (std::is_floating_point_v<FT>) {
-        beta = std::ldexp(beta, scale_.left - k * scale_.right);
-        check_finite(beta, "Join_continuity::betas");
-      }
-      power *= forms_[0];
-      power *= forms_[0];
-    }
-    return betas;
-  }
-
-private:
-  // By compound operators only: products of exact numbers are types, which are long to compile.
-  static FT product(std::initializer_list<FT> factors) {
-    FT x(1);
-    for (const FT& factor : factors) x *= factor;
-    return x;
-  }
-
-  // m!/(m-k)! / h^k times the k-th difference, k = 0, ..., order <= 3; odd ones point outwards at
-  // an end.
-  std::array<FT, 4> derivatives(const Parameter_end& end, bool at_end, int order) const {
-    std::array<FT, 4> d;
-    for (int j = 0; j <= order; ++j) {
-      d[j] = FT(end.points[j]);
-      if (end.rests[j] != 0) d[j] += FT(end.rests[j]);
-    }
-    for (int k = 1; k <= order; ++k)
-      for (int j = order; j >= k; --j) d[j] -= d[j - 1];
-    FT h(at_end ? end.start : end.end);
-    h -= FT(at_end ? end.end : end.start);
-    h *= FT(unit_);
-    for (int e = exponent_; e < 0; ++e) h /= FT(10);
-    FT factor(1);
-    for (int k = 1; k <= order; ++k) {
-      factor *= FT(end.degree - k + 1 > 0 ? end.degree - k + 1 : 0);
-      factor /= h;
-      d[k] *= factor;
-    }
-    return d;
-  }
-};
 
 // The first three points on both sides of a join, from it inwards, from which it is told how far it
 // is from the order G that it misses: for a report, in floating-point numbers, and when someone
@@ -456,6 +347,73 @@ Join_certificate<FT, N> join_certificate(const Coordinate_jet<FT, N>& left, cons
   }
   return c;
 }
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// How far a join is from being continuous: guaranteed enclosures. With \f$ X \f$ for the curve
+/// that ends and \f$ Y \f$ for the curve that starts there:
+struct Join_deviation {
+  Enclosure gap; ///< the distance \f$ |Y - X| \f$ of the ends, in units of the coordinates
+  /// The angle between the tangents, in radians, in \f$ [0, \pi] \f$. Empty when a tangent is zero.
+  std::optional<Enclosure> tangent_angle;
+  /// The relative jump of the curvature vector, \f$ |K_Y - K_X| / \max(|K_X|, |K_Y|) \f$, in [0,
+  /// 2]; 0 when both are zero. Empty when a tangent is zero.
+  std::optional<Enclosure> curvature_jump;
+  /// The jump of the torsion \f$ |\tau_Y - \tau_X| \f$, in units of 1/length. Empty unless in
+  /// dimension 3 with nonzero curvature on both sides.
+  std::optional<Enclosure> torsion_jump;
+
+  /// Writes what there is, angles in degrees and ratios in percent, e.g. `gap 0, tangent angle
+  /// [0.5, 0.50001] degrees, curvature jump 2%`.
+  friend std::ostream& operator<<(std::ostream& os, const Join_deviation& d) {
+    os << "gap " << d.gap;
+    if (d.tangent_angle) os << ", tangent angle " << in_degrees(*d.tangent_angle) << " degrees";
+    if (d.curvature_jump) os << ", curvature jump " << in_percent(*d.curvature_jump) << '%';
+    if (d.torsion_jump) os << ", torsion jump " << *d.torsion_jump;
+    return os;
+  }
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The tolerance at a join: the quantities of `Join_deviation`, in their units.
+struct Join_tolerance {
+  Bound tangent_angle = 0;        ///< in radians
+  Bound curvature_jump = 0;       ///< relative
+  Bound torsion_jump = 0;         ///< in space, in units of 1/length
+  Bound gap = 0;                  ///< in units of the coordinates
+  Bound curvature_derivative = 0; ///< in the plane, of \f$ d\kappa/ds \f$, in units of 1/length^2
+};
+
+/// \ingroup PkgGeometricContinuityContinuity
+/// The orders 0 to 3 of a join, within a tolerance.
+struct Order_within {
+  Join_deviation deviation; ///< the deviation on which the verdicts rest
+  /// For each order: the ends meet; in addition the tangents agree; the curvature vectors; the
+  /// torsions, or in the plane the derivatives of the curvature with respect to arc length. Each of
+  /// them within the tolerance, or exactly.
+  std::array<Verdict, 4> verdicts;
+
+  /// Returns whether the join has the order, 0 to 3, within the tolerance.
+  /// \throws Error `negative_count` for a negative order, `jet_order_too_low` for one above 3
+  Verdict operator()(int order) const {
+    if (order < 0) throw Error(Error_code::negative_count, "Order_within: order");
+    if (order > 3) throw Error(Error_code::jet_order_too_low, "Order_within: orders 0 to 3 are decided");
+    return verdicts[order];
+  }
+  /// Returns the largest order that is proved, -1 if none is.
+  int proved_order() const {
+    int order = 3;
+    while (order >= 0 && verdicts[order] != Verdict::proved) --order;
+    return order;
+  }
+
+  /// Writes the verdicts and the deviation, e.g. `order 0 proved, 1 proved, 2 refuted, 3 refuted;
+  /// gap 0, ...`.
+  friend std::ostream& operator<<(std::ostream& os, const Order_within& within) {
+    os << "order";
+    for (int order = 0; order <= 3; ++order) os << (order == 0 ? " " : ", ") << order << ' ' << within(order);
+    return os << "; " << within.deviation;
+  }
+};
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// The three kinds of continuity, each of which has an order.

@@ -15,7 +15,6 @@
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
-#include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
 #include <CGAL/Geometric_continuity/surface_blends/blend_surfaces.h>
 #include <CGAL/Geometric_continuity/surfaces/cut_back.h>
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>

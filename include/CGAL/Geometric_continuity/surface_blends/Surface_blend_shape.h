@@ -6,34 +6,41 @@
 #define CGAL_GEOMETRIC_CONTINUITY_SURFACE_BLENDS_SURFACE_BLEND_SHAPE_H
 
 #include <CGAL/Geometric_continuity/Error.h>
-#include <CGAL/Geometric_continuity/blends/blend.h>
+#include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
+#include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/blends/blend_ends.h>
-#include <CGAL/Geometric_continuity/local/Curve_jet.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/splines/Bspline_function.h>
 #include <CGAL/Geometric_continuity/surface_blends/internal/Blend_end.h>
+#include <CGAL/Geometric_continuity/surface_blends/internal/Side_corner.h>
 #include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
-
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 /// \file Surface_blend_shape.h
 /// The functions along its edges that \f$ G^2 \f$ leaves free of a blend surface, the types of such
-/// surfaces, and the shape for which the caller gives none, by the strategies for blends of curves.
+/// surfaces, and the shape for which the side curves at `u = 0` and `u = 1` are given, and the
+/// derivatives across them.
 ///
-/// The curves `u` = const at some parameters \f$ u_1, \dots, u_m \f$ together are one curve
-/// \f$ v \mapsto (S(u_1, v), \dots, S(u_m, v)) \f$ in a space of `3 m` dimensions. With constants
-/// \f$ \beta, \delta \f$ it is a blend of the curves that both surfaces make in the same way, of
-/// the family of blends of curves: \f$ \delta = (20 s - t)\,\beta \f$, with the part `t` of the
-/// second derivative along the tangent. So each strategy for curves is one for surfaces. Lengths
-/// and energies are the sums of squares over the curves. In degree 7 \f$ \delta = \beta_2 \f$ and
-/// \f$ \delta_3 = \beta_3 \f$ of a septic blend with \f$ \mu = 3 \beta\beta_2 \f$.
+/// Where an edge ends, \f$ S_v = \alpha C' + \beta T \f$ and
+/// \f$ S_{vv} = \alpha^2 C'' + 2\alpha\beta T' + \beta^2 W + \alpha_2 C' + \delta T \f$ are the
+/// first two derivatives of the side curve. So it must start in the tangent plane of the surface,
+/// and with the curvature of the surface in its direction; then the values of the functions are the
+/// coordinates with respect to \f$ C', T \f$ of what it leaves. Derivatives with respect to `u` of
+/// these equations give the slopes of the functions, where \f$ S_u \f$ is given along the side.
+/// Both ends together determine a side curve and a derivative of degree 5 as a whole. Homogeneous
+/// points have the vectors \f$ C', T, C \f$ and the functions \f$ \lambda_1, \lambda_2 \f$ as well.
+/// For a blend of degree 7 the side curve must have the third derivative of the surface, too, and
+/// the same follows for \f$ \alpha_3, \delta_3, \lambda_3 \f$.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -196,193 +203,6 @@ using Chosen_surface_shape =
     std::conditional_t<is_quintic_surface_strategy_v<Strategy>, Blend_surface_shape<Surface_a, Surface_b>,
                        Septic_surface_blend_shape<Blend_surface_shape<Surface_a, Surface_b>>>;
 
-namespace internal {
-
-// The values of the rows of an end at some parameters: as points and derivatives of the surface in
-// `jet`, one after the other, and the last coordinates of homogeneous points in `weights`; those of
-// the control points of the rows in `control_weights`.
-template <bool is_rational> struct Edge_samples {
-  Coordinate_jet<double, 0> jet;
-  std::vector<std::array<double, 4>> weights, control_weights;
-
-  template <class FT, int N> Edge_samples(const Blend_end<FT, N>& end, const std::vector<FT>& parameters, int order) {
-    const int m = static_cast<int>(parameters.size()), n = end.edge[0].dimension() - (is_rational ? 1 : 0);
-    jet = Coordinate_jet<double, 0>(m * n, order);
-    const typename Blend_end<FT, N>::Row* const rows[] = {&end.edge, &end.cross, &end.second_cross, &end.third_cross};
-    if constexpr (is_rational)
-      for (std::size_t i = 0; i < end.edge.size(); ++i) {
-        control_weights.emplace_back();
-        for (int j = 0; j <= order; ++j) control_weights.back()[j] = CGAL::to_double((*rows[j])[i][n]);
-      }
-    for (int k = 0; k < m; ++k) {
-      const FT& u = parameters[k];
-      Coordinate_jet<FT, N> x(end.edge[0].dimension(), order);
-      for (int j = 0; j <= order; ++j) x[j] = bspline_value(end.knots, *rows[j], u);
-      if constexpr (is_rational) {
-        weights.emplace_back();
-        for (int j = 0; j <= order; ++j) weights.back()[j] = CGAL::to_double(x[j][n]);
-        take(project(x), k * n);
-      } else
-        take(x, k * n);
-    }
-  }
-
-private:
-  template <class Jet> void take(const Jet& x, int first) {
-    for (int j = 0; j <= jet.order(); ++j)
-      for (int i = 0; i < x[j].dimension(); ++i) {
-        jet[j][first + i] = CGAL::to_double(x[j][i]);
-        check_finite(jet[j][first + i], "automatic_surface_shape: a number beyond those in floating-point arithmetic");
-      }
-  }
-};
-
-template <class Kind> using Both_samples = std::array<Edge_samples<Kind::is_rational>, 2>;
-
-// Returns the rows of both ends at some parameters.
-template <class Kind, class Ends, class FT>
-Both_samples<Kind> samples_at(const Ends& ends, const std::vector<FT>& parameters, int order) {
-  Both_samples<Kind> samples = {Edge_samples<Kind::is_rational>(ends.first, parameters, order),
-                                Edge_samples<Kind::is_rational>(ends.second, parameters, order)};
-  if (is_zero(samples[0].jet[1])) throw Error(Error_code::zero_tangent, "automatic_surface_shape: the first surface");
-  if (is_zero(samples[1].jet[1])) throw Error(Error_code::zero_tangent, "automatic_surface_shape: the second surface");
-  return samples;
-}
-
-// Returns the rows of both edges at the Greville abscissae of the edge that has more of them.
-template <class Kind, class Ends> Both_samples<Kind> sampled_ends(const Ends& ends, int order) {
-  typedef typename Kind::FT FT;
-  const Knot_vector<FT>&x = ends.first.knots, &y = ends.second.knots;
-  const Knot_vector<FT>& knots = x.number_of_coefficients() < y.number_of_coefficients() ? y : x;
-  std::vector<FT> parameters;
-  for (int k = 0; k < knots.number_of_coefficients(); ++k) parameters.push_back(knots.greville_abscissa(k));
-  return samples_at<Kind>(ends, parameters, order);
-}
-
-// With few binary digits; nothing where it is small in comparison with the unit.
-inline double short_part(double x, double unit) {
-  check_finite(x, "automatic_surface_shape");
-  return std::abs(x) < 0x1p-20 * unit ? 0 : short_double<ratio_digits>(x);
-}
-
-// The derivatives beta, delta and delta_3 of the parameter across an edge.
-typedef std::array<double, 3> Across_edge;
-
-inline std::array<Across_edge, 2> across_edges(const Quintic_ends<double, 0>& e, const Quintic_parameters<double>& p,
-                                               const Shape_parameters<double>& s) {
-  return {{{s.beta, short_part(s.beta * (20 * p.s1 - e.tangential1), s.beta), 0},
-           {s.eta, short_part(s.eta * (20 * p.s2 - e.tangential2), s.eta), 0}}};
-}
-inline std::array<Across_edge, 2> across_edges(const Septic_ends<double, 0>&, const Septic_parameters<double>& p,
-                                               const Shape_parameters<double>& s) {
-  return {{{s.beta, short_part(p.start.beta2, s.beta), short_part(p.start.beta3, s.beta)},
-           {s.eta, short_part(p.end.beta2, s.eta), short_part(p.end.beta3, s.eta)}}};
-}
-
-// Returns the derivatives that a strategy chooses for all curves together, whose ends are `start`
-// and `end`.
-template <class Strategy>
-std::array<Across_edge, 2> chosen_across_edges(const Strategy& strategy, const Coordinate_jet<double, 0>& start,
-                                               const Coordinate_jet<double, 0>& end) {
-  typedef std::conditional_t<is_quintic_surface_strategy_v<Strategy>, Quintic_ends<double, 0>, Septic_ends<double, 0>>
-      Ends;
-  const auto across = [&](const auto& chosen, const Shape_parameters<double>& s) {
-    const Ends e(start, end, s);
-    return across_edges(e, chosen(e), s);
-  };
-  if constexpr (Chooses_shape<Strategy, Coordinate_jet<double, 0>>::value) {
-    const auto chosen = strategy.choose(start, end);
-    return across(chosen.strategy, chosen.shape);
-  } else
-    return across(strategy, automatic_shape(start, end));
-}
-
-template <class FT> Edge_function<FT> short_constant(double x) { return {short_number_in<FT>(x)}; }
-
-template <class FT> void set_third(Edge_reparametrisation<FT>&, double, double) {}
-template <class Reparametrisation>
-void set_third(Septic_edge_reparametrisation<Reparametrisation>& r, double delta3, double lambda3) {
-  typedef typename Reparametrisation::FT FT;
-  r.delta3 = short_constant<FT>(delta3);
-  r.lambda3 = short_constant<FT>(lambda3);
-}
-
-// Sets the constants of one end. For rational surfaces the factor of the homogeneous points keeps
-// the denominator as constant as constants can: from the derivatives m of w_0 w(phi), divided by
-// those of order 0, as sums over all samples.
-template <class Reparametrisation>
-void set_shape(Reparametrisation& r, const Across_edge& x, const std::vector<std::array<double, 4>>& weights) {
-  typedef typename Reparametrisation::FT FT;
-  r.beta = short_constant<FT>(x[0]);
-  r.delta = short_constant<FT>(x[1]);
-  double lambda[3] = {0, 0, 0};
-  if constexpr (std::is_base_of_v<Rational_edge_reparametrisation<FT>, Reparametrisation>) {
-    double squares = 0, m[3] = {0, 0, 0};
-    for (const std::array<double, 4>& w : weights) {
-      squares += w[0] * w[0];
-      m[0] += w[0] * x[0] * w[1];
-      m[1] += w[0] * (x[0] * x[0] * w[2] + x[1] * w[1]);
-      m[2] += w[0] * (x[0] * x[0] * x[0] * w[3] + 3 * x[0] * x[1] * w[2] + x[2] * w[1]);
-    }
-    lambda[0] = short_part(-m[0] / squares, 1);
-    lambda[1] = short_part(-(m[1] + 2 * lambda[0] * m[0]) / squares, 1);
-    lambda[2] = short_part(-(m[2] + 3 * lambda[0] * m[1] + 3 * lambda[1] * m[0]) / squares, 1);
-    r.lambda1 = short_constant<FT>(lambda[0]);
-    r.lambda2 = short_constant<FT>(lambda[1]);
-  }
-  set_third(r, x[2], lambda[2]);
-}
-
-// Moves the factors of the homogeneous points no farther than is needed for the weights of all
-// control points b_1, b_2, ... next to those of an edge to be at least a quarter of them. This is
-// always possible: the weights
-//
-//   b_1 = w + d L_1 / n,  b_2 = w + 2 d L_1 / n + L_2 / (n (n-1)),
-//   b_3 = w + 3 d L_1 / n + 3 L_2 / (n (n-1)) + d L_3 / (n (n-1) (n-2))
-//
-// of a blend of degree n, with L_k the derivatives of lambda w, grow with d^k lambda_k, as all w
-// are positive. The direction d is 1 at the start of the blend, -1 at its end.
-template <class Reparametrisation>
-void keep_weights_positive(Reparametrisation& r, const Across_edge& x,
-                           const std::vector<std::array<double, 4>>& control_weights, int direction, int order) {
-  typedef typename Reparametrisation::FT FT;
-  if constexpr (std::is_base_of_v<Rational_edge_reparametrisation<FT>, Reparametrisation>) {
-    for (const std::array<double, 4>& w : control_weights)
-      if (!(w[0] > 0)) return;
-    typename Reparametrisation::Function* factors[3] = {&r.lambda1, &r.lambda2, nullptr};
-    if constexpr (!std::is_same_v<Rational_edge_reparametrisation<FT>, Reparametrisation>) factors[2] = &r.lambda3;
-    double lambda[3] = {0, 0, 0};
-    const int n = 2 * order + 1, to_edge[3] = {n, n * (n - 1), n * (n - 1) * (n - 2)};
-    for (int k = 0; k < order; ++k) {
-      const double sign = k == 1 ? 1 : direction;
-      lambda[k] = CGAL::to_double((*factors[k])[0]);
-      double least = sign * lambda[k], margin = 0; // for rounding
-      for (const std::array<double, 4>& w : control_weights) {
-        const double d = x[0] * w[1] / w[0], e = (x[0] * x[0] * w[2] + x[1] * w[1]) / w[0],
-                     f = (x[0] * x[0] * x[0] * w[3] + 3 * x[0] * x[1] * w[2] + x[2] * w[1]) / w[0];
-        const double l1 = lambda[0] + d, l2 = lambda[1] + 2 * lambda[0] * d + e;
-        const double without[3] = {direction * d, 2 * lambda[0] * d + e,
-                                   direction * (3 * lambda[1] * d + 3 * lambda[0] * e + f)};
-        const double before[3] = {1, 1 + direction * 2 * l1 / n, 1 + direction * 3 * l1 / n + 3 * l2 / to_edge[1]};
-        const double needed = to_edge[k] * (0.25 - before[k]);
-        least = (std::max)(least, needed - without[k]);
-        margin = (std::max)(margin, (std::abs(needed) + std::abs(without[k])) / 128);
-      }
-      if (!(least > sign * lambda[k])) continue;
-      lambda[k] = short_part(sign * (least + margin), 0);
-      *factors[k] = short_constant<FT>(lambda[k]);
-    }
-  }
-}
-
-inline double mean_square_of_weights(const std::vector<std::array<double, 4>>& weights) {
-  double squares = 0;
-  for (const std::array<double, 4>& w : weights) squares += w[0] * w[0];
-  return squares;
-}
-
-} // namespace internal
-
 /// \ingroup PkgGeometricContinuityConstruction
 /// Returns how the second of two edges runs when its ends are nearer to those of the first one: in
 /// the same direction unless the lines between the ends of the edges point in opposite directions.
@@ -401,25 +221,290 @@ Edge_direction nearer_direction(const Surface_a& a, Patch_edge edge_a, const Sur
   return dot(chord(ends.first.edge), chord(ends.second.edge)) < FT(0) ? Edge_direction::opposite : Edge_direction::same;
 }
 
+/// \ingroup PkgGeometricContinuityConstruction
+/// The required side edge of a blend surface of degree 5 or 7, from the first surface to the
+/// second.
+/// \tparam Traits_ the traits class of the points; for a blend with a rational surface
+///   `Homogeneous_traits` of it
+template <class Traits_> struct Blend_side {
+  typedef Traits_ Traits;                       ///< the traits class of the points
+  typedef typename Traits::FT FT;               ///< the field
+  typedef std::vector<Coordinates<Traits>> Row; ///< Bernstein coefficients, at most 6 or 8
+
+  Row curve; ///< the side curve on [0, 1]
+  /// the derivative across it, out of the blend, up to a positive factor that is linear along the
+  /// side; or none
+  Row cross;
+
+  /// Takes coefficients.
+  explicit Blend_side(Row given_curve, Row given_cross = {})
+      : curve(std::move(given_curve)), cross(std::move(given_cross)) {}
+
+  /// Takes a curve, on whatever domain.
+  template <int Degree> Blend_side(const Bezier_curve<Traits, Degree>& c) {
+    for (int i = 0; i <= c.degree(); ++i) curve.push_back(coordinates<Traits>(c.control_point(i)));
+  }
+
+  /// Takes an edge of a neighbour of the blend, and the derivative across it: with them, the blend
+  /// is \f$ G^1 \f$ with the neighbour.
+  /// \param direction `same` if the edge runs from the first surface to the second
+  /// \throws Error `knot_multiplicity` when the edge has inner knots
+  template <class Surface, class = std::enable_if_t<std::is_same_v<
+                               Traits, typename internal::Blended_surfaces<Surface, Surface>::Row_traits>>>
+  Blend_side(const Surface& neighbour, Patch_edge edge, Edge_direction direction = Edge_direction::same) {
+    internal::Blend_end<FT, dimension_v<Traits>> end(neighbour, edge, -1, 2);
+    if (static_cast<int>(end.edge.size()) > end.knots.degree() + 1)
+      throw Error(Error_code::knot_multiplicity, "Blend_side: the edge " + to_string(edge) + " has inner knots");
+    end.run_along(end.knots.domain(), direction);
+    curve = std::move(end.edge);
+    cross = std::move(end.cross);
+  }
+
+  /// Takes a side of points as one of homogeneous points, with the weight 1.
+  template <class Of_points, class = std::enable_if_t<std::is_same_v<Traits, Homogeneous_traits<Of_points>>>>
+  Blend_side(const Blend_side<Of_points>& side) {
+    const auto lift = [](const auto& row, Row& to, int weight) {
+      for (const auto& x : row) {
+        to.emplace_back(x.dimension() + 1);
+        for (int i = 0; i < x.dimension(); ++i) to.back()[i] = x[i];
+        to.back()[x.dimension()] = FT(weight);
+      }
+    };
+    lift(side.curve, curve, 1);
+    lift(side.cross, cross, 0);
+  }
+
+  /// Returns the side without a derivative across it.
+  Blend_side curve_only() const { return Blend_side(curve); }
+};
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// The type of the sides of the blend of two surfaces.
+template <class Surface_a, class Surface_b>
+using Side_of_blend = Blend_side<typename internal::Blended_surfaces<Surface_a, Surface_b>::Row_traits>;
+
 namespace internal {
 
-// Returns the shape with these derivatives of the parameter across both edges, for surfaces of
-// which there are samples.
-template <class Kind, class Shape>
-Shape shape_across(const std::array<Across_edge, 2>& across, const Both_samples<Kind>& samples, int order) {
-  Shape shape;
-  set_shape(shape.start, across[0], samples[0].weights);
-  set_shape(shape.end, across[1], samples[1].weights);
-  if constexpr (Kind::is_rational) {
-    keep_weights_positive(shape.start, across[0], samples[0].control_weights, 1, order);
-    keep_weights_positive(shape.end, across[1], samples[1].control_weights, -1, order);
-    shape.end.lambda = typename Kind::FT(short_part(
-        std::sqrt(mean_square_of_weights(samples[0].weights) / mean_square_of_weights(samples[1].weights)), 0));
+// The shape with sides, one after the other. `order` is that of the blend.
+template <class A, class B, int order> class Shape_with_sides {
+  typedef Blended_surfaces<A, B> Kind;
+  typedef typename Kind::FT FT;
+  static constexpr int N = Kind::N, degree = 2 * order + 1;
+  typedef Coordinate_vector<FT, N> Vector;
+  typedef Number_and_slope<FT> Number;
+  typedef typename Side_of_blend<A, B>::Row Row;
+  typedef Side_corner<Kind::is_rational, FT, N, order> Corner;
+  typedef std::conditional_t<order == 2, Blend_surface_shape<A, B>,
+                             Septic_surface_blend_shape<Blend_surface_shape<A, B>>>
+      Shape;
+
+  const std::pair<typename Kind::End, typename Kind::End> ends_;
+  const std::array<std::string, 2> edges_; // their names
+  FT length_;                              // of the domain
+  Shape shape_;
+  // of each edge, at the start and at the end
+  std::array<std::array<std::optional<Corner>, 2>, 2> corners_;
+
+public:
+  Shape_with_sides(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, Edge_direction direction,
+                   const Shape& shape)
+      : ends_(Kind::ends(a, edge_a, b, edge_b, direction, order)), edges_{"the edge " + to_string(edge_a) +
+                                                                              " of the first surface",
+                                                                          "the edge " + to_string(edge_b) +
+                                                                              " of the second surface"},
+        shape_(shape) {
+    const std::pair<FT, FT> domain = ends_.first.knots.domain();
+    length_ = FT(domain.second - domain.first);
   }
-  return shape;
-}
+
+  void take(const Side_of_blend<A, B>& side, bool upper) {
+    const std::string place = std::string("u = ") + (upper ? "1" : "0") + ", ";
+    corners_[0][upper].emplace(ends_.first, upper, place + edges_[0]);
+    corners_[1][upper].emplace(ends_.second, upper, place + edges_[1]);
+    Corner &start = *corners_[0][upper], &end = *corners_[1][upper];
+    Row curve = side.curve, cross = side.cross;
+    if constexpr (Kind::is_rational) take_factor(curve, cross, start, end, upper);
+    elevate(curve, place + "the curve");
+    start.take_curve(derivatives(curve, 0));
+    // equivalent [1 -> 2, 1]: any number but 0 is the other end
+    end.take_curve(derivatives(curve, 1));
+    if (cross.empty()) return;
+    if (!upper)
+      for (Vector& x : cross) x *= FT(-1);
+    const FT at_start = start.ratio(cross.front()), at_end = end.ratio(cross.back());
+    multiply(cross, at_start, at_end);
+    elevate(cross, place + "the derivative across it");
+    start.take_cross(derivatives(cross, 0));
+    end.take_cross(derivatives(cross, 1));
+  }
+
+  Shape shape() {
+    assemble(shape_.start, corners_[0]);
+    assemble(shape_.end, corners_[1]);
+    return shape_;
+  }
+
+private:
+  // The side is multiplied by a number so that it fits the first surface; then the second one is.
+  void take_factor(Row& curve, Row& cross, const Corner& start, Corner& end, bool upper) {
+    const FT factor = dot(start.point(), curve.front()) / dot(curve.front(), curve.front());
+    for (Row* row : {&curve, &cross})
+      for (Vector& x : *row) x *= factor;
+    const FT lambda = dot(curve.back(), end.point()) / dot(end.point(), end.point());
+    end.scale(lambda);
+    end.check_point(curve.back());
+    if (upper && corners_[1][0] && lambda != shape_.end.lambda)
+      end.refuse(Error_code::incompatible_corner,
+                 "the weights of the side curve, after those of the one at u = 0, belong to another factor");
+    shape_.start.lambda = FT(1);
+    shape_.end.lambda = lambda;
+  }
+
+  // By the linear function with the values f and g.
+  static void multiply(Row& row, const FT& f, const FT& g) {
+    if (f == g) {
+      for (Vector& x : row) x *= f;
+      return;
+    }
+    const int n = static_cast<int>(row.size());
+    Row product;
+    for (int i = 0; i <= n; ++i) {
+      product.emplace_back(row[0].dimension());
+      if (i < n) product.back() += FT(FT(n - i) / FT(n) * f) * row[i];
+      if (i > 0) product.back() += FT(FT(i) / FT(n) * g) * row[i - 1];
+    }
+    row = std::move(product);
+  }
+
+  static void elevate(Row& row, const std::string& place) {
+    const int n = static_cast<int>(row.size()) - 1;
+    if (n < 0 || n > degree)
+      throw Error(Error_code::wrong_number_of_points, "blend sides: " + place + ": the degree must be at most " +
+                                                          std::to_string(degree) + ", it is " + std::to_string(n));
+    row.resize(degree + 1, row[0]);
+    for (int i = n; i < degree; ++i) bernstein_elevate<FT>(row, i);
+  }
+
+  // At v = 0 or 1.
+  static std::array<Vector, order + 1> derivatives(Row b, int v) {
+    if (v == 1) std::reverse(b.begin(), b.end());
+    std::array<Vector, order + 1> d;
+    int factor = 1;
+    for (int n = 0; n <= order; ++n) {
+      d[n] = FT(factor) * b[0];
+      for (int i = 0; i < order - n; ++i) b[i] = b[i + 1] - b[i]; // differences
+      factor *= (v == 0 ? 1 : -1) * (degree - n);
+    }
+    return d;
+  }
+
+  template <class Reparametrisation>
+  void assemble(Reparametrisation& r, const std::array<std::optional<Corner>, 2>& corners) const {
+    if (!corners[0] && !corners[1]) return;
+    typedef typename Reparametrisation::Function Function;
+    // those that belong to C', T and C in the derivatives across the edge
+    std::array<std::array<Function*, 3>, order> functions{{{&r.alpha, &r.beta}, {&r.alpha2, &r.delta}}};
+    if constexpr (Kind::is_rational) {
+      functions[0][2] = &r.lambda1;
+      functions[1][2] = &r.lambda2;
+    }
+    if constexpr (order == 3) {
+      functions[2] = {&r.alpha3, &r.delta3};
+      if constexpr (Kind::is_rational) functions[2][2] = &r.lambda3;
+    }
+    typedef std::array<std::array<Edge_end_value<FT>, 3>, order> Values;
+    const auto values = [&](int upper) {
+      Values v;
+      const std::optional<Corner>& c = corners[upper];
+      for (int n = 0; n < order; ++n)
+        for (std::size_t i = 0; i < 3; ++i) {
+          if (!functions[n][i]) continue;
+          if (!c) {
+            v[n][i].value = (*functions[n][i])(FT(upper));
+            continue;
+          }
+          // without what lambda_1 and lambda_2 contribute: S = (1 + lambda_1 v + ...) P
+          Number x = c->free(n + 1, i);
+          if (i < 2 && n == 1) x = x - 2 * c->free(1, 2) * c->free(1, i);
+          if (i < 2 && n == 2) {
+            const Number second = c->free(2, i) - 2 * c->free(1, 2) * c->free(1, i);
+            x = x - 3 * (c->free(1, 2) * second + c->free(2, 2) * c->free(1, i));
+          }
+          v[n][i].value = x.value;
+          if (c->has_slopes) v[n][i].slope = FT(x.slope * length_);
+        }
+      if (!c && !(FT(0) < v[0][1].value))
+        throw Error(Error_code::nonpositive_beta,
+                    "blend sides: u = " + std::to_string(upper) + ", where no side is given: the shape");
+      return v;
+    };
+    const Values start = values(0), end = values(1);
+    for (int n = 0; n < order; ++n)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (functions[n][i])
+          *functions[n][i] = interpolating_function(start[n][i], end[n][i], functions[n][i] == &r.beta);
+  }
+};
 
 } // namespace internal
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the shape of a blend of degree 5 whose side edges at `u = 0` and `u = 1`, where the
+/// edges of both surfaces start and end, are given curves, and whose derivatives across them are,
+/// if they are given. The blend `blend(a, edge_a, b, edge_b, shape, direction)` has them exactly,
+/// with an exact kernel, and is \f$ G^2 \f$ with both surfaces as any other.
+///
+/// The functions of the shape are the polynomials of least degree along the edges that have the
+/// values and slopes which follow at the corners: linear for curves, cubic with derivatives across
+/// them. Where a cubic \f$ \beta \f$ is not positive, it is a cubic spline that is; then the
+/// surfaces must be B-spline surfaces. A side that is not given has the values of `shape` there.
+///
+/// Blends of consecutive edges meet, if the next one is given
+/// `Blend_side(previous, Patch_edge::u1).curve_only()` at `u = 0`: where two surfaces join with
+/// \f$ G^2 \f$, a side curve that fits the one at a corner fits the other. With the derivative they
+/// join with \f$ G^1 \f$, if the surfaces go on to the third order, as parts of one surface do.
+/// \param shape what is not given follows from it, e.g. that of `automatic_surface_shape()`
+/// \param at_start, at_end the sides at `u = 0` and `u = 1` of the blend
+/// \throws Error `curves_do_not_meet` where a side curve does not end at the corner of a surface;
+///   `incompatible_corner` where what is given contradicts a surface at a corner: the error names
+///   the side, the surface and the derivative, \f$ S_v, S_{vv}, S_u, S_{uv} \f$ or \f$ S_{uvv} \f$,
+///   and for rational blends the weights. With floating-point numbers all this is decided up to
+///   rounding
+/// \throws Error `nonpositive_beta` where a side curve leads to the wrong side of an edge, or
+///   `shape` does where no side is given; `not_finite` where floating-point numbers overflow,
+///   `singular_frame` where the normal of a surface vanishes at a corner, `wrong_number_of_points`
+///   for a degree of more than 5, `dimension_mismatch`
+template <class Surface_a, class Surface_b>
+Blend_surface_shape<Surface_a, Surface_b>
+surface_shape_with_sides(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                         Edge_direction direction, const Blend_surface_shape<Surface_a, Surface_b>& shape,
+                         const std::optional<Side_of_blend<Surface_a, Surface_b>>& at_start,
+                         const std::optional<Side_of_blend<Surface_a, Surface_b>>& at_end) {
+  internal::Shape_with_sides<Surface_a, Surface_b, 2> r(a, edge_a, b, edge_b, direction, shape);
+  if (at_start) r.take(*at_start, false);
+  if (at_end) r.take(*at_end, true);
+  return r.shape();
+}
+
+/// \ingroup PkgGeometricContinuityConstruction
+/// Returns the shape of a blend of degree 7 with given sides, as for degree 5: it is \f$ G^3 \f$
+/// with both surfaces. A side curve has up to 8 coefficients, and the third derivative of a surface
+/// where it ends; with a derivative across it, also \f$ S_{uvvv} \f$ is determined at the corners,
+/// and the error `incompatible_corner` names \f$ S_{vvv} \f$ or \f$ S_{uvvv} \f$ where it
+/// contradicts.
+/// \throws Error as for degree 5; `wrong_number_of_points` for a degree of more than 7
+template <class Surface_a, class Surface_b>
+Septic_surface_blend_shape<Blend_surface_shape<Surface_a, Surface_b>>
+surface_shape_with_sides(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
+                         Edge_direction direction,
+                         const Septic_surface_blend_shape<Blend_surface_shape<Surface_a, Surface_b>>& shape,
+                         const std::optional<Side_of_blend<Surface_a, Surface_b>>& at_start,
+                         const std::optional<Side_of_blend<Surface_a, Surface_b>>& at_end) {
+  internal::Shape_with_sides<Surface_a, Surface_b, 3> r(a, edge_a, b, edge_b, direction, shape);
+  if (at_start) r.take(*at_start, false);
+  if (at_end) r.take(*at_end, true);
+  return r.shape();
+}
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -6,7 +6,7 @@
 
 #include "support/test.h"
 
-#include <CGAL/Geometric_continuity/surface_blends/blend_sides.h>
+#include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 
 BOOST_AUTO_TEST_SUITE(interpolating_function)
 

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_GRID_JOIN_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_INTERNAL_GRID_JOIN_H
 
-#include <CGAL/Geometric_continuity/curves/Bezier_polygon.h>
+#include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_all_questions.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>

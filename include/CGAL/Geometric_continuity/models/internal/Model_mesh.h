@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/models/internal/Edge_groups.h>
 #include <CGAL/Geometric_continuity/models/internal/Patch_triangulation.h>
 #include <CGAL/Geometric_continuity/numbers/internal/short_numbers.h>
+#include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 
 #include <algorithm>
 #include <array>
@@ -171,7 +172,8 @@ public:
   std::size_t triangles() const { return static_cast<std::size_t>(triangles_); }
 };
 
-template <class Patch> class Model_mesh {
+// Makes `Mesh`, a Tessellation, of the patches.
+template <class Patch, class Mesh> class Model_mesh {
   typedef typename Patch::Traits Traits;
   typedef typename Traits::FT FT;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -193,7 +195,7 @@ template <class Patch> class Model_mesh {
   std::vector<std::size_t> corners_; // their points, by the numbers of the topology
   std::vector<Edge> edges_;          // of the model
   std::vector<std::array<Side, 4>> sides_;
-  Tessellation<Traits> mesh_;
+  Mesh mesh_;
   std::vector<std::size_t> ends_; // of the triangles of each patch
 
 public:
@@ -206,15 +208,14 @@ public:
   // each direction: four cells make the triangles of patches a manifold that close up, or meet more
   // than once. Where two patches have an edge, one of their numbers along it must divide the other.
   // After each patch `report(n)` is called with the number of triangles so far.
-  template <class Cells_of, class Report>
-  Tessellation<Traits> operator()(Cells_of cells_of, std::size_t max_triangles, Report report) {
+  template <class Cells_of, class Report> Mesh operator()(Cells_of cells_of, std::size_t max_triangles, Report report) {
     for (std::size_t i = 0; i < patches_.size(); ++i) cells_.push_back(cells_of(i, topology_.simple(i) ? 1 : 4));
     reserve(max_triangles);
     for (const Edge_uses& uses : topology_.edges()) add_edge(uses);
-    typename Patch_triangulation<Patch>::Edges points;
+    typename Patch_triangulation<Patch, Mesh>::Edges points;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
       for (Patch_edge edge : patch_edges) points_of(i, edge, points[static_cast<std::size_t>(edge)]);
-      Patch_triangulation<Patch>(*patches_[i], numbers_[i], cells_[i], points, mesh_);
+      Patch_triangulation<Patch, Mesh>(*patches_[i], numbers_[i], cells_[i], points, mesh_);
       ends_.push_back(mesh_.triangles.size());
       report(mesh_.triangles.size());
     }

@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_PATCH_TRIANGULATION_H
 
 #include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Geometric_continuity/models/Tessellation.h>
 #include <CGAL/Geometric_continuity/models/internal/Point_sums.h>
 #include <CGAL/Geometric_continuity/numbers/internal/Rational_parts.h>
+#include <CGAL/Geometric_continuity/surfaces/evaluate_grid.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>
 
@@ -103,11 +103,10 @@ template <class FT> std::vector<FT> ends_of_parts(const std::pair<FT, FT>& inter
 
 // Cuts the patch into cells, and each cell into triangles. Points on the edges are there before;
 // their number on an edge is a multiple of the number of cells, so that every triangle lies in a
-// cell of its patch.
-template <class Patch> class Patch_triangulation {
+// cell of its patch. They are added to `Mesh`, a Tessellation.
+template <class Patch, class Mesh> class Patch_triangulation {
   typedef typename Patch::Traits Traits;
   typedef typename Traits::FT FT;
-  typedef Tessellation<Traits> Mesh;
 
 public:
   // The points along the edges u0, u1, v0, v1 in the direction of the parameter, with both ends; of

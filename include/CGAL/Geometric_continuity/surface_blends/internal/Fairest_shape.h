@@ -20,6 +20,7 @@
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
 #include <CGAL/Geometric_continuity/surface_blends/Surface_blend_shape.h>
 #include <CGAL/Geometric_continuity/surface_blends/internal/Blend_end.h>
+#include <CGAL/Geometric_continuity/surface_blends/internal/automatic_shape.h>
 #include <CGAL/Geometric_continuity/surfaces/possible_fold.h>
 #include <CGAL/number_utils.h>
 
