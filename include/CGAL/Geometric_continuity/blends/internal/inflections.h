@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -33,25 +34,41 @@ struct Inflections {
   int number, first, last;
 };
 
-// Returns them by the signs of d1 x d2: of its coefficients where these are as few as are wanted,
-// or else of itself, between its roots.
+// Counts the changes between the signs of the coefficients: inside the interval there are so many
+// roots, or fewer by an even number.
+template <class FT> Inflections sign_changes(const Bernstein_polynomial<FT>& bend) {
+  Inflections changes{0, 0, 0};
+  for (int i = 0; i <= bend.degree(); ++i) {
+    const int sign = 0 < bend[i] ? 1 : bend[i] < 0 ? -1 : 0;
+    if (sign == 0) continue;
+    if (changes.last == -sign) ++changes.number;
+    if (changes.first == 0) changes.first = sign;
+    changes.last = sign;
+  }
+  return changes;
+}
+
+// Returns the number of roots inside the interval if there are at most `wanted` by the signs, or
+// one in each part of the halved interval; nothing where a coefficient is no larger than its error.
+inline std::optional<int> roots_within(const Bernstein_polynomial<double>& bend, double error, int wanted,
+                                       int halvings) {
+  for (int i = 0; i <= bend.degree(); ++i)
+    if (!(std::abs(bend[i]) > error)) return std::nullopt;
+  const int most = sign_changes(bend).number;
+  if (most <= (std::max)(wanted, 1)) return most;
+  if (halvings == 0) return std::nullopt;
+  const auto [left, right] = bend.split(0.5);
+  const std::optional<int> a = roots_within(left, error, 0, halvings - 1);
+  if (!a) return std::nullopt;
+  const std::optional<int> b = roots_within(right, error, 0, halvings - 1);
+  return b ? std::optional<int>(*a + *b) : std::nullopt;
+}
+
+// Returns the inflections of a piece, by the roots of d1 x d2: first in floating-point numbers,
+// then exactly.
 template <class Traits, int Degree> Inflections inflections_of(const Bezier_curve<Traits, Degree>& piece, int wanted) {
   typedef typename Traits::FT FT;
   typedef std::conditional_t<std::is_floating_point_v<FT>, typename Exact_field<FT>::type, FT> Exact;
-  std::array<std::array<Exact, 5>, 2> first;
-  for (int k = 0; k < 2; ++k)
-    for (int i = 0; i < 5; ++i) first[k][i] = Exact(piece.coordinates(i + 1)[k]) - Exact(piece.coordinates(i)[k]);
-  const auto changes_of = [](const auto& bend) {
-    Inflections changes{0, 0, 0};
-    for (int i = 0; i <= bend.degree(); ++i) {
-      const int sign = 0 < bend[i] ? 1 : bend[i] < 0 ? -1 : 0;
-      if (sign == 0) continue;
-      if (changes.last == -sign) ++changes.number;
-      if (changes.first == 0) changes.first = sign;
-      changes.last = sign;
-    }
-    return changes;
-  };
   const auto bend_of = [](const auto& x, const auto& y) { // x y' - y x'
     typedef std::decay_t<decltype(x[0])> NT;
     const auto slope = [](const auto& z) {
@@ -62,28 +79,36 @@ template <class Traits, int Degree> Inflections inflections_of(const Bezier_curv
     const Bernstein_polynomial<NT> p(x.begin(), x.end()), q(y.begin(), y.end());
     return Bernstein_polynomial<NT>(p * slope(y) - q * slope(x));
   };
-  // in floating-point numbers, where no coefficient is near 0
-  std::array<std::array<double, 5>, 2> rounded;
+  std::array<std::array<double, Degree>, 2> rounded;
   double largest = 0;
   for (int k = 0; k < 2; ++k)
-    for (int i = 0; i < 5; ++i) {
-      rounded[k][i] = rounded_number(first[k][i]);
+    for (int i = 0; i < Degree; ++i) {
+      rounded[k][i] = rounded_number(FT(piece.coordinates(i + 1)[k] - piece.coordinates(i)[k]));
       largest = (std::max)(largest, std::abs(rounded[k][i]));
     }
+  for (std::array<double, Degree>& row : rounded)
+    for (double& x : row) x /= largest;
   const Bernstein_polynomial<double> near = bend_of(rounded[0], rounded[1]);
-  bool is_sure = true;
-  for (int i = 0; i <= near.degree(); ++i) is_sure = is_sure && std::abs(near[i]) > 1e-13 * largest * largest;
-  if (is_sure)
-    if (const Inflections changes = changes_of(near); changes.number <= wanted) return changes;
+  // The coefficients are at most 4, and have fewer than 100 errors of rounding, also after
+  // halvings.
+  constexpr int halvings = 8;
+  if (const std::optional<int> number = roots_within(near, 1e-13, wanted, halvings)) {
+    Inflections inflections = sign_changes(near);
+    inflections.number = *number;
+    return inflections;
+  }
+  std::array<std::array<Exact, Degree>, 2> first;
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < Degree; ++i) first[k][i] = Exact(piece.coordinates(i + 1)[k]) - Exact(piece.coordinates(i)[k]);
   const Bernstein_polynomial<Exact> bend = bend_of(first[0], first[1]);
-  Inflections changes = changes_of(bend);
-  if (changes.number <= wanted) return changes;
-  changes.number = 0;
+  Inflections inflections = sign_changes(bend);
+  if (inflections.number <= wanted) return inflections;
+  inflections.number = 0;
   for (const auto& root : isolate_roots(bend)) {
     const bool at_an_end = root.begin == root.end && (root.begin == 0 || root.end == 1);
-    if (!at_an_end && root.multiplicity % 2 == 1) ++changes.number;
+    if (!at_an_end && root.multiplicity % 2 == 1) ++inflections.number;
   }
-  return changes;
+  return inflections;
 }
 
 // The numbers of the pieces with more inflections than the polygon asks for. The inflection of a
