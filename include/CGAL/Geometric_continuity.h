@@ -171,7 +171,10 @@ namespace internal {
 template <int order> struct Has_order {
   template <class A, class B> bool operator()(const A& a, const B& b) const {
     static_assert(!std::is_arithmetic_v<B>, "knot_continuity(spline, u).g_order is the order at one parameter");
-    if constexpr (std::is_arithmetic_v<B>) // so that there is one error
+    constexpr bool are_iterators = std::is_same_v<A, B> && !Has_traits<A>::value;
+    static_assert(!are_iterators,
+                  "failing_joins(curves, is_g2_join).empty() decides a chain, which is given as a range");
+    if constexpr (std::is_arithmetic_v<B> || are_iterators) // so that there is one error
       return false;
     else if constexpr (is_surface<A>)
       return edge_continuity(a, b).g_order >= order;
@@ -210,13 +213,13 @@ template <int order> struct Has_order {
 
 // Predicates, in the spelling of the orders
 [[deprecated("call is_g1_join(a, b) for curves, is_g1_edge(a, b) for surfaces, knot_continuities(c) for a "
-             "spline")]] inline constexpr internal::Has_order<1>
+             "spline, failing_joins(curves, is_g1_join) for a chain")]] inline constexpr internal::Has_order<1>
     is_G1{}, is_g1{};
 [[deprecated("call is_g2_join(a, b) for curves, is_g2_edge(a, b) for surfaces, knot_continuities(c) for a "
-             "spline")]] inline constexpr internal::Has_order<2>
+             "spline, failing_joins(curves, is_g2_join) for a chain")]] inline constexpr internal::Has_order<2>
     is_G2{}, is_g2{};
 [[deprecated("call is_g3_join(a, b) for curves, is_g3_edge(a, b) for surfaces, knot_continuities(c) for a "
-             "spline")]] inline constexpr internal::Has_order<3>
+             "spline, failing_joins(curves, is_g3_join) for a chain")]] inline constexpr internal::Has_order<3>
     is_G3{}, is_g3{};
 [[deprecated("call is_c_join<1>(a, b)")]] inline constexpr internal::Parametric_join_predicate<1> is_C1{}, is_c1{};
 [[deprecated("call is_c_join<2>(a, b)")]] inline constexpr internal::Parametric_join_predicate<2> is_C2{}, is_c2{};
@@ -366,9 +369,19 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE
 
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(blend_curves, "blend(a, b) joins two curves with G2; blend(a, b, Fair_g3()) G3")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(G2_blend, "blend(a, b) joins two curves with G2; blend(a, b, Fair_g3()) G3")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(make_blend, "blend(a, b) joins two curves with G2; blend(a, b, Fair_g3()) G3")
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND                                                                            \
+  "blend(a, b) joins two curves with G2, in degree 5; blend(a, b, Fair_g3()) with G3, in degree 7"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(blend_curves, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(make_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(G2_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(g2_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(quintic_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(septic_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(hermite_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(quintic_hermite, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(bridge, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(connect_curves, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
     blend_surfaces, "blend(a, Patch_edge::v1, b, Patch_edge::v0) joins two surfaces by a surface that is G2 along both "
                     "edges")
@@ -381,29 +394,66 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fillet, "round_corners(points_or_curves, d
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_curve, "fit(points, tolerance) fits a smooth curve to a polyline")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_polyline, "fit(points, tolerance) fits a smooth curve to a polyline")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate, "fit(points, tolerance) fits a smooth curve to a polyline")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_points, "interpolate(points) leads a C2 spline through points, "
-                                                          "interpolate_fair(points) a fair curve")
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS                                                                           \
+  "interpolate_fair(points) leads a fair curve through points, interpolate(points) a C2 spline"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_points, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_interpolation, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_interpolate, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE                                                                            \
+  "kink_size(a, b)->angle encloses the angle of a kink in the plane, in radians; deviation(a, b).tangent_angle in "    \
+  "any "                                                                                                               \
+  "dimension; in_degrees() converts them"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(kink_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(kink_angle_in_degrees, CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(join_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(clothoid_blend,
+                                      "clothoid_blend({{x, y}, Heading(angle)}, {{x, y}, Heading(angle)}) takes two "
+                                      "ends, whose curvature is a third member, 0 if it is left out")
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE                                                                        \
   "curvature_extrema(c) encloses the extreme curvatures of a curve; curvature_excess(c, bound) finds where it "        \
-  "exceeds "                                                                                                           \
-  "a bound; curvature(c, u) is the curvature at one parameter"
+  "exceeds a bound; curvature(c, u) is the curvature at one parameter"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(maximum_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(minimum_radius, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(squared_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_g2,
-                                      "read_g2_curves<Traits>(in) returns Bezier curves, read_g2_bsplines<Traits>(in) "
-                                      "for B-spline curves, read_g2_surfaces<Traits>(in) for patches")
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_READ                                                                             \
+  "read_g2_curves<Traits>(in) of CGAL::Geometric_continuity returns Bezier curves, read_g2_bsplines<Traits>(in) "      \
+  "B-spline curves, read_g2_surfaces<Traits>(in) patches; in is an open std::ifstream"
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE                                                                            \
+  "write_g2(os, curve) of CGAL::Geometric_continuity takes an open std::ofstream"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_g2, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_G2, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(write_G2, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(save_g2, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE)
+template <class Object> auto write_g2(const std::string&, const Object&) {
+  static_assert(internal::never<Object>, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE);
+  return internal::No_result();
+}
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
     write_svg, "pictures are beside the package: include <Geometric_continuity_figures/Svg_figure.h>; write_g2(os, "
                "curve) of <CGAL/Geometric_continuity/IO/g2.h> writes what the program plots")
-
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_READ
 #undef CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION
+
+} // namespace Geometric_continuity
+
+// Other packages have functions for files here.
+namespace IO {
+using Geometric_continuity::read_g2;
+using Geometric_continuity::read_G2;
+using Geometric_continuity::write_g2;
+using Geometric_continuity::write_G2;
+} // namespace IO
 
 /// \endcond
 
-} // namespace Geometric_continuity
 } // namespace CGAL
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_H

@@ -26,6 +26,10 @@ _REPAIR = "call `geometric_continuity repair` for files; representable_blend(lef
 _SURFACE = ("an array of shape (p + 1, q + 1, 3) is a Bezier surface: edge_continuity(a, b) decides two of them, match(a, b) changes b so that it "
             "continues a")
 _SAMPLE = "call evaluate(curve, parameters), e.g. at numpy.linspace(0, 1, 200)"
+_FAIR = "call interpolate_fair(points)"
+_BEND = "curvature_excess(curve, bound) tells where a curve is bent most, if it exceeds a bound; curvature(curve, parameters) samples it"
+_SOLID = "`geometric_continuity round-edges solid.off --set-back R -o rounded.g2` rounds the edges of a solid; program() is its path"
+_SPEED = "Bezier_curve(points, domain=(a, b)) changes the speed of a curve; continuity(left, right).betas tells by how much"
 _ARC = "an arc is a curve with weights, a quarter of a circle Bezier_curve([(1, 0), (1, 1), (0, 1)], [1, 1, 2])"
 
 # Verbs, which count more than what follows them in a name.
@@ -68,20 +72,26 @@ _GUESSED = {
     "join": "continuity(left, right) decides the join of two curves, chain_joins(curves) all joins of a spline or a list",
     "order": "call continuity(left, right).g_order, or order_within(left, right, tolerance)",
     "kink": "failing_joins(curves, \"G1\") tells where a spline or a list of curves has kinks, kink_size(left, right) how large one is",
-    "angle": "call deviation(left, right).tangent_angle", "gap": "call deviation(left, right).gap",
+    "angle": "call deviation(left, right).tangent_angle, in radians", "gap": "call deviation(left, right).gap",
     "curvature_jump": "call deviation(left, right).curvature_jump",
     "tolerance": "decisions are exact; order_within(left, right, tolerance) and failing_joins(curves, \"G1\", tolerance=1e-6) have tolerances",
     "split": "call pieces(curve, low, high)", "subdivide": "call pieces(curve, low, high)", "decompose": "call pieces(curve)",
+    "elevate": "the module has no elevation of the degree: give the control points of the higher degree",
     "reverse": "points[::-1] is the curve run through backwards, and Bezier_curve(...).reverse()",
     "degree": "a Bezier curve has the degree len(points) - 1", "knot": "call chain_joins(spline), which decides the joins at its .knots",
     "knotvector": "call Spline(degree, points, knots) with all knots", "normal": "call curvature_vector(curve, parameters)",
     "sample": _SAMPLE, "linspace": _SAMPLE, "splev": _SAMPLE, "splprep": "call interpolate(points), or give the tuple (t, c, k) of splprep",
-    "fair_spline": "call interpolate_fair(points)", "fair_curve": "call interpolate_fair(points) through points, fair(left, right) between curves",
+    "fair_spline": _FAIR, "fair_interpolation": _FAIR, "fair_interpolate": _FAIR,
+    "fair_curve": "call interpolate_fair(points) through points, fair(left, right) between curves",
     "approximate": "call fit(points, tolerance)", "simplify": "call fit(points, tolerance)", "square": "call fit(points, tolerance)",
     "hermite": "call interpolate(points), or give a CubicHermiteSpline of SciPy", "catmull": "call interpolate(points)",
+    **dict.fromkeys(("curvature_extrema", "curvature_extremum", "max_curvature", "maximum_curvature", "min_curvature", "min_radius", "extrema"),
+                    _BEND),
+    "round_edge": _SOLID, "round_mesh": _SOLID, "fillet_edge": _SOLID, "mesh": _SOLID, "solid": _SOLID, "polyhedron": _SOLID,
+    "reparametrize": _SPEED, "reparametrise": _SPEED, "reparametrization": _SPEED, "domain": _SPEED,
     "spiral": "call clothoid_blend(start, end)", "circle": _ARC, "arc": _ARC, "ellipse": _ARC, "version": "it is geometric_continuity.__version__",
     "extend": "call `geometric_continuity extend` for files", "adapter": "import geometric_continuity.adapters.fonttools, and the like",
-    **dict.fromkeys(("length", "offset", "intersect", "intersection", "bound", "bounding", "area", "elevate", "insert", "operation", "transform"),
+    **dict.fromkeys(("length", "offset", "intersect", "intersection", "bound", "bounding", "area", "insert", "operation", "transform"),
                     _ELSEWHERE),
 }
 
@@ -171,7 +181,8 @@ def _guess(name: str, names: Iterable[str] = ()) -> Optional[str]:
     stems = {*words, *(re.sub("(s|ness|ly|ed)$", "", word) for word in words), "".join(words)}
     order = next((word for word in words if re.fullmatch("[cgf][0-9]", word)), None)
     if order and (words[0] == "is" or len(words) == 1 or {"continuous", "continuity"} & stems):
-        return f"call continuity(left, right).{order[0]}_order >= {order[1]}"
+        return (f'call failing_joins(curves, "{order.upper()}"), which is empty if no join fails' if "chain" in stems else
+                f"call continuity(left, right).{order[0]}_order >= {order[1]}, or order_within(left, right, tolerance) with a tolerance")
     if stems & {"surface", "patch", "face"}:
         return _SURFACE
     if words[0] in _VERBS:

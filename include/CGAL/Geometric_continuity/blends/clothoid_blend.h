@@ -271,7 +271,7 @@ inline Clothoid_blend clothoid_blend(const Alignment_end& start, const Alignment
   using internal::middle;
   typedef internal::Rational Rational;
   if (!start.curvature || !end.curvature)
-    throw Error(Error_code::jet_order_too_low, "clothoid_blend: a curvature is not defined");
+    throw Error(Error_code::jet_order_too_low, "clothoid_blend: a curvature is not defined; leave it out for 0");
   const std::array<Enclosure, 2> p = start.point.enclosure(), q = end.point.enclosure();
   const double dx = middle(q[0]) - middle(p[0]), dy = middle(q[1]) - middle(p[1]), chord = std::hypot(dx, dy),
                size = std::fabs(middle(p[0])) + std::fabs(middle(p[1]));
