@@ -105,3 +105,9 @@ two_knots=$'7 4\n0 0 0 0 1 2 2 3 3 3 3\n0 0 0\n1 2 0\n2 3 1\n4 1 1\n5 0 3\n7 2 2
 undecided_path='<path d="M0 0A5 4 1e-350 0 1 10 0v9"/>'
 # A flat surface.
 flat_points=$'0 0 1 1\n0 0 0\n1 0 0\n2 0 0\n3 0 0\n4 0 0\n0 1 0\n1 1 0\n2 1 0\n3 1 0\n4 1 0'
+# laughs ROOT: XML whose text grows to 10^11 letters
+laughs() {
+  printf '<!DOCTYPE %s [<!ENTITY a0 "aaaaaaaaaa">' "$1"
+  for i in {1..10}; do printf "<!ENTITY a$i \"%s\">" "$(printf "&a$((i - 1));%.0s" {1..10})"; done
+  printf ']><%s>&a10;</%s>' "$1" "$1"
+}

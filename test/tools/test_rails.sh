@@ -135,21 +135,49 @@ ifc design.ifc "$start #50=IFCALIGNMENTHORIZONTAL('',\$,\$,\$,\$,\$,\$); $(neste
 #63=IFCALIGNMENTHORIZONTALSEGMENT(\$,\$,#73,0.,0.,400.,100.,\$,.CLOTHOID.); #73=IFCCARTESIANPOINT((100.,0.));
 #64=IFCALIGNMENTHORIZONTALSEGMENT(\$,\$,#74,0.125,400.,400.,50.,\$,.CIRCULARARC.); #74=IFCCARTESIANPOINT((199.843862987,4.162018));
 #80=IFCALIGNMENTVERTICAL('',\$,\$,\$,\$,\$,\$);
-$(nested 81 80 '#82,#83,#84,#85,#86') $(design 82 92) $(design 83 93) $(design 84 94) $(design 85 95) $(design 86 96)
+$(nested 81 80 '#82,#83,#84,#85,#86,#87') $(design 82 92) $(design 83 93) $(design 84 94) $(design 85 95) $(design 86 96) $(design 87 97)
 #92=IFCALIGNMENTVERTICALSEGMENT(\$,\$,0.,100.,10.,0.01,0.01,\$,.CONSTANTGRADIENT.);
 #93=IFCALIGNMENTVERTICALSEGMENT(\$,\$,100.,50.,11.,0.01,-0.01,\$,.PARABOLICARC.);
 #94=IFCALIGNMENTVERTICALSEGMENT(\$,\$,150.,50.,11.,-0.01,0.,5000.249993750,.CIRCULARARC.);
 #95=IFCALIGNMENTVERTICALSEGMENT(\$,\$,200.,50.,10.75000625,0.,-0.01,5000.249993750,.CIRCULARARC.);
-#96=IFCALIGNMENTVERTICALSEGMENT(\$,\$,250.,50.,10.5000125,-0.01,0.,\$,.CLOTHOID.);"
+#96=IFCALIGNMENTVERTICALSEGMENT(\$,\$,250.,50.,10.5000125,-0.01,0.,\$,.CLOTHOID.);
+#97=IFCALIGNMENTVERTICALSEGMENT(\$,\$,300.,50.,10.,0.,0.01,\$,.PARABOLICARC.);"
 run 1 verify --gap 0.00001 design.ifc && says out "design horizontal, gap 0, kink 0 rad, curvature jump 0" "design vertical, gap 0, kink 0 rad, curvature jump 0.0003999" \
   "#93 - #94 (line 16): design vertical, gap 0, kink 0 rad, curvature jump 0.0005999" "#94 - #95 (line 17): design vertical, gap 3.125e-10" \
-  "curvature jump 0.0004" "not covered: a vertical segment of the type CLOTHOID, of which IFC does not say at which end it is straight"
+  "curvature jump 0.0004" "#96 - #97 (line 19): design vertical, not covered: a vertical clothoid between two curves, so that nothing tells at which end it is straight"
 sed 's/5000.249993750,.CIRC/5000.35,.CIRC/' design.ifc >arc.ifc && run 1 verify --allow-uncovered --gap 0.0001 arc.ifc && says out "#94 - #95 (line 17): design vertical, gap 0.001" "not one position"
 sed 's/5000.249993750,.CIRC/\$,.CIRC/' design.ifc >arc.ifc && run 1 verify arc.ifc && says out "#93 - #94 (line 16): design vertical, gap at most 1" "#94 - #95 (line 17): design vertical, gap 3.125e-10, kink 0 rad, curvature jump 0.0004"
 sed '/#94=/s/-0.01,0.,5000.249993750/0.03,-0.05,$/; /#95=/s/10.75000625/10.5007986424354257242014/' design.ifc >arc.ifc && run 1 verify --gap 1.E-20 arc.ifc && says out "#94 - #95 (line 17): design vertical, gap 4.023e-24"
 sed -i '/#95=/s/10.5007/10.5008/' arc.ifc && run 1 verify arc.ifc && says out "gap 0.0001, kink 0.04996 rad, curvature jump 0.001398 - not one position"
 run 1 verify --allow-uncovered --require G2 --gap 0.00001 design.ifc && says out "not one curvature"
 run 0 verify --allow-uncovered --gap 0.00001 design.ifc
+# vertical clothoids from a gradient into an arc, by the distance, and back, by the radius, against
+# 40 digits of mpmath; what lies beside them tells which end is straight
+vertical() { echo "#$1=IFCALIGNMENTVERTICALSEGMENT(\$,\$,$2,$3,$4,$5,$6,$7,.$8.);"; }
+clothoids() { # FIRST
+  ifc clothoids.ifc "$start #80=IFCALIGNMENTVERTICAL('',\$,\$,\$,\$,\$,\$); $(nested 81 80 '#82,#83,#84,#85,#86') $(design 82 92) $(design 83 93) $(design 84 94) $(design 85 95) $(design 86 96)
+$(vertical 92 0. 100. 10. 0.01 0.01 \$ "$1")
+$(vertical 93 100. 50. 11. 0.01 -0.01 \$ CLOTHOID)
+$(vertical 94 150. 24.98517705012141249381 11.16666285732780638712 -0.01 -0.03 1250.07083175371183850149 CIRCULARARC)
+$(vertical 95 174.98517705012141249381 49.87362521831144357482 10.66700926170878349440 -0.03 -0.05 1250.07083175371183850149 CLOTHOID)
+$(vertical 96 224.85880226843285606863 100. 8.50599967526591554764 -0.05 -0.05 \$ CONSTANTGRADIENT)"
+}
+clothoids CONSTANTGRADIENT
+run 0 verify --require G2 --gap 1.E-18 --kink 1.E-18 --curvature 1.E-18 clothoids.ifc && says out "curvature jump 0" "every join is what is claimed up to G2, proved"
+sed 's/-0.03,1250.0/-0.03,1250.1/' clothoids.ifc >other.ifc && run 1 verify --require G2 other.ifc && says out "#93 - #94 (line 11): design vertical, gap 4.07e-21, kink 0 rad, curvature jump 6.399e-08" "#94 - #95 (line 12): design vertical, gap 0.001999" "not one position"
+sed '/#93=/s/-0.01,.,/-0.01,1250.070831753711838501,/' clothoids.ifc >radius.ifc && run 0 verify --require G2 --gap 1.E-15 --curvature 1.E-18 radius.ifc
+sed -i 's/1250.070831753711838501,.CL/-1300.,.CL/' radius.ifc && run 1 verify radius.ifc && says out "#93 - #94 (line 11): design vertical, gap 1.997"
+clothoids CIRCULARARC && run 1 verify clothoids.ifc && says out "#92 - #93 (line 10): design vertical, not covered: a vertical arc between equal gradients" "#93 - #94 (line 11): design vertical, not covered: a vertical clothoid between two curves"
+sed 's/,-0.01,-0.03,1250.[0-9]*,.CIRCULARARC./,-0.03,-0.03,$,.CONSTANTGRADIENT./; /#92=/s/CIRCULARARC/CONSTANTGRADIENT/' clothoids.ifc >between.ifc && run 2 verify between.ifc && says out "not covered: a vertical clothoid between two gradients"
+# steep ones, straight at the start and at the end: the rise is that of mpmath
+steep() { # BEFORE AFTER RISE
+  ifc steep.ifc "$start #80=IFCALIGNMENTVERTICAL('',\$,\$,\$,\$,\$,\$); $(nested 81 80 '#82,#83,#84') $(design 82 92) $(design 83 93) $(design 84 94) $(vertical 92 0. 10. 0. 0.5 0.5 \$ "$1")
+$(vertical 93 10. 50. 5. 0.5 -2. \$ CLOTHOID) $(vertical 94 60. 10. "$3" -2. -2. \$ "$2")"
+  run 0 verify --gap 1.E-18 --kink 1.E-18 steep.ifc
+}
+steep CONSTANTGRADIENT PARABOLICARC 2.582015206065649349154 && says out "#93 - #94 (line 10): design vertical, gap 1.964e-22, kink 0 rad, curvature jump 0.05614"
+steep PARABOLICARC CONSTANTGRADIENT -28.854133505638779640210 && says out "curvature jump 0.04654"
+
 # y = x^3 / (6 R L) from either end: what turns into the arc, and back out of it
 ifc cubic.ifc "$start #50=IFCALIGNMENTHORIZONTAL('',\$,\$,\$,\$,\$,\$); $(nested 51 50 '#52,#53,#54') $(design 52 62) $(design 53 63) $(design 54 64)
 #62=IFCALIGNMENTHORIZONTALSEGMENT(\$,\$,#21,0.,0.,400.,100.,\$,.CUBIC.);
@@ -216,6 +244,17 @@ points() { # CENTRE RADIUS
 points "10 5" 5 && run 0 verify points.xml && says out "Line 1 - Curve 2 (line 1): horizontal, gap 0, kink 0 rad" "Curve 2, Start (line 2): radius, radius off by 0" && lacks out "declared end"
 points "10 5" 5.25 && run 1 verify points.xml && says out "Curve 2, End (line 2): radius, radius off by 0.25 - not one radius"
 points "11 5" 5 && run 1 verify points.xml && says out "kink 0.1974 rad" "Start (line 2): radius, radius off by 0.09902"
+# without a radius: the distances from the centre, which are 5, and roots of 10
+sed 's/ radius="5"//' points.xml >centre.xml && run 1 verify centre.xml && says out "radius, radius off by 0.8564 - not one radius"
+points "10 5" 5 && sed 's/ radius="5"//' points.xml >centre.xml && run 0 verify centre.xml && says out "Line 1 - Curve 2 (line 1): horizontal, gap 0, kink 0 rad, curvature jump 0.2" "Curve 2, Start and End (line 2): radius, radius off by 0"
+about() { # CENTRE
+  printf '<!DOCTYPE LandXML [<!ENTITY north "3">]><LandXML><Units><Metric angularUnit="radians"/></Units><Alignment><CoordGeom>
+<Curve rot="ccw" length="2.932364952267465556" delta="0.92729521800161223243"><Start>1 &north;</Start><Center>0 0</Center><End>3 1</End></Curve>
+<Curve rot="ccw"><Start>3 1</Start><Center>%s</Center><End>3 -1</End></Curve></CoordGeom></Alignment></LandXML>' "$1" >about.xml
+}
+about "0 0" && run 0 verify --require G2 --gap 1e-13 --kink 1e-13 --curvature 0 about.xml && says out "Curve 1 - Curve 2 (line 2): horizontal, gap 0, kink 0 rad, curvature jump 0" "declared end, gap " "delta off by " && valid about.xml
+about "0 0.001" && run 1 verify --require G2 about.xml && says out "kink 0.0003 rad, curvature jump " "radius off by 0.0006325"
+laughs LandXML >laughs.xml && refused "limit on input amplification" verify laughs.xml
 # vertical curves, which must not overlap on the gradient between them
 profile() { sed 's,</Alignment>,<Profile><ProfAlign name="P"><PVI>0 10</PVI><ParaCurve length="60">100 12</ParaCurve><UnsymParaCurve lengthIn="'"$1"'" lengthOut="20">200 11</UnsymParaCurve>'"${2:-}"'<PVI>300 10</PVI></ProfAlign></Profile>&,' track.xml; }
 profile 70 >profile.xml && run 0 verify profile.xml && says out "ParaCurve 2 - UnsymParaCurve 3 (line 9): profile, overlap off by 0"
@@ -230,7 +269,7 @@ circle 19.99 "200 10" && run 1 verify profile.xml && says out "arc length off by
 circle 19.996 "129.998 8.59996" && run 0 verify profile.xml && says out "overlap off by 5.998e-07"
 circle 19.996 "129.996 8.59992" && run 1 verify profile.xml && says out "overlap off by 0.002001 - not one overlap"
 sed 's/ radius="500"//' profile.xml >bare.xml && run 1 verify bare.xml && says out "not covered: 2 joins, an arc without a radius"
-sed 's/>143.879/>x143.879/' track.xml >bad.xml && refused "bad.xml:5: no number: 'x143.87912809452'" verify bad.xml
+sed 's/>143.879/>x143.879/' track.xml >bad.xml && refused "bad.xml:5: not a number: 'x143.87912809452'" verify bad.xml
 sed 's/radians/gon/g' track.xml >unit.xml && refused "the unit of angles 'gon'" verify unit.xml
 
 valid plan.ifc && valid design.ifc cosine.ifc backwards.ifc && valid track.xml profile.xml elsewhere.xml wrong.xml

@@ -18,6 +18,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
@@ -133,13 +134,28 @@ class Road_claims {
     claim.fault = "not G" + std::to_string(demand_.order);
   }
 
+  // Decides whether a gap and a kink are at most these bounds, which are the tolerances where the
+  // enclosures that are known leave it open.
+  static std::pair<bool, bool> within(const GC::Road_plan_join& x, const File_digits::Bounds& bounds) {
+    if (!std::isfinite(bounds.gap) || !std::isfinite(bounds.kink)) return {false, false};
+    const auto is_open = [](const GC::Enclosure& e, double bound) { return e.lower <= bound && bound < e.upper; };
+    bool gap = x.join.gap.upper <= bounds.gap, kink = x.join.kink.upper <= bounds.kink;
+    if (!is_open(x.join.gap, bounds.gap) && !is_open(x.join.kink, bounds.kink)) return {gap, kink};
+    const GC::Alignment_end end = GC::alignment_end(x.before, GC::Road_end::end),
+                            start = GC::alignment_end(x.after, GC::Road_end::start);
+    if (is_open(x.join.gap, bounds.gap))
+      gap = GC::point_distance(end.point, start.point, GC::Road_number(bounds.gap)).within == GC::Verdict::proved;
+    if (is_open(x.join.kink, bounds.kink))
+      kink = GC::alignment_join(end, start, {0, GC::Road_number(bounds.kink), 0}).g1 == GC::Verdict::proved;
+    return {gap, kink};
+  }
+
   // Tells if a gap and a kink behind a line, an arc or a spiral may come from the digits of the
   // file.
   void explain(Road_claim& claim, const GC::Road_plan_join& x) const {
     if (GC::is_polynomial(x.before) || digits_.digits() == 0) return;
     const File_digits::Bounds bounds = digits_.bounds(x.before, x.after);
-    const bool gap = std::isfinite(x.join.gap.upper) && x.join.gap.upper <= bounds.gap,
-               kink = x.join.kink.upper <= bounds.kink;
+    const auto [gap, kink] = within(x, bounds);
     claim.json +=
         ",\"explained_by_digits\":{\"gap\":" + road_words::flag(gap) + ",\"kink\":" + road_words::flag(kink) + '}';
     const bool has_gap = x.join.g0 == GC::Verdict::refuted, has_kink = x.join.g1 == GC::Verdict::refuted;

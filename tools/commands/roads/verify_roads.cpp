@@ -27,7 +27,8 @@ namespace {
 
 // How many joins of a kind there are, and the largest defect of each sort.
 struct Kind_summary {
-  std::size_t joins = 0, not_met = 0, undecided = 0, equal = 0;
+  std::size_t joins = 0, not_met = 0, undecided = 0;
+  std::size_t steps = 0, kinks = 0; // of elevations; one join may have both
 };
 
 struct Largest_defect {
@@ -126,7 +127,10 @@ class Road_report {
     for (const GC::Enclosure& step : x.steps) keep_worst(worst_step_, step, claim);
   }
   void count(const GC::Road_profile_join& x, const Road_claim& claim) {
-    if (x.kind == GC::Road_profile_kind::elevation) keep_worst(worst_step_, road_words::absolute(x.jump.value), claim);
+    if (x.kind != GC::Road_profile_kind::elevation) return;
+    kinds_[claim.kind].steps += !x.within[0];
+    kinds_[claim.kind].kinks += !x.within[1];
+    keep_worst(worst_step_, road_words::absolute(x.jump.value), claim);
   }
   void count(const GC::Road_length_check&, const Road_claim&) {}
   void count(const GC::Road_border_join&, const Road_claim&) {}
@@ -185,6 +189,9 @@ class Road_report {
     if (opendrive.root != "OpenDRIVE")
       add_remark({GC::Road_remark::Kind::fault, nullptr, 0, "file", "its root element is not OpenDRIVE",
                   "root element " + opendrive.root});
+    for (const auto& [attribute, value] : opendrive.odd_revision)
+      add_remark({GC::Road_remark::Kind::note, nullptr, opendrive.header_line, "header",
+                  GC::quoted_token(value) + " is not a number; no decision depends on the revision", attribute});
     ++files_;
     roads_ += opendrive.network.roads.size();
     junctions_ += opendrive.network.junctions.size();
@@ -219,16 +226,18 @@ class Road_report {
        << demand_.curvature << "/m\n";
     std::string separator;
     for (const auto& [name, words] :
-         {std::pair("length", "wrong"), std::pair("elevation", "with a step or a kink"),
-          std::pair("superelevation", "with a step"), std::pair("laneOffset", "with a step"),
-          std::pair("width", "with a step"), std::pair("border", "with a step"), std::pair("section lane", "apart"),
-          std::pair("section lane back", "apart"), std::pair("road lane", "apart"),
+         {std::pair("length", "wrong"), std::pair("elevation", ""), std::pair("superelevation", "with a step"),
+          std::pair("laneOffset", "with a step"), std::pair("width", "with a step"), std::pair("border", "with a step"),
+          std::pair("section lane", "apart"), std::pair("section lane back", "apart"), std::pair("road lane", "apart"),
           std::pair("road lane back", "apart"), std::pair("junction lane", "apart"),
           std::pair("lane border", "not smooth enough"), std::pair("bend", "bent too much")}) {
       const Kind_summary& k = kind(name);
       if (k.joins == 0) continue;
       os << separator << k.joins << ' ' << name;
-      if (k.not_met > 0) os << " (" << k.not_met << ' ' << words << ')';
+      if (k.steps + k.kinks > 0)
+        os << " (" << k.steps << " with a step, " << k.kinks << " with a kink)";
+      else if (k.not_met > 0)
+        os << " (" << k.not_met << ' ' << words << ')';
       separator = ", ";
     }
     if (!separator.empty()) os << '\n';
@@ -264,7 +273,9 @@ class Road_report {
     for (const auto& [name, k] : kinds_) {
       undecided += k.undecided;
       if (k.joins == 0) continue;
-      os << separator << json_text(name) << ":{\"joins\":" << k.joins << ",\"not_met\":" << k.not_met << '}';
+      os << separator << json_text(name) << ":{\"joins\":" << k.joins << ",\"not_met\":" << k.not_met;
+      if (name == "elevation") os << ",\"steps\":" << k.steps << ",\"kinks\":" << k.kinks;
+      os << '}';
       separator = ",";
     }
     os << "},\"undecided\":" << undecided << ",\"notes\":" << notes_ << ",\"faults\":" << faults_

@@ -4,6 +4,8 @@
 
 #include "formats/ifc/Step_file.h"
 
+#include "formats/number_fault.h"
+
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/IO/text.h>
@@ -261,8 +263,8 @@ CGAL::Exact_rational Step_file::number(const Step_value& value, const Entity& of
   if (value.kind != Step_value::Kind::number) refuse(of, "a number is missing");
   try {
     return GC::parse_number<CGAL::Exact_rational>(value.text);
-  } catch (const GC::Error&) {
-    refuse(of, "no number: " + GC::quoted_token(value.text));
+  } catch (const GC::Error& e) {
+    refuse(of, number_fault(e) + ": " + GC::quoted_token(value.text));
   }
 }
 

@@ -7,6 +7,7 @@
 #include "files/input.h"
 #include "files/output.h"
 #include "formats/ifc/Step_file.h"
+#include "formats/ifc/Vertical_clothoid.h"
 
 #include <CGAL/Geometric_continuity/curves/Clothoid_segment.h>
 
@@ -472,8 +473,51 @@ class Ifc_reader {
     s.rounded = s.rounded_points = true;
   }
 
-  // A segment of the horizontal layer.
-  void read_design(Segment& s, const Entity& e, const std::string& layer) const {
+  // A segment beside a vertical clothoid is nothing, straight or curved.
+  enum class Neighbour { none, gradient, curve };
+
+  Neighbour neighbour(const Entity* e) const {
+    if (e == nullptr || e->type != "IFCALIGNMENTVERTICALSEGMENT") return Neighbour::none;
+    const std::vector<Step_value> a = file_.arguments(*e, 9);
+    if (optional_number(a[3], *e).value_or(Q(0)) == 0) return Neighbour::none;
+    const std::string_view type = a[8].text;
+    if (type == "CONSTANTGRADIENT") return Neighbour::gradient;
+    return type == "PARABOLICARC" || type == "CIRCULARARC" || type == "CLOTHOID" ? Neighbour::curve : Neighbour::none;
+  }
+
+  // IFC does not say at which end a vertical clothoid is straight. A transition leads from a
+  // gradient into a curve, or from a curve to a gradient.
+  bool is_straight_at_start(const Entity* before, const Entity* after) const {
+    const Neighbour left = neighbour(before), right = neighbour(after);
+    if (left == right)
+      throw Not_covered{"a vertical clothoid " +
+                        std::string(left == Neighbour::gradient ? "between two gradients"
+                                    : left == Neighbour::curve  ? "between two curves"
+                                                                : "without neighbours") +
+                        ", so that nothing tells at which end it is straight"};
+    return left == Neighbour::gradient || right == Neighbour::curve;
+  }
+
+  static void set_clothoid(Segment& s, const Q& x, const Q& height, const Q& g0, const Q& g1, const Q& length,
+                           const Q& radius, bool is_straight_at_start) {
+    if (g0 == g1) throw Not_covered{"a vertical clothoid between equal gradients"};
+    if (length == 0) throw Not_covered{"a vertical clothoid without a length"};
+    const auto is_low = [](const Q& g) { return std::fabs(CGAL::to_double(g)) < 1e9; };
+    if (!is_low(g0) || !is_low(g1)) throw Not_covered{"a gradient beyond 10^9"};
+    const Vertical_clothoid c(g0, g1, is_straight_at_start, radius == 0 ? std::nullopt : std::optional<Q>(radius),
+                              length);
+    const GC::End_curvature straight, bent(c.curvature);
+    s.start = GC::Alignment_end{GC::Enclosed_point(x, height), GC::Heading(Q(0), Q(1), g0),
+                                is_straight_at_start ? straight : bent};
+    s.end = GC::Alignment_end{GC::Enclosed_point(Q(x + c.distance), Q(height + c.rise)), GC::Heading(Q(0), Q(1), g1),
+                              is_straight_at_start ? bent : straight};
+    s.length = length;
+    s.rounded = s.rounded_points = true;
+  }
+
+  // A segment of the horizontal or the vertical layer, between two others, which may be missing.
+  void read_design(Segment& s, const Entity& e, const std::string& layer, const Entity* before,
+                   const Entity* after) const {
     const bool horizontal = layer == "design horizontal";
     const std::vector<Step_value> a = file_.arguments(e, 9);
     const auto number = [&](std::size_t i) { return optional_number(a[i], e).value_or(Q(0)); };
@@ -538,12 +582,12 @@ class Ifc_reader {
       s.length = length;
       return;
     }
+    if (type == "CLOTHOID")
+      return set_clothoid(s, x, height, g0, g1, length, number(7), is_straight_at_start(before, after));
     const bool is_parabola = type == "PARABOLICARC";
     if (!is_parabola && (type != "CONSTANTGRADIENT" || g0 != g1))
       throw Not_covered{"a vertical segment of the type " + std::string(type) +
-                        (type == "CONSTANTGRADIENT" ? " with two gradients"
-                         : type == "CLOTHOID"       ? ", of which IFC does not say at which end it is straight"
-                                                    : "")};
+                        (type == "CONSTANTGRADIENT" ? " with two gradients" : "")};
     if (length == 0) {
       s.start = s.end =
           GC::Alignment_end{GC::Enclosed_point(x, height), GC::Heading(Q(0), Q(1), g0), GC::End_curvature()};
@@ -593,23 +637,28 @@ class Ifc_reader {
                                                                     : "design cant";
     const std::string curve = layer.type + " " + hash(id);
     ++result_.curves;
-    std::optional<Segment> before;
-    const Entity* entity_before = nullptr;
+    std::vector<std::pair<std::uint64_t, const Entity*>> designs;
     for (const std::uint64_t part : nested->second) {
       const Entity& segment = at(part, layer);
       if (segment.type != "IFCALIGNMENTSEGMENT") continue;
       const std::vector<Step_value> a = file_.arguments(segment, 8);
-      if (a[7].kind != Kind::reference) continue;
-      const std::uint64_t design_id = a[7].reference;
-      const Entity& design = at(design_id, segment);
+      if (a[7].kind == Kind::reference) designs.emplace_back(a[7].reference, &at(a[7].reference, segment));
+    }
+    std::optional<Segment> before;
+    for (std::size_t i = 0; i < designs.size(); ++i) {
+      const Entity *const entity_before = i > 0 ? designs[i - 1].second : nullptr, *const entity_after =
+                                                                                       i + 1 < designs.size()
+                                                                                           ? designs[i + 1].second
+                                                                                           : nullptr;
+      const Entity& design = *designs[i].second;
       Segment next;
-      next.id = design_id;
+      next.id = designs[i].first;
       next.line = design.line;
       if (design.type != layer.type + "SEGMENT")
         next.not_covered = "a segment that is " + design.type;
       else if (kind != "design cant")
         try {
-          read_design(next, design, kind);
+          read_design(next, design, kind, entity_before, entity_after);
         } catch (const Not_covered& what) {
           next.not_covered = what.reason;
         }
@@ -631,13 +680,13 @@ class Ifc_reader {
         result_.checks.push_back(std::move(check));
       }
       before = std::move(next);
-      entity_before = &design;
     }
   }
 
   // ---- units
 
   void read_units() {
+    const std::set<std::uint64_t> assigned = assigned_units();
     for (const std::uint64_t id : file_.ids()) {
       const Entity& e = file_.entity(id);
       if (e.type == "IFCGEOMETRICREPRESENTATIONCONTEXT") {
@@ -649,20 +698,20 @@ class Ifc_reader {
       if (e.type == "IFCCONVERSIONBASEDUNIT") {
         const std::vector<Step_value> a = file_.arguments(e, 4);
         if (a[1].kind != Kind::word || a[1].text != "PLANEANGLEUNIT") continue;
-        if (!is_assigned(id)) continue;
+        if (assigned.count(id) == 0) continue;
         const Entity& factor = at(file_.reference(a[3], e), e);
         radians_ = file_.number(file_.arguments(factor, 2)[0], factor);
       }
     }
   }
-  bool is_assigned(std::uint64_t unit) const {
+  std::set<std::uint64_t> assigned_units() const {
+    std::set<std::uint64_t> units;
     for (const std::uint64_t id : file_.ids()) {
       const Entity& e = file_.entity(id);
       if (e.type != "IFCUNITASSIGNMENT") continue;
-      for (const std::uint64_t x : file_.references(file_.arguments(e, 1)[0], e))
-        if (x == unit) return true;
+      for (const std::uint64_t x : file_.references(file_.arguments(e, 1)[0], e)) units.insert(x);
     }
-    return false;
+    return units;
   }
 
 public:

@@ -5,6 +5,7 @@
 #include "formats/landxml/read_landxml.h"
 
 #include "files/input.h"
+#include "formats/number_fault.h"
 #include "formats/xml/Xml_reader.h"
 
 #include <CGAL/Geometric_continuity/IO/number.h>
@@ -167,8 +168,8 @@ class Landxml_reader : Xml_reader {
   Q number(const std::string& token) const {
     try {
       return GC::parse_number<Q>(token);
-    } catch (const GC::Error&) {
-      refuse("no number: " + GC::quoted_token(token));
+    } catch (const GC::Error& e) {
+      refuse(number_fault(e) + ": " + GC::quoted_token(token));
     }
   }
   std::vector<Q> point() const {
@@ -210,6 +211,7 @@ class Landxml_reader : Xml_reader {
     std::optional<GC::Heading> start_heading, end_heading;
     std::optional<GC::Alignment_end> computed_end;
     std::optional<Q> k0, k1;
+    std::optional<GC::End_curvature> root0, root1; // of a curve without a radius, whose k0 and k1 may be rounded
     bool rounded = false;
     std::string not_covered;
   };
@@ -232,6 +234,28 @@ class Landxml_reader : Xml_reader {
     const Q dx = Q((*q)[0] - (*p)[0]), dy = Q((*q)[1] - (*p)[1]);
     if (dx == 0 && dy == 0) return std::nullopt;
     return GC::Heading(Q(0), dx, dy);
+  }
+
+  static Q squared_distance(const std::vector<Q>& p, const std::vector<Q>& q) {
+    const Q dx = Q(q[0] - p[0]), dy = Q(q[1] - p[1]);
+    return Q(dx * dx + dy * dy);
+  }
+
+  // The curvature of the circle about a centre through a point: the root of a rational number.
+  static std::optional<GC::End_curvature> curvature_about(const std::vector<Q>& centre, const std::vector<Q>& point,
+                                                          const Q& sign) {
+    const Q square = squared_distance(centre, point);
+    const double size = CGAL::to_double(square);
+    if (!(1e-280 < size && size < 1e280)) return std::nullopt;
+    return GC::End_curvature(sign < 0 ? -1 : 1, Q(1 / square));
+  }
+
+  // Returns it as a rational number; `is_rounded` becomes true where that is only close.
+  static std::optional<Q> rounded(const std::optional<GC::End_curvature>& k, bool& is_rounded) {
+    if (!k || k->rational()) return k ? k->rational() : std::nullopt;
+    is_rounded = true;
+    const auto [sign, square] = k->sign_and_square();
+    return Q(sign * (square < 1 ? Q(1 / long_root(Q(1 / square))) : long_root(square)));
   }
 
   Piece piece(const Element& e) {
@@ -286,8 +310,14 @@ class Landxml_reader : Xml_reader {
       };
       if (!p.start_heading) p.start_heading = tangent(start);
       if (!p.end_heading) p.end_heading = tangent(end);
-      if (start != nullptr && p.start_heading && k && length)
-        p.computed_end = GC::Clothoid_segment((*start)[0], (*start)[1], *p.start_heading, *k, *k, *length).end();
+      if (!attribute(e, "radius") && centre != nullptr) { // it is the distance from the centre
+        if (start != nullptr) p.root0 = curvature_about(*centre, *start, sign);
+        if (end != nullptr) p.root1 = curvature_about(*centre, *end, sign);
+        p.k0 = rounded(p.root0, p.rounded);
+        p.k1 = rounded(p.root1, p.rounded);
+      }
+      if (start != nullptr && p.start_heading && p.k0 && length)
+        p.computed_end = GC::Clothoid_segment((*start)[0], (*start)[1], *p.start_heading, *p.k0, *p.k0, *length).end();
       return p;
     }
     p.k0 = curvature(e, "radiusStart", sign);
@@ -341,17 +371,37 @@ class Landxml_reader : Xml_reader {
     }
   }
 
+  // The difference of two roots, (a - b) / (sqrt(a) + sqrt(b)).
+  static void set_difference_of_roots(Rail_check& c, const std::string& quantity, const Q& a, const Q& b) {
+    const GC::Enclosure x = GC::sqrt_enclosure(a), y = GC::sqrt_enclosure(b);
+    if (!std::isfinite(x.upper) || !std::isfinite(y.upper)) {
+      c.not_covered = "a number beyond those of floating-point numbers";
+      return;
+    }
+    c.difference = {quantity, Q(0), false, std::nullopt};
+    if (a == b) return;
+    const Q rise = Q(a < b ? b - a : a - b), least = Q(Q(x.lower) + Q(y.lower)), most = Q(Q(x.upper) + Q(y.upper));
+    c.difference->enclosed = GC::Enclosure{GC::enclosure(Q(rise / most)).lower, GC::enclosure(Q(rise / least)).upper};
+  }
+
   // The radius of a curve is the distance of its ends from its centre.
   void check_radius(const Element& e, std::size_t i) {
     const auto centre = e.points.find("Center");
     const auto text = attribute(e, "radius");
-    if (e.type != "Curve" || centre == e.points.end() || !text) return;
-    for (const char* const end : {"Start", "End"}) {
-      const auto point = e.points.find(end);
+    if (e.type != "Curve" || centre == e.points.end()) return;
+    const auto start = e.points.find("Start"), end = e.points.find("End");
+    if (!text) { // both distances are the radius
+      if (start == e.points.end() || end == e.points.end()) return;
+      Rail_check c = check("radius", name(e, i) + ", Start and End", e, 0);
+      set_difference_of_roots(c, "radius", squared_distance(centre->second, start->second),
+                              squared_distance(centre->second, end->second));
+      result_.checks.push_back(std::move(c));
+      return;
+    }
+    for (const auto& point : {start, end}) {
       if (point == e.points.end()) continue;
-      Rail_check c = check("radius", name(e, i) + ", " + end, e, 0);
-      const Q dx = Q(point->second[0] - centre->second[0]), dy = Q(point->second[1] - centre->second[1]);
-      set_difference(c, "radius", number(*text), Q(dx * dx + dy * dy));
+      Rail_check c = check("radius", name(e, i) + ", " + point->first, e, 0);
+      set_difference(c, "radius", number(*text), squared_distance(centre->second, point->second));
       result_.checks.push_back(std::move(c));
     }
   }
@@ -385,6 +435,7 @@ class Landxml_reader : Xml_reader {
     if (e.type != "Curve" || !p.k0 || !length || !text || !p.not_covered.empty()) return;
     Rail_check c = check("delta", name(e, i), e, 0);
     const Q turn = Q(*p.k0 * number(*length)), delta = angle(*text, angles_, c.rounded);
+    if (p.root0 && !p.root0->rational()) c.rounded = true;
     c.difference = {"delta", Q((delta < 0 ? Q(-delta) : delta) - (turn < 0 ? Q(-turn) : turn)), true, std::nullopt};
     result_.checks.push_back(std::move(c));
   }
@@ -422,15 +473,15 @@ class Landxml_reader : Xml_reader {
   }
 
   // The length of an alignment is the sum of those of its elements.
-  void check_sum(const Alignment_text& plan) {
-    if (!plan.length || plan.elements.empty()) return;
-    Q sum(-number(*plan.length));
-    for (const Element& e : plan.elements) {
+  void check_sum(const std::optional<std::string>& declared) {
+    if (!declared || elements_.empty()) return;
+    Q sum(-number(*declared));
+    for (const Element& e : elements_) {
       const auto length = attribute(e, "length");
       if (!length) return;
       sum = Q(sum + number(*length));
     }
-    Rail_check c = check("length", "whole", plan.elements.front(), 0);
+    Rail_check c = check("length", "whole", elements_.front(), 0);
     c.difference = {"length", sum, false, std::nullopt};
     result_.checks.push_back(std::move(c));
   }
@@ -504,7 +555,6 @@ class Landxml_reader : Xml_reader {
     alignment_ = plan.name;
     elements_ = std::move(plan.elements);
     for (Element& e : elements_) look_up(e);
-    plan.elements = elements_;
     if (!elements_.empty()) ++result_.curves;
     std::optional<Piece> before;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
@@ -514,13 +564,13 @@ class Landxml_reader : Xml_reader {
         const Element& last = elements_[i - 1];
         const std::optional<GC::Heading> left = before->end_heading, right = p.start_heading;
         Rail_check c = check("horizontal", name(last, i - 1) + " - " + name(e, i), last, left && right ? 1 : 0);
-        const auto curvature = [](const std::optional<Q>& k) {
-          return k ? std::optional<GC::End_curvature>(GC::End_curvature(*k)) : std::nullopt;
+        const auto curvature = [](const std::optional<GC::End_curvature>& root, const std::optional<Q>& k) {
+          return root ? root : k ? std::optional<GC::End_curvature>(GC::End_curvature(*k)) : std::nullopt;
         };
         if (before->end && p.start) {
           const GC::Heading heading = left && right ? *left : GC::Heading();
-          c.ends = {GC::Alignment_end{*before->end, heading, curvature(before->k1)},
-                    GC::Alignment_end{*p.start, left && right ? *right : heading, curvature(p.k0)}};
+          c.ends = {GC::Alignment_end{*before->end, heading, curvature(before->root1, before->k1)},
+                    GC::Alignment_end{*p.start, left && right ? *right : heading, curvature(p.root0, p.k0)}};
           c.rounded = before->rounded || p.rounded;
         } else
           c.not_covered = "an element without start or end";
@@ -532,7 +582,7 @@ class Landxml_reader : Xml_reader {
       check_radius(e, i);
       before = std::move(p);
     }
-    check_sum(plan);
+    check_sum(plan.length);
   }
 
 public:
@@ -561,12 +611,14 @@ Rail_file read_landxml(const std::string& file) {
 }
 
 bool begins_as_landxml(std::string_view text) {
-  const std::size_t root = text.find("LandXML");
-  return root != std::string_view::npos && root > 0 && (text[root - 1] == '<' || text[root - 1] == ':');
+  for (std::size_t i = text.find("LandXML"); i != std::string_view::npos; i = text.find("LandXML", i + 1))
+    if (i > 0 && (text[i - 1] == '<' || text[i - 1] == ':')) return true; // not in a DOCTYPE
+  return false;
 }
 
 bool is_landxml_file(const std::string& file) {
   const std::string beginning = beginning_of_text(file);
   if (begins_as_landxml(beginning)) return true;
-  return beginning.find('<') == 0 && beginning.find("<?xml") == 0 && begins_as_landxml(Input(file).beginning(4096));
+  const bool is_xml = beginning.rfind("<?xml", 0) == 0 || beginning.rfind("<!", 0) == 0;
+  return is_xml && begins_as_landxml(Input(file).beginning(4096));
 }

@@ -5,6 +5,7 @@
 #include "formats/opendrive/read_opendrive.h"
 
 #include "files/input.h"
+#include "formats/number_fault.h"
 #include "formats/xml/Xml_reader.h"
 
 #include <CGAL/Geometric_continuity/IO/number.h>
@@ -93,8 +94,8 @@ class Opendrive_reader : public Xml_reader {
     try {
       const Exact_number x = GC::parse_number<Exact_number>(value);
       return CGAL::is_zero(x) ? zero_ : x; // most coefficients are, and share it
-    } catch (const GC::Error&) {
-      refuse_value(name, value, "not a decimal number");
+    } catch (const GC::Error& e) {
+      refuse_value(name, value, number_fault(e));
     }
   }
   Exact_number number(const Attributes& attributes, std::string_view name) const {
@@ -169,6 +170,16 @@ class Opendrive_reader : public Xml_reader {
       zeros = 0;
     }
     return digits;
+  }
+
+  // Versions do not differ in what is read of them.
+  void read_header(const Attributes& attributes) {
+    result_.header_line = line();
+    for (const char* const name : {"revMajor", "revMinor"}) {
+      const std::optional<std::string_view> value = attributes.find(name);
+      if (value && (value->empty() || value->find_first_not_of("0123456789") != std::string_view::npos))
+        result_.odd_revision.emplace_back(name, *value);
+    }
   }
 
   void start_road(const Attributes& attributes) {
@@ -261,6 +272,7 @@ class Opendrive_reader : public Xml_reader {
     switch (place) {
     case Place::file: result_.root = name; return Place::network;
     case Place::network:
+      if (name == "header") read_header(attributes);
       if (name == "road") return start_road(attributes), Place::road;
       if (name == "junction") return start_junction(attributes), Place::junction;
       break;

@@ -11,6 +11,7 @@
 #include <istream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
@@ -20,6 +21,9 @@ struct Opendrive_file {
   GC::Road_network network;
   std::string root; // the name of the root element
   int digits = 0;   // the most significant digits of a coordinate or a heading of its geometries
+  // Attributes of the revision that are no numbers, with their values.
+  std::vector<std::pair<std::string, std::string>> odd_revision;
+  long long header_line = 0;
   // The places of a geometry in the text, in bytes: of its first tag, of its shape, and its end.
   struct Geometry_text {
     std::size_t begin, tag_end, shape_begin, shape_end, end;

@@ -6,7 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_ROAD_BORDERS_H
 
 #include <CGAL/Geometric_continuity/curves/Clothoid_segment.h>
-#include <CGAL/Geometric_continuity/models/Road_network.h>
+#include <CGAL/Geometric_continuity/models/internal/Road_records.h>
 #include <CGAL/number_utils.h>
 
 #include <array>

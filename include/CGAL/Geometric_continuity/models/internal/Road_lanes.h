@@ -5,8 +5,8 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_ROAD_LANES_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_ROAD_LANES_H
 
-#include <CGAL/Geometric_continuity/models/Road_network.h>
 #include <CGAL/Geometric_continuity/models/internal/Road_profile.h>
+#include <CGAL/Geometric_continuity/models/internal/Road_records.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -50,7 +50,10 @@ class Road_sections {
   Road_profile offset_;
   std::vector<const Road_section*> sections_;
   std::unordered_map<const Road_lane*, Road_profile> across_; // widths, or borders in place of them
+  std::vector<std::size_t> with_left_, with_right_;           // sections that say what lanes there are on this side
   bool is_unsorted_ = false;
+
+  const std::vector<std::size_t>& with_side(int side) const { return side > 0 ? with_left_ : with_right_; }
 
   // The lanes of one side of a section at a place, from the inside outwards.
   void place_lanes(const Road_section& section, int side, const Road_jet& offset, const Road_number& s, Road_side limit,
@@ -94,6 +97,13 @@ public:
     for (const Road_section* const section : sections_)
       for (const Road_lane& lane : section->lanes)
         across_.emplace(&lane, Road_profile(lane.widths.empty() ? lane.borders : lane.widths));
+    for (std::size_t i = 0; i < sections_.size(); ++i)
+      for (const int side : {1, -1}) {
+        const std::vector<Road_lane>& lanes = sections_[i]->lanes;
+        const auto is_there = [side](const Road_lane& lane) { return lane.id * side > 0; };
+        if (!sections_[i]->is_single_side || std::any_of(lanes.begin(), lanes.end(), is_there))
+          (side > 0 ? with_left_ : with_right_).push_back(i);
+      }
   }
 
   bool is_unsorted() const { return is_unsorted_; }
@@ -110,16 +120,15 @@ public:
 
   // Returns whether a section says what lanes there are on a side.
   bool has_side(std::size_t i, int side) const {
-    const Road_section& section = *sections_[i];
-    return !section.is_single_side || std::any_of(section.lanes.begin(), section.lanes.end(),
-                                                  [side](const Road_lane& lane) { return lane.id * side > 0; });
+    const std::vector<std::size_t>& sections = with_side(side);
+    return std::binary_search(sections.begin(), sections.end(), i);
   }
 
   // The next section that has a side, or size().
   std::size_t next(std::size_t i, int side) const {
-    for (++i; i < size() && !has_side(i, side); ++i) {
-    }
-    return i;
+    const std::vector<std::size_t>& sections = with_side(side);
+    const auto found = std::upper_bound(sections.begin(), sections.end(), i);
+    return found == sections.end() ? size() : *found;
   }
 
   // The end of a section for a side.
@@ -144,10 +153,11 @@ public:
       const auto behind = std::partition_point(sections_.begin(), sections_.end(), [&](const Road_section* section) {
         return limit == Road_side::before ? section->s < s : !(s < section->s);
       });
-      std::size_t found = static_cast<std::size_t>(behind - sections_.begin());
-      while (found > 0 && !has_side(found - 1, side)) --found;
-      found = found > 0 ? found - 1 : has_side(0, side) ? 0 : next(0, side); // the first one holds before its start
-      if (found != size()) place(found, side, s, limit, lanes);
+      const std::vector<std::size_t>& own = with_side(side);
+      if (own.empty()) continue;
+      const auto found = std::lower_bound(own.begin(), own.end(), static_cast<std::size_t>(behind - sections_.begin()));
+      place(found == own.begin() ? *found : *(found - 1), side, s, limit,
+            lanes); // the first one holds before its start
     }
     return lanes;
   }
@@ -157,6 +167,7 @@ public:
 class Lane_pairs {
   typedef std::pair<int, int> Pair;
   std::vector<Pair> pairs_;
+  std::set<Pair> known_;
   std::map<int, Pair> most_of_from_, most_of_to_; // the least and the largest number beside a lane
 
   static void widen(std::map<int, Pair>& most, int lane, int other) {
@@ -171,7 +182,7 @@ public:
 
   // Adds a pair, and returns whether it is new.
   bool add(int from, int to) {
-    if (std::find(pairs_.begin(), pairs_.end(), Pair(from, to)) != pairs_.end()) return false;
+    if (!known_.emplace(from, to).second) return false;
     pairs_.emplace_back(from, to);
     widen(most_of_from_, from, to);
     widen(most_of_to_, to, from);
@@ -184,6 +195,37 @@ public:
     const Pair &to = most_of_from_.at(pair.first), &from = most_of_to_.at(pair.second);
     return pair.second == (is_left != is_flipped ? to.second : to.first) &&
            pair.first == (is_left ? from.second : from.first);
+  }
+};
+
+// The pairs of lanes that pass into each other at two places, as the lanes name them.
+struct Linked_lanes {
+  Lane_pairs named, all;                                   // as the first ones name them, and as both do
+  std::vector<std::pair<std::pair<int, int>, bool>> pairs; // and whether only the second one names the first
+  std::vector<std::pair<const Road_lane*, int>> without_partner;
+
+  Linked_lanes(const Placed_lanes& from, const Placed_lanes& to, Road_end from_end, Road_end to_end,
+               bool is_named_back) {
+    add(from, to, from_end, false);
+    if (is_named_back) add(to, from, to_end, true);
+  }
+
+  void add(const Placed_lanes& from, const Placed_lanes& to, Road_end end, bool is_back) {
+    for (const auto& [id, lane] : from)
+      for (const int name : end == Road_end::end ? lane.lane->successors : lane.lane->predecessors) {
+        if (name == 0) continue;
+        if (to.count(name) == 0) {
+          without_partner.emplace_back(lane.lane, name);
+          continue;
+        }
+        const std::pair<int, int> pair = is_back ? std::pair(name, id) : std::pair(id, name);
+        if (!is_back) named.add(pair.first, pair.second);
+        if (all.add(pair.first, pair.second)) pairs.emplace_back(pair, is_back);
+      }
+  }
+
+  bool meets(const std::pair<int, int>& pair, bool is_named_back, bool is_left, bool is_flipped) const {
+    return (is_named_back ? all : named).meets(pair, is_left, is_flipped);
   }
 };
 

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_ROAD_PROFILE_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_INTERNAL_ROAD_PROFILE_H
 
-#include <CGAL/Geometric_continuity/models/Road_network.h>
+#include <CGAL/Geometric_continuity/models/internal/Road_records.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
