@@ -62,7 +62,7 @@ template <class Traits, int Degree> Inflections inflections_of(const Bezier_curv
     const Bernstein_polynomial<NT> p(x.begin(), x.end()), q(y.begin(), y.end());
     return Bernstein_polynomial<NT>(p * slope(y) - q * slope(x));
   };
-  // first in floating-point numbers, which suffice where no coefficient is near 0
+  // in floating-point numbers, where no coefficient is near 0
   std::array<std::array<double, 5>, 2> rounded;
   double largest = 0;
   for (int k = 0; k < 2; ++k)
