@@ -299,7 +299,7 @@ def main():
     if options.json:
         head = {"system": adapter.name, "version": version, "suite": (HERE / "records/VERSION").read_text().strip(),
                 **{k: adapter.about[k] for k in ("promises", "asked") if k in adapter.about}}
-        # What is not supported has no line.
+        # Answers that are not supported have no line.
         lines = [json.dumps({k: r[k] for k in ("id", "format", "answer", "category")}) for r in results if r["category"] != "unsupported"]
         Path(options.json).write_text(json.dumps(head)[:-1] + ', "answers": [\n' + ",\n".join(lines) + "\n]}\n", encoding="utf-8")
     if options.expect:

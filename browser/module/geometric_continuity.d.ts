@@ -199,8 +199,8 @@ export interface Module {
   /** Cuts off a corner at a distance along both curves, and puts a blend in its place. */
   roundCorner(left: Curve, right: Curve, distance: number, options?: BlendOptions): RoundedCorner;
   /**
-   * The same by cubics: "cubic" takes one with both handles in the corner between lines and two, in
-   * the plane, elsewhere; "two_cubics" always takes two, which are fuller.
+   * Rounds the corner by cubics: "cubic" takes one with both handles in the corner between lines
+   * and two, in the plane, elsewhere; "two_cubics" always takes two, which are fuller.
    */
   roundCorner(left: Curve, right: Curve, distance: number, options: { strategy: 'cubic' | 'two_cubics' }): RoundedCorner<CubicBlend>;
   /**

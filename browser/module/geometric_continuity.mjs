@@ -500,7 +500,7 @@ async function load({ wasm, filesWasm } = {}) {
   return current;
 }
 
-// What languages, frameworks and tests ask of any object.
+// Languages, frameworks and tests ask any object for these names.
 const isAsked = (name) => typeof name === 'symbol' || /^[_$@]|^(then|toJSON|asymmetricMatch|nodeType|tagName)$/.test(name);
 
 // Names that other libraries have, and the call here.

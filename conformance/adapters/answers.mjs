@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: CC0-1.0
 
-// What adapters in JavaScript have in common: lines "FILE ORDER [TOLERANCES]" have answers "= ...".
+// All adapters in JavaScript answer lines "FILE ORDER [TOLERANCES]" with lines "= ...".
 import { readFileSync } from 'node:fs';
 import { createInterface } from 'node:readline';
 
 export class Unsupported extends Error {}
 
-// What systems without a verdict of their own are asked with.
+// Systems without a verdict of their own are asked with these tolerances.
 export const close = { gap: 1e-9, angle: 1e-9, percent: 1e-4 };
 export const claim = order => `${order} within gap=1e-9,angle_radians=1e-9,curvature_percent=1e-4`;
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: CC0-1.0
-"""What adapters in Python have in common: one file named by arguments, or many by lines of standard input."""
+"""The common part of all adapters in Python, which answer one file named by arguments, or many by lines of standard input."""
 
 import json
 import math
@@ -17,7 +17,7 @@ def tolerances(text):
     return dict(part.split("=") for part in text.split(",")) if text else None
 
 
-# What systems without a verdict of their own are asked with: derivatives are compared within these.
+# Systems without a verdict of their own compare derivatives within these tolerances.
 CLOSE = {"gap": "1e-9", "angle_radians": "1e-9", "curvature_percent": "1e-4", "torsion_jump": "1e-6", "derivative_jump": "1e-9"}
 
 
@@ -46,7 +46,7 @@ def length(v):
 
 
 def order_of_derivatives(left, right, order, within):
-    """What the derivatives of a system say: positions and three derivatives (or fewer) on both sides, in floats."""
+    """Answers by the derivatives of a system: positions and three derivatives (or fewer) on both sides, in floats."""
     tolerance = {k: float(Fraction(v)) for k, v in (within or CLOSE).items()}
     most = int(order[1])
     if most >= len(left):

@@ -60,7 +60,7 @@ class Shape:
         return [inner(row[:3], p) + row[3] for row in self.placement]
 
     def scale_and_sign(self):
-        """Of a placement that is a similarity."""
+        """Returns both for a placement that is a similarity."""
         columns = list(zip(*(row[:3] for row in self.placement))) if self.placement else [(F(1), F(0), F(0)), (F(0), F(1), F(0)), (F(0), F(0), F(1))]
         return similarity(columns)
 

@@ -126,7 +126,7 @@ def facts(a, b, t, upper):
 
 
 def second_form(side, n):
-    """Of the direction that is perpendicular to the edge and to n: the second fundamental form times the length of n, over d squared."""
+    """Returns the second fundamental form in the direction perpendicular to the edge and to n, times the length of n, over d squared."""
     position, along, out, aa, ao, oo, w = side
     d = cross(along, n)
     normal = cross(along, out)
@@ -318,7 +318,7 @@ def check(record, extension, data, control_points):
     order = min(d[0] for d in decided)
     problem = None
     for _, a, b, spans in [d for d in decided if d[0] == order]:
-        # Of several edges of the worst order the record tells the sizes of one.
+        # The record tells the sizes of one of several edges of the worst order.
         try:
             rest = verify(record, a, order, spans)
             if rest:

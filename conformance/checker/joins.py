@@ -236,7 +236,7 @@ def verify_measures(record, join):
 
 
 def verify_any(record, candidates):
-    """Of several joins of the worst order, the record tells the sizes of one."""
+    """Checks the sizes in a record, which are those of one of several joins of the worst order."""
     problem = None
     for join in candidates:
         try:
@@ -325,7 +325,7 @@ def verify_flip(record):
 
 # ---- Curves: control points of a span, to derivatives at both of its ends.
 def local_derivatives(points, knots, degree, t):
-    """Of the span between knots[degree - 1] and knots[degree]: here `knots` are the 2 * degree that it depends on."""
+    """Returns the derivatives on the span between knots[degree - 1] and knots[degree]: `knots` are the 2 * degree that it depends on."""
     result = []
     p, d, around = degree, points, knots
     for _ in range(4):

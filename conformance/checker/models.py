@@ -41,7 +41,7 @@ class Face:
         return self.model.point(origin), self.model.point(axis)
 
     def normal(self, p):
-        """Of the face, in the section."""
+        """Returns the normal of the face, in the section."""
         model, (kind, a) = self.model, self.model.entities[self.surface]
         rotated = self.section.rotated
         if kind == "PLANE":

@@ -23,7 +23,7 @@ def product(a, b):
 
 
 def sine_cosine(angle):
-    """Of a fixed number."""
+    """Returns sine and cosine of a fixed number."""
     angle %= 2 * PI
     quarter = angle // (PI // 2)
     x = angle - quarter * (PI // 2)
@@ -60,7 +60,7 @@ def turned(vector, heading):
 
 
 def arc_length(slope, u):
-    """Of a graph from 0 to u, by the binomial series of the root; `slope` has the coefficients of its derivative, as fixed numbers."""
+    """Returns the length of a graph from 0 to u, by the binomial series of the root; `slope` has the coefficients of its derivative, as fixed numbers."""
     scaled = [c * u ** k // ONE**k for k, c in enumerate(slope)]
     square = [sum(product(scaled[i], scaled[k - i]) for i in range(len(scaled)) if 0 <= k - i < len(scaled)) for k in range(2 * len(scaled) - 1)]
     power, factor, total, k = [ONE], ONE, 0, 0
@@ -174,7 +174,7 @@ def level(order):
 
 
 def clear_order(record, left, right):
-    """Of a join that is far from each tolerance."""
+    """Returns the order of a join that is far from each tolerance."""
     (p, _, d, k), (q, _, e, j) = left, right
     gap, angle, jump = (fixed(number(record["within"][n])) for n in ("gap", "angle_radians", "curvature_jump"))
     if isqrt((p[0] - q[0]) ** 2 + (p[1] - q[1]) ** 2) > gap:

@@ -108,7 +108,7 @@ def rotated(file, pieces, full=False):
 UNIT = [[F(1), F(0), F(0)], [F(0), F(1), F(0)], [F(0), F(0), F(1)]]
 MIRROR = ([[F(-1), F(0), F(0)], [F(0), F(1), F(0)], [F(0), F(0), F(1)]], [F(0), F(0), F(0)])
 def patches_of(pieces, how, height=F(10)):
-    """The same faces as splines, which BREP can hold exactly: extruded profiles, or a quarter turn of them. None of a full turn, whose parts
+    """Returns the same faces as splines, which BREP can hold exactly: extruded profiles, or a quarter turn of them. None of a full turn, whose parts
     are no single polynomials."""
     def patch(c):
         if how == "extruded":

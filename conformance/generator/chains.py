@@ -5,7 +5,7 @@ from truth import Join
 
 
 def chain_join(left, right):
-    """Of the end of a curve and the start of another one."""
+    """Returns the join of the end of a curve and the start of another one."""
     k, m = left.spans()[-1], right.spans()[0]
     return Join(left.jet(k, True), right.jet(m, False), (left.is_straight(k), right.is_straight(m)))
 

@@ -144,7 +144,7 @@ class Suite:
         return max(values, key=lambda v: exact(v[0]))
 
     def finish(self, record, why, within, measures, closed=False):
-        """What flips the answer, and why it is as it is."""
+        """Writes down what flips the answer, and why it is as it is."""
         order = record["order"]
         level = -1 if order == "gap" else int(order[1])
         flips = None

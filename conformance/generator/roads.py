@@ -384,7 +384,7 @@ class Lanes:
 
     @staticmethod
     def value(records, s):
-        """Of the last record before s, or at it."""
+        """Returns the value of the last record before s, or at it."""
         record = next((r for r in reversed(records) if exact(r[0]) <= s), None)
         if record is None:
             return F(0)

@@ -87,7 +87,7 @@ def differentiated(a):
 
 
 def determinant4(rows):
-    """Of polynomials, by the first row."""
+    """Returns the determinant of polynomials, by the first row."""
     if len(rows) == 1:
         return rows[0][0]
     total = [F(0)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: CC0-1.0
-"""What is true of a join, from exact derivatives on both sides. The numbers are fractions; enclosures are decimals of 25 digits,
+"""The true orders and sizes of a join, from exact derivatives on both sides. The numbers are fractions; enclosures are decimals of 25 digits,
 rounded outward."""
 
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal, getcontext
@@ -8,7 +8,7 @@ from math import factorial, isqrt
 
 getcontext().prec = 80
 DIGITS = 25
-# What the computation of angles may be wrong by, relatively: its 80 digits have far more.
+# Angles may be computed with this relative error: the 80 digits give far less.
 MARGIN = Decimal(10) ** -50
 
 
@@ -186,7 +186,7 @@ class Curve:
         self.cache = {}
 
     def keys(self):
-        """What tells it from other curves, and what tells its reverse."""
+        """Returns what tells it from other curves, and what tells its reverse."""
         key = tuple(map(tuple, self.points))
         return key, key[::-1]
 

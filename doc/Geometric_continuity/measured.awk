@@ -1,4 +1,4 @@
-# What doxygen reads in place of the pages Performance and In the Browser: a line
+# Doxygen reads the output of this in place of the pages Performance and In the Browser: a line
 # "\measured{PROGRAM}" becomes the table of measured/PROGRAM.txt, which the script
 # benchmark/Geometric_continuity/measure writes: WORK | METHOD, least and largest time, unit, least
 # and largest ratio to the first method of the same work. "\measured{PROGRAM,START}" has the works

@@ -1,4 +1,4 @@
-# What doxygen reads in place of a header: in signatures the types that a caller names, not those by which they are deduced. Each line of
+# Doxygen reads the output of this in place of a header: in signatures the types that a caller names, not those by which they are deduced. Each line of
 # a header stays a line.
 s/internal::Given_optional_number<\([A-Za-z_]*\)>/std::optional<\1>/g
 s/internal::Convertible_number<\([A-Za-z_]*\)>/\1/g

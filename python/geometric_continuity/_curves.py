@@ -232,7 +232,7 @@ def round_corners(points, distance=None, closed: bool = False, strategy: str = "
     squares = [(v * v).sum() for v in steps]
 
     def distance_at(i: int):
-        """That of both cuts from the vertex at the end of a side; None where the next side goes straight on."""
+        """Returns the distance of both cuts from the vertex at the end of a side; None where the next side goes straight on."""
         a, b = steps[i], steps[(i + 1) % len(steps)]
         along, square = (a * b).sum(), squares[i] * squares[(i + 1) % len(steps)]
         if along > 0 and along * along == square:

@@ -22,7 +22,7 @@ def _doubles(numbers) -> numpy.ndarray:
 
 
 def _jet(curve, parameters, order: int, exact: Optional[bool], place: str) -> Tuple[List[numpy.ndarray], Tuple[int, ...]]:
-    """The derivatives up to an order in the numbers of the results, of shape (dimension, parameters), and the shape of the parameters."""
+    """Returns the derivatives up to an order in the numbers of the results, of shape (dimension, parameters), and the shape of the parameters."""
     s, u = spline_of(curve, place), numpy.asarray(parameters)
     if u.dtype.kind not in "biufO":
         raise Error("parameter_outside_domain", place, f"parameters are real numbers, not {u.dtype}")
@@ -61,7 +61,7 @@ def evaluate(curve, parameters, derivative: int = 0, *, exact: Optional[bool] = 
 
 
 def _first_two(curve, parameters, exact, place):
-    """The first and the second derivative and the square of the first one, and the shape of the parameters."""
+    """Returns the first and the second derivative and the square of the first one, and the shape of the parameters."""
     (_, a, b), shape = _jet(curve, parameters, 2, exact, place)
     square = (a * a).sum(axis=0)
     zero = square == 0

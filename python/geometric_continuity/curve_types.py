@@ -22,7 +22,7 @@ import numpy
 from .errors import Error
 from .hints import keywords, missing_member
 
-# What reads the objects of other libraries, by the first name of their module.
+# The functions that read the objects of other libraries, by the first name of their module.
 _ADAPTERS = {"svgelements": "drawings.svg_contours(path)", "Part": "freecad.edge_pieces(edge)",
              "fontTools": "fonttools.Join_pen(glyph_set)", "ufoLib2": "sources.ufo_kinks(font)", "glyphsLib": "sources.glyphs_kinks(font)"}
 
@@ -112,7 +112,7 @@ def refuse_rows(points, place: str, are_curve: bool = True) -> None:
 
 
 class Curve:
-    """What curves have in common: a curve can be called with a parameter, or with an array of them, as `evaluate`."""
+    """The base of all curves: a curve can be called with a parameter, or with an array of them, as `evaluate`."""
 
     points: Any
 
@@ -365,7 +365,7 @@ def derivatives(spline: Spline, parameters: numpy.ndarray, order: int) -> List[n
 
 
 def _quotients(jet: List[numpy.ndarray]) -> List[numpy.ndarray]:
-    """The derivatives of x / w, for those of x and, in the last row, of w."""
+    """Returns the derivatives of x / w, for those of x and, in the last row, of w."""
     result: List[numpy.ndarray] = []
     for k, x in enumerate(jet):
         numerator = x[:-1]
@@ -398,7 +398,7 @@ def pieces(curve, low=None, high=None) -> List[Bezier_curve]:
 
 
 def _spans(spline: Spline, low=None, high=None) -> List[int]:
-    """The numbers of the knots at which a part of the curve with a length starts."""
+    """Returns the numbers of the knots at which a part of the curve with a length starts."""
     u = spline.knots
     p, n = spline.degree, len(spline.points)
     spans = [int(i) + p for i in numpy.flatnonzero(u[p:n] < u[p + 1:n + 1])]

@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Geometric_continuity developers
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""What is refused, as an exception with its parts."""
+"""Bad input, as an exception with its parts."""
 
 
 class Error(ValueError):

@@ -12,7 +12,8 @@ import numpy
 from .curve_types import Bezier_curve, Spline, pieces
 from .errors import Error
 
-# What to call with the other objects of a library, by the beginning of the names of its modules.
+# The message tells what to call with the other objects of a library, by the beginning of the names
+# of its modules.
 _CONVERSIONS = {"OCP.": "GeomConvert.CurveToBSplineCurve_s(curve) returns one that is taken",
                 "OCC.": "geomconvert.CurveToBSplineCurve(curve) returns one that is taken",
                 "svgpathtools.": "path.approximate_arcs_with_cubics() leaves curves that are taken; verify(file) decides arcs exactly",
@@ -55,7 +56,7 @@ def curves_of(curve, place: str) -> Optional[List[Any]]:
 
 
 def _of_ezdxf(entity) -> Optional[List[Any]]:
-    """A SPLINE, its construction tool, or a Bezier curve of ezdxf.math."""
+    """Reads a SPLINE, its construction tool, or a Bezier curve of ezdxf.math."""
     tool = entity.construction_tool() if hasattr(entity, "construction_tool") else entity
     if not hasattr(tool, "control_points"):
         return None
@@ -66,7 +67,7 @@ def _of_ezdxf(entity) -> Optional[List[Any]]:
 
 
 def _of_opencascade(curve):
-    """A Geom_BezierCurve or a Geom_BSplineCurve, or one of Geom2d: numbers begin with 1."""
+    """Reads a Geom_BezierCurve or a Geom_BSplineCurve, or one of Geom2d: numbers begin with 1."""
     def point(i):
         p = curve.Pole(i)
         return (p.X(), p.Y(), p.Z()) if hasattr(p, "Z") else (p.X(), p.Y())
@@ -88,7 +89,7 @@ def _of_opencascade(curve):
 
 
 def _trimmed(curve, place: str) -> Optional[List[Any]]:
-    """The part of a Geom_TrimmedCurve, where its basis curve is one that is taken."""
+    """Reads the part of a Geom_TrimmedCurve, where its basis curve is one that is taken."""
     basis, low, high = curves_of(curve.BasisCurve(), place), curve.FirstParameter(), curve.LastParameter()
     if basis is None:
         return None

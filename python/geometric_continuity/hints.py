@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Geometric_continuity developers
 #
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""What was meant by a name that is not there."""
+"""Guesses at what was meant by a name that is not there."""
 
 from __future__ import annotations
 

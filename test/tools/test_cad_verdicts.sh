@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What is decided of CAD models: small models with one defect each, which is to be found, and models
-# without one, in which none is.
+# CAD models get the right verdicts: small models with one defect each, which is to be found, and
+# models without one, in which none is found.
 models=$(cd "$(dirname "$0")/cad/data" && pwd)
 . "$(dirname "$0")/functions.sh"
 needs_cad MAKE_CAD_MODELS

@@ -17,14 +17,14 @@ bytes() { printf '%b' "$(tr -d '\n' | sed 's/../\\x&/g')"; }
 # (0, -20) and the fourth by (200, 60): the handles at the third are parallel at both ends, and in
 # between their cross product is 4000 t (1 - t). Glyph 2 is composed of others.
 bytes <"$fonts/kink_ttf.hex" >kink.ttf
-# What is in a baseline is known, and a larger kink is new: the fourth point moves by (200, 70).
+# Kinks of a baseline are known, and a larger one is new: the fourth point moves by (200, 70).
 LC_ALL=C sed 's/\xec\x80\x00\x3c\x84/\xec\x80\x00\x46\x84/' kink.ttf >larger.ttf && holds [ "$(cmp -l kink.ttf larger.ttf | wc -l)" -eq 1 ]
 kinks() { run "$1" verify known.ttf --all-instances --max-kink 2 "${@:2}"; }
 cp kink.ttf known.ttf && kinks 1 --format sarif && mv out base.sarif && says base.sarif '"measure":{"quantity":"angle_degrees","bounds":['
 kinks 0 --baseline base.sarif --json && says out '{"findings":[],'
 cp larger.ttf known.ttf && kinks 1 --baseline base.sarif --json && says out '{"rule":"kink"' && kinks 1 --format sarif && mv out base.sarif
 cp kink.ttf known.ttf && kinks 0 --baseline base.sarif
-# The same outline, which moves in a region of four axes.
+# This is the same outline, which moves in a region of four axes.
 bytes <"$fonts/four_ttf.hex" >four.ttf
 # Glyph 1 as in kink.ttf; glyph 2 is that one half as wide, glyph 3 half as wide and high; in glyph
 # 4 the handle before (100, 0) has no length at 100. The same font packed as WOFF and WOFF2.

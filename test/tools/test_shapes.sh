@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What commands make is written in the format of the ending of --output, and read back by others.
+# Commands write their curves in the format of the ending of --output, and others read them back.
 . "$(dirname "$0")/functions.sh"
 
 printf '0 0\n1 2\n3 3\n4 1\n' >points.txt

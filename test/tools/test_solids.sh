@@ -41,7 +41,7 @@ python3 "$check_solids" "${arguments[@]}"
 code=$?
 [ $code -eq 77 ] || holds [ $code -eq 0 ]
 
-# The same solid from a mesh and from CAD models, whose planes are taken.
+# One solid is read from a mesh and from CAD models, whose planes are taken.
 for ending in step brep; do
   run 0 round-edges shells/box.$ending --set-back 0.2 -o again.$ending && run 0 verify again.$ending --require G2 --within 1e-9,1e-5deg,1e-3%
 done

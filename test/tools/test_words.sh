@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What the reports say: nothing that was not proved, in bounds that hold, in texts that are valid
-# whatever names files and elements have, and how a long work shows that it goes on.
+# Reports say nothing that was not proved, in bounds that hold and in texts that are valid whatever
+# names files and elements have; long work shows that it goes on.
 . "$(dirname "$0")/functions.sh"
 
 

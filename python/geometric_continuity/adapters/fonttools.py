@@ -16,7 +16,7 @@ from .outlines import Kink, Point, joins, kinks
 
 
 class _Contours:
-    """What a pen has kept."""
+    """The contours that a pen has kept."""
 
     name: str
     contours: List[List[Point]]

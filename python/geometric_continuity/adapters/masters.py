@@ -45,7 +45,7 @@ def length(a):
 
 
 def exact(x):
-    """The same number as an integer, or as a fraction where it is none."""
+    """Returns the number as an integer, or as a fraction where it is none."""
     return int(x) if int(x) == x else Fraction(x)
 
 
@@ -79,18 +79,18 @@ class Masters:
 
     @classmethod
     def independent(cls, n):
-        """Masters that are their own shares."""
+        """Returns masters that are their own shares."""
         return cls([[int(i == k) for k in range(n)] for i in range(n)])
 
     def has_order(self):
         return len(self.order) == len(self.scalars)
 
     def at(self, shares):
-        """The vectors at the masters."""
+        """Returns the vectors at the masters."""
         return [tuple(sum(s * shares[i][c] for i, s in row) for c in (0, 1)) for row in self._counting]
 
     def shares(self, wanted, snap):
-        """The shares, each the whole vector which snap() finds, that lead as near as they can to what is wanted at the masters."""
+        """Returns the shares, each the whole vector which snap() finds, that lead as near as they can to what is wanted at the masters."""
         found = [(0, 0)] * len(self.scalars)
         for r in self.order:
             found[r] = snap(tuple(wanted[r][c] - sum(s * found[i][c] for i, s in self._counting[r]) for c in (0, 1)))
@@ -98,7 +98,7 @@ class Masters:
 
 
 def is_smooth(a, b):
-    """Whether the cross product vanishes at all mixtures."""
+    """Returns whether the cross product vanishes at all mixtures."""
     n = range(len(a))
     return all(cross(a[i], b[j]) + cross(a[j], b[i]) == 0 for i in n for j in n if i <= j)
 
@@ -108,7 +108,7 @@ def _runs_on(a, b, masters):
 
 
 def by_ratio(a, b, masters, p, q, both):
-    """Handles q t and p t with the shares t nearest to both; of the right one only, p a / q. None where that is not on the grid."""
+    """Returns handles q t and p t with the shares t nearest to both; where only the right one moves, p a / q. None where that is not on the grid."""
     if not both:
         if any((p * c) % q for v in a for c in v):
             return None
@@ -120,7 +120,7 @@ def by_ratio(a, b, masters, p, q, both):
 
 
 def by_direction(a, b, masters, e, both):
-    """Handles that are multiples of e; of the right one only, where the left one has that direction."""
+    """Returns handles that are multiples of e; where only the right one moves, if the left one has that direction."""
 
     def along(handle):
         return masters.shares(masters.at(handle), lambda rest: times(nearest(Fraction(dot(rest, e)) / dot(e, e)), e))
@@ -131,7 +131,7 @@ def by_direction(a, b, masters, e, both):
 
 
 def _fractions(low, high, *given):
-    """Short fractions in a range around these numbers."""
+    """Returns short fractions in a range around these numbers."""
     found = {Fraction(p, q) for p in range(1, LARGEST + 1) for q in range(1, LARGEST + 1)}
     found |= {Fraction(x).limit_denominator(LARGEST) for x in given}
     return sorted(f for f in found if f > 0 and low / 1.5 <= f <= high * 1.5)
@@ -143,7 +143,7 @@ def _ratios(a, b, masters):
 
 
 def candidates(a, b, masters, both):
-    """Handles in the place of these that may be smooth together; only those on the right move unless both do."""
+    """Yields handles in the place of these that may be smooth together; only those on the right move unless both do."""
     ratios = _ratios(a, b, masters)
     if not ratios:
         return
@@ -171,12 +171,12 @@ def candidates(a, b, masters, both):
 
 
 def moves(a, b, x, y, masters):
-    """How far handles move at the masters."""
+    """Returns how far handles move at the masters."""
     return [length(minus(u, v)) for old, new in ((a, x), (b, y)) for u, v in zip(masters.at(old), masters.at(new))]
 
 
 def smooth_handles(a, b, masters, free_a, free_b):
-    """The handles that are smooth at every mixture with the least moves (the longest, then the sum), and the longest move; None where the
+    """Returns the handles that are smooth at every mixture with the least moves (the longest, then the sum), and the longest move; None where the
     grid has none."""
     if free_a and not free_b:
         found = smooth_handles(b, a, masters, False, True)
@@ -193,7 +193,7 @@ def smooth_handles(a, b, masters, free_a, free_b):
 
 
 def longest_move(a, b, masters):
-    """How far a handle may move unless it is told: eight times what the kink is off at a master or halfway between two, and one unit more."""
+    """Returns how far a handle may move unless it is told: eight times what the kink is off at a master or halfway between two, and one unit more."""
     halfway = [[tuple(Fraction(u[c] + v[c]) / 2 for c in (0, 1)) for u in side for v in side] for side in (masters.at(a), masters.at(b))]
     lengths = [(abs(cross(u, v)), min(length(u), length(v))) for u, v in zip(*halfway)]
     return 1 + 8 * max((float(c) / least for c, least in lengths if least > 0), default=0.0)
@@ -208,20 +208,20 @@ def _factors(curves):
 
 
 def _direction(a, b):
-    """The vector of which all shares are multiples; None where they have not one direction."""
+    """Returns the vector of which all shares are multiples; None where they have not one direction."""
     e = primitive(next(v for v in a + b if any(v)))
     return e if not any(cross(v, e) for v in a + b) else None
 
 
 def _ratio(a, b):
-    """k with b = k a for all shares; None where there is none."""
+    """Returns k with b = k a for all shares; None where there is none."""
     c, u, v = next((c, u, v) for u, v in zip(a, b) for c in (0, 1) if u[c])
     k = Fraction(v[c]) / u[c]
     return k if k > 0 and all(times(k, u) == v for u, v in zip(a, b)) else None
 
 
 def is_g2(a, b, curves):
-    """Whether handles that are smooth at all mixtures have one curvature at all of them, exactly."""
+    """Returns whether handles that are smooth at all mixtures have one curvature at all of them, exactly."""
     p, q = _factors(curves)
     n = range(len(a))
     e = _direction(a, b)
@@ -245,7 +245,7 @@ def _jump(a, b, u, v, curves):
 
 
 def curvature_jump(a, b, curves, masters):
-    """The largest relative jump of the curvature at the masters and halfway between two of them; 0 only where it is 0 at all mixtures."""
+    """Returns the largest relative jump of the curvature at the masters and halfway between two of them; 0 only where it is 0 at all mixtures."""
     if is_g2(a, b, curves):
         return 0.0
     at = [masters.at(x) for x in (a, b, curves.u, curves.v)]
@@ -259,13 +259,13 @@ def curvature_jump(a, b, curves, masters):
 
 
 def can_agree(a, b, curves, masters):
-    """Whether the curvatures have one sign at each master, so that other lengths of handles make them agree."""
+    """Returns whether the curvatures have one sign at each master, so that other lengths of handles make them agree."""
     signs = [(sign(cross(u, x)), sign(cross(y, v))) for x, y, u, v in zip(*(masters.at(w) for w in (a, b, curves.u, curves.v)))]
     return all(left == right for left, right in signs) and any(left for left, _ in signs)
 
 
 def _lengths(m, n, p, q, offsets, free_a, free_b, bound):
-    """Whole numbers near m and n, beside these offsets, with p n^2 = q m^2 if that is not farther than a bound, otherwise nearly so."""
+    """Returns whole numbers near m and n, beside these offsets, with p n^2 = q m^2 if that is not farther than a bound, otherwise nearly so."""
     if p == 0 or q == 0:
         return (m, n) if p == q else None
     if p * q < 0:
@@ -301,7 +301,7 @@ def _lengths(m, n, p, q, offsets, free_a, free_b, bound):
 
 
 def _along_direction(a, b, curves, masters, free, e, bound):
-    """Handles of the direction e whose lengths make the curvatures agree at each master."""
+    """Returns handles of the direction e whose lengths make the curvatures agree at each master."""
     p, q = _factors(curves)
     square = dot(e, e)
     given = [[exact(Fraction(dot(v, e)) / square) for v in masters.at(side)] for side in (a, b)]
@@ -318,7 +318,7 @@ def _along_direction(a, b, curves, masters, free, e, bound):
 
 
 def _along_ratio(a, b, curves, masters, f):
-    """Handles of one ratio f that turn to where the curvatures agree: at each master, and at all mixtures."""
+    """Returns handles of one ratio f that turn to where the curvatures agree: at each master, and at all mixtures."""
     p, q = _factors(curves)
     k, d = f.numerator, f.denominator
     s = [tuple(p * k * k * u[c] + q * d * d * v[c] for c in (0, 1)) for u, v in zip(curves.u, curves.v)]
@@ -337,7 +337,7 @@ def _along_ratio(a, b, curves, masters, f):
 
 
 def harmonised(a, b, curves, masters, free_a, free_b, bound=None):
-    """Handles in the place of these, which are smooth at all mixtures and stay so, whose curvatures agree there, or nearly: exactly where
+    """Finds handles in the place of these, which are smooth at all mixtures and stay so, whose curvatures agree there, or nearly: exactly where
     the grid allows it within the bound, otherwise with the least jump. Returns them with the jump and the longest move; None where nothing is
     better. The bound is a tenth of the shortest handle, at least 1, unless it is given."""
     if bound is None:

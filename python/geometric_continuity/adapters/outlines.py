@@ -62,7 +62,7 @@ class Move:
 
 
 def _beziers(points: List[Point], start: int, inner: List[int], end: int) -> List[List[Tuple]]:
-    """The Bezier curves of a segment between two on-curve points; of a qcurve with implied points several."""
+    """Returns the Bezier curves of a segment between two on-curve points; a qcurve with implied points has several."""
     xy: List[Tuple] = [(points[i].x, points[i].y) for i in [start] + inner + [end]]
     if points[end].type != "qcurve" or len(inner) < 2:
         return [xy]

@@ -132,7 +132,7 @@ def incompatible(fonts) -> List[str]:
 
 
 def _ufo_masters(fonts):
-    """The points of the contours of each glyph that are compatible in all masters that have the glyph, by name and number of the contour:
+    """Returns the points of the contours of each glyph that are compatible in all masters that have the glyph, by name and number of the contour:
     (name, number, the numbers of these masters, their points)."""
     found = []
     for name in dict.fromkeys(glyph.name for font in fonts for glyph in font):
@@ -187,7 +187,7 @@ def glyphs_kinks(font, kink_angle=5) -> List[Kink]:
 
 
 def _glyphs_masters(font):
-    """The paths of each glyph of a `glyphsLib.GSFont` that are compatible in the layers of all masters: (name, number, paths, their points)."""
+    """Returns the paths of each glyph of a `glyphsLib.GSFont` that are compatible in the layers of all masters: (name, number, paths, their points)."""
     found = []
     for glyph in font.glyphs:
         layers = [layer for layer in glyph.layers if layer.layerId == layer.associatedMasterId]

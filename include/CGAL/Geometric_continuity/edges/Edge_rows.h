@@ -79,7 +79,6 @@ template <class Traits> using Edge_field = typename Exact_field<Predicate_FT<Tra
 
 namespace internal {
 
-// Tells whether the rows of a surface are those of homogeneous points.
 // Tells whether a surface is one patch, without knots.
 template <class Surface> struct Is_patch : std::false_type {};
 template <class Traits> struct Is_patch<Bezier_patch<Traits>> : std::true_type {};

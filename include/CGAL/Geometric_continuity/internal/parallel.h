@@ -68,7 +68,7 @@ public:
 };
 
 #ifdef CGAL_LINKED_WITH_TBB
-// At once also where TBB may use one core only.
+// Runs both at once, also where TBB may use one core only.
 template <class Concurrency_tag>
 class Task<Concurrency_tag, std::enable_if_t<std::is_convertible_v<Concurrency_tag, Parallel_tag>>> {
   std::optional<tbb::task_group> group_;

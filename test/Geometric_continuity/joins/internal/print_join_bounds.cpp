@@ -26,12 +26,12 @@ const char* name_of(Join_question form) {
 }
 
 // Differences up to 2^exponent.
-template <int N> Differences<Term, N> differences(bool from_legs, int exponent) {
-  const auto leg = [&](int k) { return Term::rounded_once(exponent - k); };
+template <int N> Differences<Term, N> differences(bool from_first_differences, int exponent) {
+  const auto first = [&](int k) { return Term::rounded_once(exponent - k); };
   const auto difference = [&](int k) -> Term {
-    if (k == 0 || !from_legs) return leg(0);
-    if (k == 1) return leg(1) - leg(1);
-    return (leg(2) - leg(2)) - (leg(2) - leg(2));
+    if (k == 0 || !from_first_differences) return first(0);
+    if (k == 1) return first(1) - first(1);
+    return (first(2) - first(2)) - (first(2) - first(2));
   };
   const auto vector = [&](int k) -> std::array<Term, N> {
     if constexpr (N == 2)

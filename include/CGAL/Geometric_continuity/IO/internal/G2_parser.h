@@ -228,7 +228,7 @@ private:
     return integer("the ", what, low, high, in);
   }
 
-  // One of the numbers of a list of which `done` of `all` parts are complete.
+  // Reads one of the numbers of a list of which `done` of `all` parts are complete.
   template <class Number> Number read_number(long long done, long long all, const char* parts, const char* in = "") {
     if (!tokens_.advance())
       tokens_.refuse("file ends after " + std::to_string(done) + " of " + std::to_string(all) + " " + parts + in);
@@ -279,7 +279,7 @@ private:
     dimension_ = dimension;
   }
 
-  // In which the coordinates of lines and planes are computed.
+  // The coordinates of lines and planes are computed in this field.
   typedef std::conditional_t<std::is_same_v<FT, Decimal>, Exact_rational, typename Exact_field<FT>::type>
       Elementary_number;
 

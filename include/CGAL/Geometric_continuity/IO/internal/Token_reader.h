@@ -296,7 +296,7 @@ private:
     return true;
   }
 
-  // By the first word.
+  // The first word tells the encoding.
   void check_encoding() const {
     const std::string_view text = token();
     if (text[0] == '\xEF') refuse("the text begins with half a byte order mark");

@@ -235,7 +235,7 @@ template <class FT> FT append_digits(FT value, std::string_view digits) {
   return value;
 }
 
-// 10^n, by squares.
+// Returns 10^n, by squares.
 template <class FT> FT power_of_ten(int n) {
   if (n == 0) return FT(1);
   const FT half = power_of_ten<FT>(n / 2), square(half * half);

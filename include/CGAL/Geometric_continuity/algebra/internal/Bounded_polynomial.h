@@ -106,7 +106,7 @@ template <int most_degree_, int bits_> struct Bounded_polynomial {
     return std::all_of(c, c + degree + 1, [](const Coefficient& x) { return is_zero(x); });
   }
 
-  // 1 or -1 when all coefficients have this sign, otherwise 0
+  // Returns 1 or -1 when all coefficients have this sign, otherwise 0.
   int strict_sign() const {
     const auto sign = [](const Coefficient& x) { return x.top() < 0 ? -1 : is_zero(x) ? 0 : 1; };
     const int first = sign(c[0]);

@@ -25,7 +25,7 @@ template <class FT, int N> constexpr bool is_register_row_v = N > 0 && row_is_ve
 template <class FT, int N>
 using Coordinate_row = std::conditional_t<is_register_row_v<FT, N>, Row_vector<FT>, Coordinate_vector<FT, N>>;
 
-// With coordinate(i) for i < n, which is N unless that is 0.
+// Returns the row of coordinate(i) for i < n, which is N unless that is 0.
 template <class FT, int N, class Coordinate>
 CGAL_GC_FORCEINLINE Coordinate_row<FT, N> coordinate_row(int n, const Coordinate& coordinate) {
   if constexpr (is_register_row_v<FT, N>) {

@@ -95,8 +95,8 @@ public:
     return right;
   }
 
-  // 1 or -1 if that is the sign of the polynomial on all of [0, 1], and a few bisections prove it.
-  // Otherwise 0.
+  // Returns 1 or -1 if that is the sign of the polynomial on all of [0, 1], and a few bisections
+  // prove it. Otherwise 0.
   template <class Polynomial> static int sign_of(const Polynomial& p) {
     const std::optional<Rounded_polynomial> rounded = of(p);
     return rounded ? rounded->sign(most_bisections) : 0;

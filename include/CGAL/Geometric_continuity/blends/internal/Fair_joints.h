@@ -209,7 +209,7 @@ private:
     return {b.point - a.point, {{h * a.tangent, square * a.curvature}, 1}, {{h * b.tangent, square * b.curvature}, -1}};
   }
 
-  // In the plane: calls f(r, gradient of r by the control points) for what keeps three control
+  // In the plane, this calls f(r, gradient of r by the control points) for what keeps three control
   // points turned to one side: those in the middle of a piece without an inflection, and otherwise
   // the tangents and the chord. It is infinite where they are not. Returns false there.
   template <class Function>
@@ -253,7 +253,8 @@ private:
     return true;
   }
 
-  // In the plane the sign of the curvature at a joint, where it is known: then it is multiplied.
+  // Returns in the plane the sign of the curvature at a joint, where it is known: then it is
+  // multiplied.
   int sign(int i) const {
     if constexpr (M == 2)
       return turns_->curvature_sign(i);
@@ -353,7 +354,7 @@ private:
     return r;
   }
 
-  // In the plane, between turns to different sides.
+  // Returns whether the joint is in the plane, between turns to different sides.
   bool has_no_curvature(int i) const {
     if constexpr (M == 2)
       return turns_->has_no_curvature(i);
@@ -361,7 +362,7 @@ private:
       return i < 0;
   }
 
-  // In the plane, where a piece may have no inflection.
+  // Returns whether the piece is in the plane and may have no inflection.
   bool bends(int piece) const {
     if constexpr (M == 2)
       return turns_->bend(piece) != 0;

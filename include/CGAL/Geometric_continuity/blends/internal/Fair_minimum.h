@@ -102,7 +102,7 @@ template <Blend_kind kind, int M> class Fair_minimum {
   template <int nodes> using Quadrature = Fairness_quadrature<kind, M, nodes>;
   static constexpr int unknowns = Family::unknowns, shape_unknowns[2] = {0, Family::End::unknowns};
   static constexpr double log2 = 0.6931471805599453;
-  // of the logarithm of a shape parameter: a factor of 4
+  // The logarithm of a shape parameter changes by no more: a factor of 4.
   static constexpr double most_change = 2 * log2;
   static constexpr double longest_step = 0.75; // of the same
   static constexpr double precision = 1e-3;    // of E, as far as the expansion tells
@@ -262,8 +262,8 @@ private:
     return false;
   }
 
-  // From y; returns the least value that was found, which is that of y then, and whether it is a
-  // minimum.
+  // Starts from y; returns the least value that was found, which is that of y then, and whether it
+  // is a minimum.
   template <int nodes> std::pair<double, bool> minimise(Quadrature<nodes>& quadrature, Unknowns& y) {
     double here = quadrature.value(y), damping = 1e-2;
     Fairness_expansion<unknowns> expansion = quadrature.expand(y);

@@ -67,7 +67,7 @@ private:
     }
   }
 
-  // By de Casteljau's algorithm.
+  // Returns the value by de Casteljau's algorithm.
   static double value(std::array<double, degree + 1> c, int m, double t) {
     for (; m > 0; --m)
       for (int l = 0; l < m; ++l) c[l] += t * (c[l + 1] - c[l]);
@@ -110,7 +110,7 @@ template <Blend_kind kind, int M, int nodes> class Fairness_quadrature {
   const Family& family_;
   const Gauss_nodes<degree, nodes>& table_ = Gauss_nodes<degree, nodes>::instance();
 
-  // At all nodes.
+  // These are taken at all nodes.
   std::array<Rows, 3> d_;                  // the derivatives
   Row speed_, over_g_, a_, e_, scale_;     // sqrt(g), 1/g, a, 3a^2 - b, sqrt(weight) / g^(5/4)
   Rows f_;                                 // f times sqrt(weight)
@@ -167,7 +167,7 @@ public:
     return true;
   }
 
-  // At the x of the last call of value().
+  // Expands at the x of the last call of value().
   Fairness_expansion<unknowns> expand(const Unknowns& x) {
     Fairness_expansion<unknowns> r;
     // of each derivative: that of L / L, its product with f

@@ -228,8 +228,8 @@ public:
   }
 };
 
-// About a point, with the powers that are needed to move it, and for the derivatives that are
-// wanted.
+// Returns the polynomial about a point, with the powers that are needed to move it, and for the
+// derivatives that are wanted.
 inline Spline_piece_polynomial spline_polynomial(const Cad_spline_surface& s, const Parameter_box& box, double u,
                                                  double v, const Interval& du, const Interval& dv,
                                                  const Surface_orders& order) {
@@ -359,7 +359,7 @@ struct Check_cad_surface {
   }
 };
 
-// In u and v.
+// Returns the domain in u and v.
 inline std::array<Cad_domain, 2> cad_domain(const Cad_surface& surface) {
   const std::array<Spline_parameter, 2> parameters = spline_parameters(surface);
   return {cad_domain(parameters[0]), cad_domain(parameters[1])};

@@ -255,8 +255,8 @@ public:
   Edge_bounds(const Edge_side& a, const Edge_side& b)
       : sides_{Side_evaluator(a), Side_evaluator(b)}, vanishing_{Vanishing_normal(a), Vanishing_normal(b)} {}
 
-  // For questions about quantities up to `most` that begin with the parts of a range. \throws Error
-  // as divided_range()
+  // Takes the sides for questions about quantities up to `most` that begin with the parts of a
+  // range. \throws Error as divided_range()
   Edge_bounds(const Edge_side& a, const Edge_side& b, double first, double last, Edge_quantity most)
       : Edge_bounds(a, b) {
     most_ = most;

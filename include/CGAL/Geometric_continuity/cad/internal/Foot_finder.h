@@ -159,7 +159,7 @@ private:
     return s[0].size() == 1 && s[1].size() == 1;
   }
 
-  // Up to rounding.
+  // Returns whether the box lies in the domain, up to rounding.
   bool is_in_domain(const Box& x) const {
     for (std::size_t i = 0; i < 2; ++i) {
       const double margin = 1e-9 * (domain_[i].last - domain_[i].first);

@@ -80,10 +80,11 @@ public:
   std::vector<std::pair<double, double>> undefined;  // points where the function is not defined
   std::vector<std::pair<double, double>> unresolved; // where nothing is known
 
-  // On the ranges between successive numbers of `ends`. Parts where the function is not defined are
-  // halved until they are tiny, and in them it is proved that it is not: is_undefined(from, to). So
-  // are those with knot lines, unless the bounds are narrow with them: where a surface itself is
-  // not smooth, which of its pieces meets which of the other is not known.
+  // Encloses the maximum on the ranges between successive numbers of `ends`. Parts where the
+  // function is not defined are halved until they are tiny, and in them it is proved that it is
+  // not: is_undefined(from, to). So are those with knot lines, unless the bounds are narrow with
+  // them: where a surface itself is not smooth, which of its pieces meets which of the other is not
+  // known.
   template <class Evaluate, class Is_undefined>
   Maximum_enclosure(const std::vector<double>& ends, const Largest_options& options, const Evaluate& evaluate,
                     const Is_undefined& is_undefined)

@@ -47,9 +47,9 @@ struct Coordinate_models {
   Taylor_model value, derivative;
   Interval range; // of the value; a point when the coordinate is constant
 
-  // From the Taylor coefficients about the middle, and of the next order on all of the range
-  // (Lagrange's form of the remainder). Where the coordinate rises or falls its range is that
-  // between its ends, so that it does not reach beyond a knot that it ends on.
+  // Makes the model from the Taylor coefficients about the middle, and of the next order on all of
+  // the range (Lagrange's form of the remainder). Where the coordinate rises or falls its range is
+  // that between its ends, so that it does not reach beyond a knot that it ends on.
   template <int D>
   Coordinate_models(const Cad_curve_jet<D>& about_middle, const Cad_curve_jet<D>& on_range, const Interval& at_ends,
                     int i, double half) {
@@ -192,10 +192,10 @@ public:
   const Validated_transform& placed() const { return placed_; }
   bool is_flipped() const { return flipped_; }
 
-  // On each range the quantity asked for and those before it, by the formula of each piece of the
-  // surface that the edge may touch there, continued to all of the range: at each parameter one of
-  // these is the surface. None when nothing is known, or when there are too many. \pre the range
-  // lies between the knots of the curve
+  // Returns on each range the quantity asked for and those before it, by the formula of each piece
+  // of the surface that the edge may touch there, continued to all of the range: at each parameter
+  // one of these is the surface. None when nothing is known, or when there are too many. \pre the
+  // range lies between the knots of the curve
   std::vector<Side_models> models(const Edge_range& range, Edge_quantity quantity) const {
     constexpr int n = Taylor_model::size;
     const Cad_curve<2>& curve = *side_.curve;

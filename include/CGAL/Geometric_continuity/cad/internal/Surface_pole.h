@@ -64,7 +64,7 @@ public:
   }
 
 private:
-  // About where in v the distance from the axis is zero.
+  // Returns about where in v the distance from the axis is zero.
   static std::vector<double> lines_next_to(const Cad_elementary_surface& s, double v) {
     typedef Cad_elementary_surface::Kind Kind;
     constexpr double pi = 3.141592653589793;

@@ -110,7 +110,7 @@ inline double middle(const Interval& t) {
   return (std::min)((std::max)(m, t.inf()), t.sup());
 }
 
-// of the bases of offsets; of others one less suffices
+// Bases of offsets need this order; others need one less.
 constexpr int highest_order = Taylor_model::size + 3;
 
 // Numbers that start as 0, which those of CGAL do not.
@@ -251,7 +251,7 @@ template <int D> Cad_curve_jet<D> jet_of(const Cad_offset_curve<D>& offset, cons
 template <int D> Cad_curve_jet<D> cad_curve_jet(const Cad_curve<D>& curve, const Interval& t, int order, int span) {
   return std::visit([&](const auto& c) { return jet_of(c, t, order, span); }, curve);
 }
-// On the first piece that it touches.
+// Returns the jet on the first piece that the interval touches.
 template <int D> Cad_curve_jet<D> cad_curve_jet(const Cad_curve<D>& curve, const Interval& t, int order) {
   return cad_curve_jet(curve, t, order, intersected_pieces(curve, t, 1).front());
 }
@@ -320,7 +320,7 @@ inline Cad_domain cad_domain(const Spline_parameter& parameter) {
 }
 template <int D> Cad_domain cad_domain(const Cad_curve<D>& curve) { return cad_domain(spline_parameter(curve)); }
 
-// Each once.
+// Returns the inner knots, each once.
 inline std::vector<double> inner_knots(const Spline_parameter& parameter) {
   std::vector<double> knots;
   parameter.for_each_inner_knot([&](double knot, int) { knots.push_back(knot); });

@@ -55,7 +55,7 @@ template <class NT> class Curvature_polynomials {
   Polynomial v_{NT(1)};
 
 public:
-  // From the control points of the curve, or the homogeneous ones of a rational curve.
+  // Takes the control points of the curve, or the homogeneous ones of a rational curve.
   template <int N> Curvature_polynomials(const std::vector<Coordinate_vector<NT, N>>& rows, bool rational) {
     const int dimension = rows.front().dimension() - (rational ? 1 : 0);
     const Work_guard work("the curvature of a curve");

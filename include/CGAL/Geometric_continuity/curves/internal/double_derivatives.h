@@ -155,7 +155,7 @@ template <class Curve>
 struct Has_bezier_pieces<Curve, std::void_t<decltype(for_each_piece(std::declval<const Curve&>(), 0))>>
     : std::true_type {};
 
-// One function for each piece. A curve of which no pieces are known is one.
+// Returns one function for each piece. A curve of which no pieces are known is one piece.
 template <class Curve> auto derivatives_of_pieces(const Curve& curve) {
   if constexpr (Has_bezier_pieces<Curve>::value)
     return bezier_derivatives(curve);

@@ -48,8 +48,8 @@ template <class Field, int N = 3> struct Edge_piece {
   Field length() const { return Field(end - begin); }
 };
 
-// On each span of the knots, in an exact field. \throws Error `wrong_number_of_points`,
-// `not_finite`
+// Returns the rows on each span of the knots, in an exact field. \throws Error
+// `wrong_number_of_points`, `not_finite`
 template <class Field, class FT, int N>
 std::vector<Edge_piece<Field, N>> edge_pieces(const Spline_edge_rows<FT, N>& edge) {
   typedef typename Edge_rows<Field, N>::Row Row;
@@ -71,7 +71,7 @@ std::vector<Edge_piece<Field, N>> edge_pieces(const Spline_edge_rows<FT, N>& edg
   return pieces;
 }
 
-// From points to homogeneous points, with the weight 1.
+// Lifts points to homogeneous points, with the weight 1.
 template <class Field>
 typename Edge_rows<Field, 4>::Row lifted(const typename Edge_rows<Field>::Row& row, const Field& weight) {
   typename Edge_rows<Field, 4>::Row result(row.size(), Coordinate_vector<Field, 4>(4));
@@ -104,7 +104,7 @@ edge_pieces(const Surface& surface, Patch_edge edge, int order = 2) {
     return edge_pieces<Field>(spline_edge_rows(surface, edge, order));
 }
 
-// With N coordinates, 3 or 4, and the third derivatives for the order 3.
+// Returns the pieces with N coordinates, 3 or 4, and the third derivatives for the order 3.
 template <int N, class Surface>
 std::vector<Edge_piece<Edge_field<typename Surface::Traits>, N>> edge_pieces_in(const Surface& surface, Patch_edge edge,
                                                                                 int order = 2) {
@@ -287,7 +287,7 @@ std::vector<Common_span<Field>> common_spans(const std::vector<Edge_piece<Field,
   return spans;
 }
 
-// From the whole of one edge to the whole of another.
+// Returns the map from the whole of one edge to the whole of another.
 template <class Field, int N>
 Affine_parameter_map<Field> whole_map(const std::vector<Edge_piece<Field, N>>& a,
                                       const std::vector<Edge_piece<Field, N>>& b, Edge_direction direction) {

@@ -64,8 +64,8 @@ std::optional<Edge_continuity<Field>> crease_on_grid(Edge_ladder& ladder,
   return std::nullopt;
 }
 
-// In multi-precision, for edges that are the same curve in one direction. `Sides` is Edge_sides or
-// what has its derivatives.
+// Decides in multi-precision, for edges that are the same curve in one direction. `Sides` is
+// Edge_sides or what has its derivatives.
 template <class Field, int N = 3> class Edge_decision {
   typedef Edge_normals<Field, N> Normals;
   typedef typename Normals::Polynomial Polynomial;

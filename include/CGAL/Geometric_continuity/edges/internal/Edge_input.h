@@ -129,7 +129,8 @@ inline std::optional<Edge_direction> common_direction(const Homogeneous_layers& 
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// Infinity if a coordinate is infinite or not a number, or a bound of all coordinates.
+// Returns infinity if a coordinate is infinite or not a number, otherwise a bound of all
+// coordinates.
 inline double size_of(const Edge_layers& a) {
   double size[3] = {0, 0, 0}, test[3] = {0, 0, 0}; // 0, or not a number
   for (int j = 0; j < a.layers; ++j)
@@ -145,7 +146,7 @@ inline double size_of(const Edge_layers& a) {
 inline bool is_finite(const Edge_layers& a) { return std::isfinite(size_of(a)); }
 template <class T> bool is_finite(const Edge_points<T, 4>&) { return true; }
 
-// In units of the grid; it is invalid afterwards unless all coordinates lie on it.
+// Converts to units of the grid, which is invalid afterwards unless all coordinates lie on it.
 inline void convert(const Edge_layers& a, Grid& grid, Grid_layers& g) {
   g.along = a.along;
   g.across = a.across;
@@ -329,7 +330,7 @@ bool edge_layers(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patc
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
 
-// From rows of one degree, with the same edge. The surfaces C + T v + W v^2/2 have the same order
+// Takes rows of one degree, with the same edge. The surfaces C + T v + W v^2/2 have the same order
 // along the edge; their control points are C, C + T/2 and C + T + W/2, here times two and the
 // common denominator. Returns whether numbers of fixed length may decide.
 template <class Field, int N, class T>

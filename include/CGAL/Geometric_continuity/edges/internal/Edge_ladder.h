@@ -84,7 +84,7 @@ public:
   }
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
-  // In integers of fixed length; nothing unless all coordinates lie on one grid.
+  // Returns the edge in integers of fixed length; nothing unless all coordinates lie on one grid.
   const On_grid* on_grid() {
     if (!tried_) {
       tried_ = true;
@@ -251,8 +251,8 @@ public:
   }
 
 private:
-  // By one coordinate of all products of first differences d of the edge and first differences a
-  // whose basis functions overlap.
+  // Decides by one coordinate of all products of first differences d of the edge and first
+  // differences a whose basis functions overlap.
   bool normal_is_nowhere_zero() const {
     const std::size_t m = s1_.size(), n = static_cast<std::size_t>(n_);
     for (int x = 0; x < 3; ++x) {

@@ -206,7 +206,7 @@ public:
   auto second_normal() const { return tangent_.normal(cross_difference(s2_)); }
 
 private:
-  // By the coordinate x. See second_order_form().
+  // Decides by the coordinate x. See second_order_form().
   template <class Normal, class Coordinate_2>
   bool second_order_holds(const Normal& n1, const Coordinate_2& n2, const Cross_difference& b, int x) const {
     const Edge_factors<int> w = edge_factors(s1_, s2_);
@@ -259,7 +259,7 @@ private:
       return Tangent<D>(vector<Edge>(n_, [&](int i, int x) { return s1_.p[0][i][x]; }), d);
   }
 
-  // From Bernstein coefficients.
+  // Makes a polynomial from Bernstein coefficients.
   template <class V, class Coefficient> static V vector(int degree, Coefficient coefficient) {
     V v;
     for (int x = 0; x < N; ++x) v[x].degree = degree;

@@ -137,7 +137,7 @@ private:
     return pieces_.size() <= most_pieces;
   }
 
-  // With its bounds.
+  // Adds a piece with its bounds.
   void add(Piece x) {
     const int n = x.p.degree;
     const bool at_0 = x.index == 0, at_1 = x.index + 1 == std::int64_t(1) << level_;

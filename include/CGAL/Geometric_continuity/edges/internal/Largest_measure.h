@@ -236,8 +236,8 @@ private:
     return most < bound ? most : bound;
   }
 
-  // By the measure at an end, as the limit from inside of the piece: the cosine has the sign of the
-  // first coefficient that is not zero. Where it is zero, sin^2 = 1.
+  // Raises the bound by the measure at an end, as the limit from inside of the piece: the cosine
+  // has the sign of the first coefficient that is not zero. Where it is zero, sin^2 = 1.
   void raise_lower_bound(const Ring& s, const Ring& p, const Polynomial& side, int k) {
     const bool acute = k < 0 || k > side.degree() || side[k] < Ring(0);
     const Fraction measure{acute ? s : Ring(Ring(2) * p - s), p};

@@ -130,7 +130,7 @@ auto decide_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, 
   return decide_spans(pieces_a, pieces_b, find_match(pieces_a, pieces_b), decide_edge<Field, N>);
 }
 
-// For edges that have been recognised as the same, see Edge_key.
+// Decides edges that have been recognised as the same, see Edge_key.
 template <class Surface_a, class Surface_b>
 auto continuity_of_same_edge(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
                              Edge_direction direction, Crease_angles angles) {
@@ -140,7 +140,7 @@ auto continuity_of_same_edge(const Surface_a& a, Patch_edge edge_a, const Surfac
   return decide_surfaces(a, edge_a, b, edge_b, find_match, angles);
 }
 
-// Along the common part of two edges.
+// Decides along the common part of two edges.
 template <class Field, class FT, int N>
 Spline_edge_continuity<Field> decide_rows(const Spline_edge_rows<FT, N>& a, const Spline_edge_rows<FT, N>& b) {
   const Work_guard work("edge_continuity");
@@ -148,7 +148,8 @@ Spline_edge_continuity<Field> decide_rows(const Spline_edge_rows<FT, N>& a, cons
   return decide_spans(pieces_a, pieces_b, common_edge_part(pieces_a, pieces_b), decide_edge<Field, N>);
 }
 
-// Along lines over one domain that have equal parameters in common points, or are not the same.
+// Decides along lines over one domain that have equal parameters in common points, or are not the
+// same.
 template <class Field, int N>
 Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_rows<Field, N>& a,
                                                             const Spline_edge_rows<Field, N>& b) {
@@ -160,7 +161,7 @@ Spline_edge_continuity<Field> continuity_at_same_parameters(const Spline_edge_ro
   });
 }
 
-// In the ring of the common denominators, along the same edge in one direction.
+// Decides in the ring of the common denominators, along the same edge in one direction.
 template <int order, class Field, int N> bool sides_have_order(const Edge_sides<Field, N>& sides) {
   const Edge_normals<Field, N> normals(sides);
   if (!normals.first_order() || (order >= 2 && !normals.second_order(sides))) return false;
@@ -173,7 +174,7 @@ template <int order, class Field, int N> bool sides_have_order(const Edge_sides<
 // The orders above 2 are refuted by the stages of fixed length for the order 2.
 template <int order> constexpr int order_on_layers = (std::min)(order, 2);
 
-// Along rows with the same edge, in one direction.
+// Decides along rows with the same edge, in one direction.
 template <int order, class Field, int N, class Stages>
 bool rows_have_order(const Edge_rows<Field, N>& a, const Edge_rows<Field, N>& b, Stages& stages) {
   if constexpr (Fixed_length_stages<N>::exist) {

@@ -75,7 +75,7 @@ CGAL_GC_FORCEINLINE Parametric_degree_factors<V> converted(const Parametric_degr
   return {V(w.a1), V(w.b1), V(w.a2), V(w.b2), V(w.a3), V(w.b3)};
 }
 
-// At most 2^40: exact as doubles, and with room for 20 bits more.
+// Returns whether the factors are at most 2^40: exact as doubles, and with room for 20 bits more.
 template <int k> CGAL_GC_FORCEINLINE bool weights_fit(const Parametric_degree_factors<std::int64_t>& w) {
   std::int64_t largest = (std::max)(w.a1, w.b1);
   if (k >= 2) largest = (std::max)(largest, (std::max)(w.a2, w.b2));

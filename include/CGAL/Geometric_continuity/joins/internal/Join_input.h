@@ -115,7 +115,8 @@ protected:
                                        const First_differences<double, N>& right, int n)
       : m_(m), n_(n), left_differences_(left), right_differences_(right) {}
 
-  // For domains whose lengths are as h to l, which are at most 1024, if the question is parametric.
+  // Takes domains whose lengths are as h to l, which are at most 1024, if the question is
+  // parametric.
   CGAL_GC_FORCEINLINE bool factors_with(std::int64_t h, std::int64_t l,
                                         Degree_factors_of<question_, std::int64_t>& w) const {
     if (!degrees_fit(m_, n_)) return false;
@@ -334,7 +335,7 @@ public:
     }
     return unit;
   }
-  // As whole numbers of 2^unit, unless they are too long.
+  // Converts the weights to whole numbers of 2^unit, unless they are too long.
   template <class Integer> CGAL_GC_FORCEINLINE bool in_units(int unit, std::array<Integer, 4>& w) const {
     for (int j = 0; j <= k; ++j) {
       const double x = w_[j] * power_of_two(-unit);

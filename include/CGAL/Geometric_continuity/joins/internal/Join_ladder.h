@@ -33,9 +33,9 @@ template <class T, std::size_t N> CGAL_GC_FORCEINLINE bool is_on_axis(const std:
   return true;
 }
 
-// By the signs of the first differences: the largest coordinate of the left one is the pivot. Where
-// the tangents run along the same axis, as most at the smooth joins of drawings do, nothing is left
-// to ask for G1.
+// Decides by the signs of the first differences: the largest coordinate of the left one is the
+// pivot. Where the tangents run along the same axis, as most at the smooth joins of drawings do,
+// nothing is left to ask for G1.
 template <Join_question question, class T, std::size_t N>
 CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<T, N>& a1, const std::array<T, N>& b1, int pivot) {
   const T x = coordinate_at(a1, pivot), y = coordinate_at(b1, pivot);
@@ -111,9 +111,9 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_residues_with(const Factors& w, const 
     if (!equations.left_has_curvature()) return Join_answer::unknown;
   return decided(all_hold<question>(equations) ? Join_answer::yes : Join_answer::no);
 }
-// By residues of the least length that suffices. Long ones need much room, and are compiled apart.
-// Those are called by value, since what they could read by reference would not stay in registers
-// anywhere.
+// Decides by residues of the least length that suffices. Long ones need much room, and are compiled
+// apart. Those are called by value, since what they could read by reference would not stay in
+// registers anywhere.
 template <class Input, class Width, class Stages, int... limbs>
 BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Width width, int pivot,
                                                    Stages& stages, std::integer_sequence<int, limbs...>);

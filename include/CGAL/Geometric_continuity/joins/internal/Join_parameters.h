@@ -101,7 +101,8 @@ public:
   }
 
 private:
-  // By compound operators only: products of exact numbers are types, which are long to compile.
+  // Multiplies by compound operators only: products of exact numbers are types, which are long to
+  // compile.
   static FT product(std::initializer_list<FT> factors) {
     FT x(1);
     for (const FT& factor : factors) x *= factor;

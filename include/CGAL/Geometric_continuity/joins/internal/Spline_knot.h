@@ -46,7 +46,7 @@ template <int N> class Enclosed_span {
   }
 
 public:
-  // From a part of a curve with this span. \pre its degree is below most_points
+  // Takes a part of a curve with this span. \pre its degree is below most_points
   template <class Part> explicit Enclosed_span(const Part& part) : p_(part.degree) {
     for (int i = 0; i <= 2 * p_ + 1; ++i) t_[i] = enclosure(part.knots[i]);
     for (int j = 0; j <= p_; ++j)

@@ -65,7 +65,7 @@ template <int N> bool curvatures_differ(const Integer_end<N>& left, const Intege
       Degree_factors<std::int64_t>::geometric<Join_question::g2>(left.degree(), right.degree());
   return curvatures_differ<N>(left.first_differences(), right.first_differences(), w, 0);
 }
-// On grids, or in interval arithmetic.
+// Decides on grids, or in interval arithmetic.
 template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_end<N>& right) {
   if (!degrees_fit(left.degree(), right.degree())) return false;
   const Degree_factors<std::int64_t> w =
@@ -89,7 +89,7 @@ template <int N> bool curvatures_differ(const Double_end<N>& left, const Double_
                                       Interval(static_cast<double>(w.a2)), Interval(static_cast<double>(w.b2)));
   return !a.do_overlap(b);
 }
-// By numbers of any length. \pre no tangent vanishes
+// Decides by numbers of any length. \pre no tangent vanishes
 template <int N> BOOST_NOINLINE bool curvatures_are_equal(const Double_end<N>& left, const Double_end<N>& right) {
   constexpr Join_question question = Join_question::g2;
   Ring_join<N, false, Join_scale_of_doubles> join(question, left, right);

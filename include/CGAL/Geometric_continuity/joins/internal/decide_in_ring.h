@@ -123,7 +123,7 @@ private:
     return i;
   }
 
-  // From the pivot on.
+  // Returns the differences with the coordinates from the pivot on.
   BOOST_NOINLINE Differences<Ring, N> differences(const End& x, bool left) const {
     Differences<Ring, N> d;
     for (int i = 0; i < N; ++i) {
@@ -154,7 +154,7 @@ public:
 
   bool tangents_vanish() const { return !is_parametric(question_) && (pivot_ == N || first_difference(right_) == N); }
 
-  // By how many moduli the remainders of a form must be zero so that it is.
+  // Returns by how many moduli the remainders of a form must be zero so that it is.
   template <Join_question question> int moduli(int form_degree = internal::form_degree(question)) const {
     const int digits = 64 - leading_zero_bits(static_cast<std::uint64_t>((std::max)(left_.degree, right_.degree) | 1));
     return Scale::moduli(

@@ -42,7 +42,7 @@ template <class Left, class Right> CGAL_GC_FORCEINLINE bool ends_meet(const Left
   return true;
 }
 
-// From jets of order 3, that the ends meet included.
+// Decides from jets of order 3 also that the ends meet.
 template <Join_question question, class Field, int N>
 Join_answer decide_on_jets(const Coordinate_jet<Field, N>& x, const Coordinate_jet<Field, N>& y) {
   const Join_continuity<Field> join = Join_decision<Field, N>(x, y, 3)();
@@ -71,7 +71,7 @@ template <class End, bool doubles = is_double<typename End::Traits::FT>> struct 
 // names no exact field
 template <class End> struct Join_scale<End, true> { typedef Join_scale_of_doubles type; };
 
-// By numbers of any length. \pre the ends meet, if the question asks for contact
+// Decides by numbers of any length. \pre the ends meet, if the question asks for contact
 template <Join_question question, bool weighted = false, class Left, class Right, class Stages>
 Join_answer decide_exactly(const Left& left, const Right& right, Stages& stages) {
   constexpr int N = dimension_v<typename Left::Traits>;
@@ -94,8 +94,8 @@ template <class End>
 using By_value_or_ref =
     std::conditional_t<std::is_trivially_copyable_v<End> && sizeof(End) <= 2 * sizeof(void*), End, const End&>;
 
-// By all stages, which need much room: ends that do not meet are not to wait for it. \pre the ends
-// meet, if the question asks for contact
+// Decides by all stages, which need much room: ends that do not meet are not to wait for it. \pre
+// the ends meet, if the question asks for contact
 template <Join_question question, bool weighted, class Left, class Right, class Stages>
 BOOST_NOINLINE Join_answer decide_ends(By_value_or_ref<Left> left, By_value_or_ref<Right> right, Stages& stages) {
   typedef typename Left::Traits Traits;

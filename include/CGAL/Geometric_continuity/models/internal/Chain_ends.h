@@ -98,8 +98,8 @@ public:
     }
   }
 
-  // At each corner, the edge that ends at the chain of the two others, as it leaves; -1 at other
-  // vertices.
+  // Returns for each corner the edge that ends at the chain of the two others, as it leaves; -1 at
+  // other vertices.
   const std::vector<int>& stems() const { return stems_; }
 
 private:

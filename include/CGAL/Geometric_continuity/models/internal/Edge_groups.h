@@ -126,7 +126,7 @@ public:
   const std::vector<Edge_use>& collapsed() const { return collapsed_; }
 
 private:
-  // One number for each point that is a corner, by the numbers of the corners.
+  // Returns one number for each point that is a corner, by the numbers of the corners.
   std::vector<std::size_t> numbers_of_corners() const {
     struct Corner {
       Coordinates<Traits> x;

@@ -195,7 +195,7 @@ public:
            (knots_.empty() || !(points_.front() == points_.back()));
   }
 
-  // By all points, then by the weights. \pre both have one form
+  // Compares by all points, then by the weights. \pre both have one form
   friend bool operator<(const Edge_polygon& x, const Edge_polygon& y) {
     return before(x.points_, y.points_) ||
            (x.weights_ != y.weights_ && x.points_ == y.points_ && x.weights_ < y.weights_);

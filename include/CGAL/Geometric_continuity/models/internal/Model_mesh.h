@@ -67,7 +67,7 @@ public:
     for (std::size_t i = 0; i < patches.size(); ++i) simple_[i] = is_simple(i, pairs);
   }
 
-  // By the first use, which is that of the patch with the least number.
+  // Returns the edges, ordered by the first use, which is that of the patch with the least number.
   const std::vector<Edge_uses>& edges() const { return groups_.edges(); }
 
   // The number, below four times the number of patches, of what may be the corner of several
@@ -83,9 +83,9 @@ public:
 
   static constexpr std::size_t open = static_cast<std::size_t>(-1);
 
-  // For each patch the least number of a patch of the part to which it belongs, of those that are
-  // connected by edges; `open` unless each edge of the part is that of two patches, whose triangles
-  // pass it in opposite directions.
+  // Returns for each patch the least number of a patch of the part to which it belongs, of those
+  // that are connected by edges; `open` unless each edge of the part is that of two patches, whose
+  // triangles pass it in opposite directions.
   std::vector<std::size_t> closed_parts() const {
     std::vector<std::size_t> part(simple_.size());
     std::iota(part.begin(), part.end(), std::size_t(0));
@@ -282,7 +282,7 @@ private:
         for (std::size_t t = first(i); t < ends_[i]; ++t) std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]);
   }
 
-  // As many as the patch with the most cells needs.
+  // Returns as many cells as the patch with the most cells needs.
   std::size_t cells_along(const Edge_uses& uses) const {
     std::size_t n = 1;
     for (const Edge_use& use : uses) n = (std::max)(n, number_of_cells(use));

@@ -61,8 +61,8 @@ public:
 
   const std::vector<Vector>& net() const { return net_; }
 
-  // For each k from 0 to n the Bernstein polynomials at k/n. A point is a sum with the weights of
-  // each call.
+  // Returns for each k from 0 to n the Bernstein polynomials at k/n. A point is a sum with the
+  // weights of each call.
   std::vector<std::vector<Number>> weights(int degree, std::size_t n) {
     std::vector<std::vector<Number>> w;
     for (std::size_t k = 0; k <= n; ++k) {

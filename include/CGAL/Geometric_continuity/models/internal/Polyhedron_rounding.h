@@ -62,7 +62,7 @@ public:
   using typename Cuts::Vertex_kind;
   typedef std::array<Vector, 6> Column; // from the right side, 0, to the left one, 5
 
-  // A rounded edge where it leaves a vertex.
+  // The control points of a rounded edge where it leaves a vertex.
   struct End {
     Column at;
     Column inward; // derivatives, where the chain is smooth or ends at another one
@@ -114,7 +114,7 @@ public:
     for (std::size_t f = 0; f < solid.faces.size(); ++f) crossings.check(static_cast<int>(f));
   }
 
-  // At a corner, the edge that ends at the chain of the two others, as it leaves.
+  // Returns at a corner the edge that ends at the chain of the two others, as it leaves.
   int stem(int vertex) const { return stems_[vertex]; }
   const End& end(int halfedge) const { return ends_[halfedge]; }
   // Where an edge that stays sharp begins.

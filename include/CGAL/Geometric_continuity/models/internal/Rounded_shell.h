@@ -171,7 +171,7 @@ private:
     const std::vector<Run>& runs = runs_[static_cast<std::size_t>(chain)][static_cast<std::size_t>(side)];
     return *std::find_if(runs.begin(), runs.end(), [&](const Run& run) { return span <= run.last; });
   }
-  // At a corner, the run of the chain that passes: by the span between its two edges.
+  // Returns at a corner the run of the chain that passes, by the span between its two edges.
   std::pair<int, int> corner_span(int vertex) const {
     const int a = rounding_.turned(rounding_.stem(vertex)), b = rounding_.turned(a);
     const auto [chain, at_a] = span_[a];
@@ -218,7 +218,7 @@ private:
       }
     }
   }
-  // At a mitre, the other rounded edge.
+  // Returns at a mitre the other rounded edge.
   int mate(int h) const {
     const int x = rounding_.turned(h);
     return rounding_.is_rounded(x) ? x : rounding_.turned(x);

@@ -52,7 +52,7 @@ class Grid {
   bool valid_ = false;
 
 public:
-  // For numbers up to `largest`; not valid beyond 2^500 or below 2^-400.
+  // Makes a grid for numbers up to `largest`; it is not valid beyond 2^500 or below 2^-400.
   CGAL_GC_FORCEINLINE explicit Grid(double largest) {
     const int e = binary_exponent(largest);
     valid_ = -400 <= e && e <= 500;

@@ -23,7 +23,7 @@
 namespace CGAL {
 
 namespace internal {
-// of CGAL; its header comes with each kernel that filters predicates
+// CGAL defines it; its header comes with each kernel that filters predicates
 template <typename> struct Exact_field_selector;
 } // namespace internal
 

@@ -10,7 +10,6 @@
 #include <gmp.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstring>
 #include <utility>
@@ -178,26 +177,6 @@ public:
   BOOST_NOINLINE friend Inline_integer operator-(const Inline_integer& x, const Inline_integer& y) {
     Inline_integer z(x);
     z -= y;
-    return z;
-  }
-  // s x - t y, and products of vectors, as forms of joins have them: see join_forms.h.
-  BOOST_NOINLINE friend Inline_integer difference_form(const Inline_integer& s, const Inline_integer& x,
-                                                       const Inline_integer& t, const Inline_integer& y) {
-    Inline_integer z = s * x;
-    z -= t * y;
-    return z;
-  }
-  BOOST_NOINLINE friend Inline_integer dot_form(const std::array<Inline_integer, 2>& x,
-                                                const std::array<Inline_integer, 2>& y) {
-    Inline_integer z = x[0] * y[0];
-    z += x[1] * y[1];
-    return z;
-  }
-  BOOST_NOINLINE friend Inline_integer dot_form(const std::array<Inline_integer, 3>& x,
-                                                const std::array<Inline_integer, 3>& y) {
-    Inline_integer z = x[0] * y[0];
-    z += x[1] * y[1];
-    z += x[2] * y[2];
     return z;
   }
   BOOST_NOINLINE friend bool operator==(const Inline_integer& x, const Inline_integer& y) {

@@ -123,7 +123,7 @@ public:
     powers_[0] = Remainder(1, c_);
     for (int k = 1; 64 * k <= bits(); ++k) powers_[k] = powers_[k - 1] * Remainder(c_, c_);
   }
-  // By the modulus that has been taken. \pre x has been included
+  // Returns the remainder by the modulus that has been taken. \pre x has been included
   BOOST_NOINLINE Ring numerator(const Number& x) const {
     if (x.odd_part == 0) return Ring(0, c_);
     const int shift = x.exponent - unit_;
@@ -131,7 +131,7 @@ public:
     if (shift >= 64) y = y * powers_[shift / 64];
     return x.negative ? Ring(0, c_) - y : y;
   }
-  // 1 with this modulus.
+  // Returns 1 with this modulus.
   Ring one() const { return Ring(1, c_); }
 };
 

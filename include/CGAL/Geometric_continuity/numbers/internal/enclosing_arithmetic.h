@@ -85,7 +85,7 @@ public:
 
   explicit Ball_arithmetic(int bits) : bits_(bits), long_pi_(machin(bits + guard)), pi_(long_pi_.with_bits(bits)) {}
 
-  // 16 bits are for the rounding errors of sums.
+  // Returns how many bits are right: 16 bits are for the rounding errors of sums.
   int accuracy() const { return bits_ - 16; }
   // Takes note of as many products, each with the radius and the memory that it needs.
   void charge(double products) const {

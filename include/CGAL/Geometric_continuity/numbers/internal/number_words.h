@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// As std::void_t, which makes all specialisations the same for some versions of clang.
+// This stands for std::void_t, which makes all specialisations the same for some versions of clang.
 template <class...> struct Void { typedef void type; };
 
 // How many machine words a number has: the longer of numerator and denominator. Types are known by

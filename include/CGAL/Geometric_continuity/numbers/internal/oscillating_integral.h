@@ -138,7 +138,7 @@ public:
     return sum <= 20000 ? (std::max)(1., std::ceil(sum)) : std::numeric_limits<double>::infinity();
   }
 
-  // With theta(0) = 0.
+  // Returns the integral with theta(0) = 0.
   Complex operator()() const {
     const double number = pieces(rate_);
     if (!std::isfinite(number))

@@ -76,7 +76,7 @@ public:
     parts_.pop_back();
     return part;
   }
-  // In no order.
+  // The parts are in no order.
   auto begin() const { return parts_.begin(); }
   auto end() const { return parts_.end(); }
 };

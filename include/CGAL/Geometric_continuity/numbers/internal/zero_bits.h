@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// By halves: what is counted ends in the half that is not zero.
+// Counts by halves: the zero bits end in the half that is not zero.
 constexpr int trailing_zero_bits_by_halves(std::uint64_t x) {
   int n = 0;
   for (int half = 32; half > 0; half /= 2)

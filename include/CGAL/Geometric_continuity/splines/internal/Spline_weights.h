@@ -27,10 +27,10 @@ template <bool> class Interval_nt;
 namespace Geometric_continuity {
 namespace internal {
 
-// As many as belong to one span: without allocation up to degree 7.
+// Holds as many values as belong to one span, without allocation up to degree 7.
 template <class T> using Span_vector = boost::container::small_vector<T, 8>;
 
-// As many numbers as the degree needs, where that is known at compile time, or so many.
+// Holds as many numbers as the degree needs, where that is known at compile time, or so many.
 template <class FT, int Degree, int Size, int Inline> class Weight_numbers {
   std::conditional_t<(Degree < 0), boost::container::small_vector<FT, Inline>, std::array<FT, Size>> x_;
 

@@ -35,9 +35,9 @@ namespace internal {
 // otherwise in a vector.
 template <class FT, int Size> using Numbers = std::conditional_t<(Size > 0), std::array<FT, Size>, std::vector<FT>>;
 
-// From the values of the blossom at p successive knots, the first of which are those for a span
-// that begins with the knot *u, to the values where u takes the place of the knots before it: those
-// of the spline without knots before u.
+// Goes from the values of the blossom at p successive knots, the first of which are those for a
+// span that begins with the knot *u, to the values where u takes the place of the knots before it:
+// those of the spline without knots before u.
 template <int N, class FT> void without_knots_before(const FT* u, int p, int n, FT* rows) {
   int m = 1;
   while (m < p && u[-m] == *u) ++m;
@@ -154,7 +154,7 @@ template <class FT> struct Distinct_knots {
   int number = 0; // of knots that have been appended
   boost::container::small_vector<Knot, 16> knots;
 
-  // With room for as many knots.
+  // Makes room for as many knots.
   Distinct_knots(int n, int capacity) : degree(n) { knots.resize(capacity, boost::container::default_init); }
   CGAL_GC_FORCEINLINE void append(const FT& value, int multiplicity) {
     Knot& knot = knots[number++];

@@ -49,7 +49,7 @@ public:
       }
   }
 
-  // For the j-th coefficient over t; the calls are made for increasing j.
+  // Returns the span for the j-th coefficient over t; the calls are made for increasing j.
   int operator()(const Knot_vector<FT>& t, int j) {
     const int p = t.degree();
     const FT &first = t[p == 0 ? j : j + 1], &last = t[j + p];

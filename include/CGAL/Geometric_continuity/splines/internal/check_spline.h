@@ -38,8 +38,8 @@ inline void check_degree(int p) {
   if (p < 0) throw Error(Error_code::wrong_number_of_points, "Knot_vector: degree " + std::to_string(p));
 }
 
-// Without a branch for each knot. Nothing is less than an undefined number, and what lies between
-// ends at a finite distance is finite, as all distances are.
+// Checks without a branch for each knot. Nothing is less than an undefined number, and what lies
+// between ends at a finite distance is finite, as all distances are.
 template <class FT> bool are_knots(int p, const std::vector<FT>& u) {
   if (u.size() < 2 * (static_cast<std::size_t>(p) + 1)) return false;
   const int n = static_cast<int>(u.size());
@@ -88,8 +88,8 @@ void check_number_of_coefficients(const Knot_vector<FT>& u, const Coefficients& 
 template <class FT> int number_of_coordinates(const FT&) { return 1; }
 template <class FT, int N> int number_of_coordinates(const Coordinate_vector<FT, N>& c) { return c.dimension(); }
 
-// Without a branch for each number.
-// \throws Error `dimension_mismatch` when the coefficients differ in dimension, `not_finite`
+// Checks without a branch for each number. \throws Error `dimension_mismatch` when the coefficients
+// differ in dimension, `not_finite`
 template <class FT, class Value> void check_coefficients(const std::vector<Value>& c, const char* place) {
   const int d = number_of_coordinates(c[0]);
   bool same = true, finite = true;

@@ -156,7 +156,7 @@ template <class A, class B> struct Blended_surfaces {
     return ends;
   }
 
-  // With the rows of control points across the blend.
+  // Makes the surface with these rows of control points across the blend.
   template <std::size_t n> static Surface surface(const std::array<Edge_spline<FT, N>, n>& rows) {
     typedef Shape_over<Row_traits> Polynomial;
     const Knot_vector<FT>& knots = rows[0].knots();

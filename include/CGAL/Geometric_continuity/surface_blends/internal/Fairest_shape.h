@@ -227,7 +227,7 @@ private:
     for (Quadrature& q : quadratures_) sum += q.value(x);
     return sum;
   }
-  // At the x of the last call of value().
+  // Expands at the x of the last call of value().
   Fairness_expansion<unknowns> expand(const Unknowns& x) {
     Fairness_expansion<unknowns> sum{};
     for (Quadrature& q : quadratures_) {

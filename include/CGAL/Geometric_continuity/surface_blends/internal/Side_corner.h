@@ -137,7 +137,7 @@ public:
     return FT(product / square);
   }
 
-  // From the derivatives of the side curve.
+  // Takes the derivatives of the side curve.
   void take_curve(const std::array<Vector, order + 1>& g) {
     static constexpr const char* conditions[] = {
         "S_v: the side curve does not run in the tangent plane of the surface",
@@ -154,7 +154,7 @@ public:
     }
   }
 
-  // From the derivatives of S_u along the side.
+  // Takes the derivatives of S_u along the side.
   void take_cross(const std::array<Vector, order + 1>& d) {
     static constexpr const char* conditions[] = {
         "S_uv: what is given along the side contradicts the derivative across the edge",

@@ -100,7 +100,7 @@ template <class Kind, class Ends> Both_samples<Kind> sampled_ends(const Ends& en
   return samples_at<Kind>(ends, parameters, order);
 }
 
-// With few binary digits; nothing where it is small in comparison with the unit.
+// Returns x with few binary digits; 0 where it is small in comparison with the unit.
 inline double short_part(double x, double unit) {
   check_finite(x, "automatic_surface_shape");
   return std::abs(x) < 0x1p-20 * unit ? 0 : short_double<ratio_digits>(x);

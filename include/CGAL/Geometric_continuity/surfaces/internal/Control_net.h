@@ -62,8 +62,8 @@ template <class Traits> class Control_net {
 public:
   typedef typename std::vector<Point>::const_iterator const_iterator;
 
-  // From a range of ranges. At least one point, rows of one length, points of one dimension, finite
-  // coordinates.
+  // Takes a range of ranges. There must be at least one point, rows of one length, points of one
+  // dimension and finite coordinates.
   template <class Net> Control_net(const Net& net, const char* surface) {
     for (const auto& row : net) {
       const int n = static_cast<int>(std::distance(std::begin(row), std::end(row)));
@@ -79,7 +79,7 @@ public:
     check(surface);
   }
 
-  // From rows * columns points, at least one.
+  // Takes rows * columns points, at least one.
   Control_net(int rows, int columns, std::vector<Point> points, const char* surface)
       : rows_(rows), columns_(columns), points_(std::move(points)) {
     if (rows_ < 1 || columns_ < 1 ||
@@ -90,7 +90,7 @@ public:
     check(surface);
   }
 
-  // From as many points that are known to be such: nothing is checked.
+  // Takes as many points that are known to be such: nothing is checked.
   Control_net(int rows, int columns, std::vector<Point> points)
       : rows_(rows), columns_(columns), points_(std::move(points)) {}
 
@@ -113,7 +113,7 @@ public:
 
   // The net b_ji.
   Control_net transpose() const { return Control_net(columns_, rows_, transposed(points_, rows_, columns_)); }
-  // With the rows in reverse order.
+  // Returns the net with the rows in reverse order.
   Control_net reverse_rows() const { return Control_net(rows_, columns_, reversed_rows(points_, columns_)); }
 
   // The images of the points under a map.
@@ -127,7 +127,7 @@ public:
     return a.rows_ == b.rows_ && a.columns_ == b.columns_ && a.points_ == b.points_;
   }
 
-  // One row to a line, each after the end of the line before it.
+  // Writes one row to a line, each after the end of the line before it.
   friend std::ostream& operator<<(std::ostream& os, const Control_net& net) {
     for (int i = 0; i < net.rows_; ++i) {
       os << '\n';
