@@ -52,8 +52,8 @@ GC::Svg_panel drawn(const char* title, const GC::Road& road) {
     Number t = road.lane_offset[is_first ? 0 : road.lane_offset.size() - 1].a;
     for (std::size_t i = 0; i <= s.lanes.size(); ++i) {
       const Traits::Point from(is_first ? 0 : 30, t), to(is_first ? 30 : 60, t);
-      panel.add(GC::Bezier_curve<Traits>{from, to}, {is_first ? GC::Svg_role::given : GC::Svg_role::result, false,
-                                                     false, is_first ? "before" : "behind", true});
+      panel.add(GC::Bezier_curve<Traits>{from, to},
+                {is_first ? GC::Svg_role::given : GC::Svg_role::result, false, false, is_first ? "before" : "behind"});
       if (i < s.lanes.size()) t = Number(t - s.lanes[i].widths[0].a);
     }
   }

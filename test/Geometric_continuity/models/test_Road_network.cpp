@@ -280,6 +280,30 @@ BOOST_AUTO_TEST_CASE(borders_of_several_lanes) {
   BOOST_CHECK(cubic_road.borders.empty() && open == 4);
 }
 
+// A road that branches off from each place of another one, in its direction: the piece before this
+// place, and of each side the section that holds there.
+BOOST_AUTO_TEST_CASE(places_inside_of_a_road) {
+  GC::Road a = road("a", {piece(0, 0, 0, 0, 10), piece(10, 10, 0, 0, 10, part(1, 100)), piece(20, 0, 0, 0, 10, 2)});
+  const auto width = [](int w) { return std::vector<GC::Road_cubic>{cubic(0, w)}; };
+  a.sections = {{Number(0), {lane(1, width(3), {}, {})}, true},
+                {Number(10), {lane(-1, width(2), {}, {})}, true},
+                {Number(20), {lane(1, width(5), {}, {})}, true}};
+  GC::Road b = road("b", {piece(0, 0, 0, 0, 10)});
+  b.sections = {{Number(0), {lane(1, width(4), {1}, {}), lane(-1, width(2), {-1}, {})}}};
+  b.predecessor = link("a", GC::Road_end::end);
+  const struct {
+    int at;
+    double curvature, left; // the width of the lane on the left
+  } rows[] = {{5, 0, 3}, {10, 0, 3}, {15, 0.01, 3}, {20, 0.01, 3}, {25, 2, 5}, {30, 2, 5}};
+  for (const auto& row : rows) {
+    b.predecessor.at = Number(row.at);
+    const Found f = found({{a, b}, {}});
+    BOOST_REQUIRE(f.links.size() == 1 && f.lanes.size() == 2);
+    BOOST_CHECK(has(*f.links[0].join.jump, row.curvature));
+    BOOST_CHECK(*f.links[0].to.at == Number(row.at) && f.lanes[1].to_lane.widths[0].a == Number(row.left));
+  }
+}
+
 // Links and connections that lead nowhere are named, each once.
 BOOST_AUTO_TEST_CASE(faults) {
   GC::Road a = road("a", {piece(0, 0, 0, 0, 10)});

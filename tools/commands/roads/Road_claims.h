@@ -67,6 +67,7 @@ inline std::string contact(const GC::Road_contact& c) {
 class Road_claims {
   const Road_demand& demand_;
   const File_digits digits_;
+  const bool with_all_digits_; // what they explain is also told of joins where nothing is wrong
 
   // The class of a claim that must hold.
   static Given given(GC::Verdict verdict, const char* reason = "the tolerance lies inside of the bounds") {
@@ -154,18 +155,20 @@ class Road_claims {
   // file.
   void explain(Road_claim& claim, const GC::Road_plan_join& x) const {
     if (GC::is_polynomial(x.before) || digits_.digits() == 0) return;
+    const bool has_gap = x.join.g0 == GC::Verdict::refuted, has_kink = x.join.g1 == GC::Verdict::refuted;
+    if (!with_all_digits_ && !has_gap && !has_kink) return;
     const File_digits::Bounds bounds = digits_.bounds(x.before, x.after);
     const auto [gap, kink] = within(x, bounds);
     claim.json +=
         ",\"explained_by_digits\":{\"gap\":" + road_words::flag(gap) + ",\"kink\":" + road_words::flag(kink) + '}';
-    const bool has_gap = x.join.g0 == GC::Verdict::refuted, has_kink = x.join.g1 == GC::Verdict::refuted;
     if ((has_gap || has_kink) && (gap || !has_gap) && (kink || !has_kink))
       claim.verdict += "; " + std::to_string(digits_.digits()) + " digits explain it";
   }
 
 public:
-  explicit Road_claims(const Road_demand& demand, const File_digits& digits = File_digits())
-      : demand_(demand), digits_(digits) {}
+  explicit Road_claims(const Road_demand& demand, const File_digits& digits = File_digits(),
+                       bool with_all_digits = false)
+      : demand_(demand), digits_(digits), with_all_digits_(with_all_digits) {}
 
   const GC::Alignment_tolerance& tolerance() const { return demand_.tolerance; }
 

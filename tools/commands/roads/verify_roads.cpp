@@ -203,8 +203,9 @@ class Road_report {
     if (demand_.bound)
       for (const GC::Road& road : opendrive.network.roads)
         for (const GC::Road_geometry& piece : road.plan) add(decide_curvature(road, piece, *demand_.bound));
+    const bool shows_all = report_.mode().format == Report_format::json && !report_.mode().summary;
     GC::road_joins(opendrive.network, demand_.tolerance,
-                   Visitor{*this, Road_claims(demand_, File_digits(opendrive.digits))}, demand_.borders);
+                   Visitor{*this, Road_claims(demand_, File_digits(opendrive.digits), shows_all)}, demand_.borders);
   }
 
   const Kind_summary& kind(const char* name) { return kinds_[name]; }

@@ -28,9 +28,9 @@ function numbersOf(item) {
     dd.title = value + (more ? ', ' + more : '');
     list.append(element('dt', '', name), dd);
   };
-  add('Angle', boundTexts(item.angle, '\u00b0'));
+  if (item.angle || !item.gap) add('Angle', boundTexts(item.angle, '\u00b0'));
   if (item.jump) add('Curvature jump', boundTexts(item.jump, ' %'));
-  if (item.gap) add('Gap', boundTexts(item.gap, ''));
+  if (item.gap) add('Gap', boundTexts(item.gap, roads ? ' m' : ''));
   if (item.offset) add(item.grade === 'kink' ? 'Handle is off by' : 'Off by', boundTexts(item.offset, wholeName === 'em' ? ' units' : ''));
   if (item.at) add('At', ['(' + item.at.join(', ') + ')', item.parameter ? 'parameter ' + item.parameter : '']);
   if (item.severity) add('Severity', ['about ' + item.severity + ' \u2030', 'of the ' + wholeName + ', angle \u00d7 handle']);
