@@ -33,6 +33,10 @@ run 0 interpolate five.txt --max-curvature 9 && says out "every curve is bent by
 run 1 interpolate five.txt --fair --min-radius 5 -o fair.g2 && says out "curves not bent by at most the radius 5; worst, curve " "curvature " && holds [ -s fair.g2 ]
 run 1 interpolate five.txt --max-curvature 1/100 --json && says out '"max_curvature":"1/100","max_curvature_met":false,"bent_curves":[{"curve":0,"parameter":['
 
+# far from the origin the control points have more digits than doubles
+for i in {0..8}; do echo "$((10 ** 15 + i)).3 $((10 ** 15 + i * (8 - i))).7"; done >far.txt
+run 0 fit far.txt --tolerance 1/10 --order G2 --corner 180 -o far.g2 && says out "7 joins without a corner, G2, proved" && run 0 verify far.g2 --require G2
+
 # a half circle, closed by its diameter
 awk 'BEGIN { for (i = 0; i <= 400; ++i) { t = i / 200 - 1; print -200 * t / (1 + t * t), 100 * (1 - t * t) / (1 + t * t) } }' >half.txt
 run 0 fit half.txt --tolerance 1/100 --closed -o half.g2 --plot half.svg && says out "401 points" "2 corners" "proved in exact arithmetic"

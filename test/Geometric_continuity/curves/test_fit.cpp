@@ -125,6 +125,21 @@ BOOST_AUTO_TEST_CASE(smooth_polylines) {
   BOOST_CHECK_EQUAL(pieces(circle(8), 1e-6, Closure::closed, 2), 8);
 }
 
+// As few pieces as any curve has, where the longest pieces, one after the other, are one more: the
+// last one goes, and the one before it is extended.
+BOOST_AUTO_TEST_CASE(least_numbers) {
+  Points arc, spiral;
+  std::mt19937 random(3);
+  for (int i = 0; i < 500; ++i) {
+    const double t = i / 499., angle = static_cast<double>(random()) * 0x1p-31 * M_PI, r = .1 + t;
+    arc.emplace_back(std::cos(6 * t), std::sin(6 * t));
+    spiral.emplace_back(r * std::cos(4 * M_PI * t) + .005 * std::cos(angle),
+                        r * std::sin(4 * M_PI * t) + .005 * std::sin(angle));
+  }
+  BOOST_CHECK_EQUAL(pieces(arc, 2.5e-5, Closure::open, 2), 2);
+  BOOST_CHECK_EQUAL(pieces(spiral, 0.01, Closure::open, 2), 2);
+}
+
 // Segments that are much shorter than a piece, where the shortest pieces do not succeed: a segment
 // leaves out 0.03 and 0.0007 tolerances of the circle. The end of the loop is its start up to
 // rounding.
@@ -170,6 +185,13 @@ BOOST_AUTO_TEST_CASE(noise_and_staircases) {
     BOOST_CHECK(GC::fit<Epick_2>(pixels.begin(), pixels.end(), 1, Closure::closed, order).corners.empty());
     BOOST_CHECK_LE(pieces(pixels, 1, Closure::closed, order), 7);
   }
+  Points diagonal; // with steps of 45 degrees
+  for (int i = 0; i < 720; ++i) {
+    const Epick_2::Point q(std::round(30 * std::cos(M_PI * i / 360)), std::round(20 * std::sin(M_PI * i / 360)));
+    if (diagonal.empty() || diagonal.back() != q) diagonal.push_back(q);
+  }
+  for (const double tolerance : {0.6, 0.75, 1.})
+    BOOST_CHECK(GC::fit<Epick_2>(diagonal.begin(), diagonal.end(), tolerance, Closure::closed, 1).corners.empty());
   // the outline of the pixels inside of an ellipse, by columns, within half a step
   Points columns;
   const auto height = [](int x) { return std::floor(36 * std::sqrt(1 - (x + 0.5) * (x + 0.5) / 3600)); };

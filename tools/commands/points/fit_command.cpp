@@ -94,7 +94,7 @@ int run_fit(const Command_line& line) {
   });
   std::ostringstream text;
   for (const auto& piece : curve.segments()) GC::write_g2(text, piece);
-  const Joins_of_pieces joins = decide_joins<double>(text.str(), closure_of(line), curve.corners);
+  const Joins_of_pieces joins = decide_joins<GC::Decimal>(text.str(), closure_of(line), curve.corners);
   const bool proved = joins.joins == 0 || joins.g_order >= order;
   const Bent_report bent = bent_report(line, text.str());
   if (line.has("json"))

@@ -145,7 +145,9 @@ template <int N> class Corner_finder {
     const Vector step = at(k + 1) - at(k);
     if (dot(step, step) > 9 * tolerance_ * tolerance_) return false;
     if (!closed_ && (k < 1 || n <= k + 1)) return true;
-    return !turns(at(k) - at(k - 1), at(k + 2) - at(k + 1));
+    const Vector before = at(k) - at(k - 1), after = at(k + 2) - at(k + 1);
+    // a turn by the angle itself is none, however it is rounded: 45 degrees between pixels
+    return dot(before, after) >= (cosine_ - 1e-9) * std::sqrt(dot(before, before) * dot(after, after));
   }
   bool is_at_step(int k) const { return is_step(k == 0 ? static_cast<int>(p_.size()) - 2 : k - 1) || is_step(k); }
 

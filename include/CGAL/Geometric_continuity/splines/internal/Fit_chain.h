@@ -45,7 +45,8 @@ private:
   };
 
   const Path& path_;
-  const int first_, last_; // vertices
+  const int first_; // vertex
+  int last_;        // that, too
   std::vector<Joint> joints_;
   std::vector<Piece> pieces_;
   std::vector<Sample> samples_;
@@ -54,14 +55,93 @@ public:
   // From the first to the last vertex, with joints at arc lengths.
   Fit_chain(const Path& path, int first, int last, std::vector<Joint> joints, const std::vector<double>& places)
       : path_(path), first_(first), last_(last), joints_(std::move(joints)), pieces_(joints_.size() - 1) {
-    const int pieces = static_cast<int>(pieces_.size()), n = samples_of_piece * pieces;
-    int k = 0;
-    for (int i = 0; i <= n; ++i) {
-      const double s = places[0] + i / double(n) * (places[pieces] - places[0]);
-      while (k + 1 < pieces && places[k + 1] < s) ++k;
-      const double t = k + (std::min)((std::max)((s - places[k]) / (places[k + 1] - places[k]), 0.), 1.);
-      samples_.push_back({path_.point_at(s), s, t, 0});
+    const int pieces = static_cast<int>(pieces_.size());
+    std::vector<double> parameters;
+    for (int k = 0; k <= pieces; ++k) parameters.push_back(k);
+    take_samples(places, parameters);
+    set_pieces();
+  }
+
+  // From pieces in a row, with places and joints between them.
+  Fit_chain(const Path& path, const std::vector<Piece>& pieces, const std::vector<Fit_place>& places,
+            const std::vector<Fit_joint<N>>& joints, int first_free)
+      : path_(path), first_(places[0].vertex), last_(places.back().vertex + 1), pieces_(pieces.size()) {
+    std::vector<double> s, t; // of the vertices
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+      for (std::size_t i = 0; i < pieces[k].parameters.size(); ++i) {
+        const bool is_last = i + 1 == pieces[k].parameters.size();
+        s.push_back(i == 0    ? path.arc_length(places[k])
+                    : is_last ? path.arc_length(places[k + 1])
+                              : path.arc_length(places[k].vertex + static_cast<int>(i)));
+        t.push_back(static_cast<double>(k) + pieces[k].parameters[i]);
+      }
+    for (std::size_t k = 0; k <= pieces.size(); ++k) {
+      const Fit_joint<N>& given = joints[k];
+      const double square = dot(given.difference, given.difference);
+      const auto multiples = [&](const Vector& near, const Vector& far) {
+        Multiples h;
+        h[0] = dot(near - given.point, given.difference) / square;
+        if constexpr (free_points == 2)
+          h[1] = dot(far - given.point - h[0] * h[0] * given.second_difference, given.difference) / square;
+        return h;
+      };
+      Multiples before{}, after{};
+      if (k > 0) before = multiples(pieces[k - 1].points[degree - 1], pieces[k - 1].points[degree - 2]);
+      for (double& h : before) h = -h;
+      if (k < pieces.size()) after = multiples(pieces[k].points[1], pieces[k].points[2]);
+      if (k == 0) before = after;
+      if (k == pieces.size()) after = before;
+      const double length = std::sqrt(square);
+      Joint joint = joint_of(given, k == 0 ? first_free : 0, before[0] * length, after[0] * length);
+      for (int i = 1; i < free_points; ++i) {
+        joint.before[i] = before[i] * length / joint.length;
+        joint.after[i] = after[i] * length / joint.length;
+      }
+      joints_.push_back(joint);
     }
+    take_samples(s, t);
+    set_pieces();
+  }
+
+  double end() const { return samples_.back().s; } // an arc length
+
+  // Extends the last piece beyond its end, by at most an arc length and a part of its parameters.
+  void extend(double length, double part) {
+    const int k = static_cast<int>(pieces_.size());
+    std::array<Vector, degree + 1> b = pieces_.back().points, c; // c: up to the parameter v
+    const double speed = degree * Path::length(b[degree] - b[degree - 1]), v = 1 + (std::min)(length / speed, part),
+                 to = end() + (v - 1) * speed;
+    c[0] = b[0];
+    for (int m = degree; m > 0; --m) {
+      for (int i = 0; i < m; ++i) b[i] += v * (b[i + 1] - b[i]);
+      c[degree + 1 - m] = b[0];
+    }
+    Joint &start = joints_[k - 1], &last = joints_[k];
+    if constexpr (free_points == 2) start.after[1] = v * (v * start.after[1] - 2 * (v - 1) * start.after[0]);
+    start.after[0] *= v;
+    last.v[0] = c[degree];
+    last.v[1] = (1 / last.before[0]) * (c[degree] - c[degree - 1]);
+    if constexpr (free_points == 2)
+      last.v[2] = (1 / (last.before[0] * last.before[0])) * (c[degree - 2] - c[degree] + last.before[1] * last.v[1]);
+    last.length = Path::length(last.v[1]);
+    std::vector<double> s, t;
+    for (const Sample& x : samples_) {
+      s.push_back(x.s);
+      t.push_back(x.t < k - 1 ? x.t : k - 1 + (x.t - (k - 1)) / v);
+    }
+    s.push_back(to);
+    t.push_back(k);
+    last_ = path_.vertex_after(to);
+    take_samples(s, t);
+    set_pieces();
+  }
+
+  // Lets the chain end at a joint.
+  void end_at(const Fit_joint<N>& given, int first_free) {
+    Joint& last = joints_.back();
+    const Joint joint = joint_of(given, first_free, last.length, last.length);
+    last.first_free = first_free;
+    std::copy(joint.v.begin(), joint.v.begin() + first_free, last.v.begin());
     set_pieces();
   }
 
@@ -153,6 +233,19 @@ public:
   }
 
 private:
+  // At equal distances, with parameters between those at some arc lengths.
+  void take_samples(const std::vector<double>& s, const std::vector<double>& t) {
+    const int n = samples_of_piece * static_cast<int>(pieces_.size());
+    samples_.clear();
+    std::size_t k = 1;
+    for (int i = 0; i <= n; ++i) {
+      const double at = s[0] + i / double(n) * (s.back() - s[0]);
+      while (k + 1 < s.size() && s[k] < at) ++k;
+      const double h = s[k] - s[k - 1], part = h > 0 ? (std::min)((std::max)((at - s[k - 1]) / h, 0.), 1.) : 0;
+      samples_.push_back({path_.point_at(at), at, t[k - 1] + part * (t[k] - t[k - 1]), 0});
+    }
+  }
+
   void set_pieces() {
     for (std::size_t k = 0; k < pieces_.size(); ++k) {
       const Joint &start = joints_[k], &end = joints_[k + 1];
@@ -299,8 +392,7 @@ private:
       const double part = b.s > a.s ? (s - a.s) / (b.s - a.s) : 0;
       Sample x{path_.vertex(v), s, a.t + part * (b.t - a.t), 0};
       for (int i = 0; i < 3; ++i) project(x);
-      const std::size_t nearest = part < 0.5 ? k - 1 : k;
-      if (nearest == 0 || nearest + 1 == samples_.size()) continue;
+      const std::size_t nearest = (std::min)((std::max)(part < 0.5 ? k - 1 : k, std::size_t(1)), samples_.size() - 2);
       if (x.distance > worst[nearest].distance) worst[nearest] = x;
     }
     samples_ = std::move(worst);

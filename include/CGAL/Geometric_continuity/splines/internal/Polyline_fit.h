@@ -217,29 +217,62 @@ private:
       chains.emplace_back(path_, first.vertex, last.vertex + (last.part > 0 ? 1 : 0), std::move(joints_at), places);
     }
     std::vector<Span> spans;
-    const int patience = tries > 0 ? 4 : 1;
-    tries -= static_cast<int>(chains.size()) - 1;
-    for (Chain& chain : chains)
-      if (chain.improve(patience, [&] {
-            Work_meter::pause();
-            spans.clear();
-            for (int m = 0; m < less; ++m) {
-              Span span;
-              span.first = m == 0 ? first : spans.back().last;
-              span.last = m + 1 == less ? last : chain.place(m + 1);
-              if (!(span.first < span.last) || (m + 1 < less && !(span.last < last))) return false;
-              span.start = m > 0 ? spans.back().end : moves_first ? chain.rounded_joint(0) : row.front().start;
-              span.end = m + 1 < less || moves_last ? chain.rounded_joint(m + 1) : row.back().end;
-              std::optional<Piece> piece = fitted(span.first, span.last, span.start, span.end, &chain, m);
-              if (!piece) return false;
-              span.piece = std::move(*piece);
-              spans.push_back(std::move(span));
-            }
-            return true;
-          })) {
-        row = std::move(spans);
-        return true;
+    const auto succeeds = [&](const Chain& chain) {
+      Work_meter::pause();
+      spans.clear();
+      for (int m = 0; m < less; ++m) {
+        Span span;
+        span.first = m == 0 ? first : spans.back().last;
+        span.last = m + 1 == less ? last : chain.place(m + 1);
+        if (!(span.first < span.last) || (m + 1 < less && !(span.last < last))) return false;
+        span.start = m > 0 ? spans.back().end : moves_first ? chain.rounded_joint(0) : row.front().start;
+        span.end = m + 1 < less || moves_last ? chain.rounded_joint(m + 1) : row.back().end;
+        std::optional<Piece> piece = fitted(span.first, span.last, span.start, span.end, &chain, m);
+        if (!piece) return false;
+        span.piece = std::move(*piece);
+        spans.push_back(std::move(span));
       }
+      return true;
+    };
+    const int patience = tries > 0 ? 4 : 1;
+    bool found = false;
+    for (std::size_t i = 0; i < chains.size() && !found; ++i)
+      found = chains[i].improve(patience, [&] { return succeeds(chains[i]); });
+    if (!found && tries > 0) found = has_shorter_chain(row, moves_first, moves_last, succeeds);
+    tries -= static_cast<int>(chains.size()) - 1;
+    if (found) row = std::move(spans);
+    return found;
+  }
+
+  // Tries to do without the last piece: extends the one before it step by step, while all joints
+  // move.
+  template <class Predicate>
+  bool has_shorter_chain(const std::vector<Span>& row, bool moves_first, bool moves_last, Predicate succeeds) const {
+    const std::size_t less = row.size() - 1;
+    std::vector<Piece> pieces;
+    std::vector<Place> places = {row[0].first};
+    std::vector<Joint> joints = {row[0].start};
+    for (std::size_t k = 0; k < less; ++k) {
+      pieces.push_back(row[k].piece);
+      places.push_back(row[k].last);
+      joints.push_back(row[k].end);
+    }
+    const double end = path_.arc_length(row.back().last);
+    std::optional<Chain> chain(std::in_place, path_, pieces, places, joints, moves_first ? 1 : 3);
+    double part = 0.4; // of a piece, by which it is extended at once
+    for (int step = 0; step < 50 && part >= 0.1; ++step) {
+      Work_meter::pause();
+      Chain longer = *chain;
+      longer.extend(end - longer.end(), part);
+      const bool is_whole = !(longer.end() < end * (1 - 1e-9));
+      if (is_whole) longer.end_at(row.back().end, moves_last ? 1 : 3);
+      if (!longer.improve(4, [&] { return !is_whole || succeeds(longer); }))
+        part /= 2;
+      else if (is_whole)
+        return true;
+      else
+        chain.emplace(std::move(longer));
+    }
     return false;
   }
 
