@@ -6,6 +6,7 @@
 // forms, and so are their order and their multiples of powers of ten.
 
 #include "support/test.h"
+#include "support/words.h"
 
 #include <CGAL/FPU.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
@@ -15,11 +16,7 @@ BOOST_AUTO_TEST_SUITE(Decimal)
 
 std::mt19937 random_bits;
 
-void seed() {
-  const unsigned seed = 20261122;
-  BOOST_TEST_MESSAGE("seed " << seed);
-  random_bits.seed(seed);
-}
+void seed() { random_bits = seeded(20261122); }
 
 int below(int n) { return static_cast<int>(random_bits() % static_cast<unsigned>(n)); }
 
@@ -86,11 +83,9 @@ BOOST_AUTO_TEST_CASE(values_are_those_that_are_parsed) {
   }
   const std::string zeros(4000, '0');
   for (const std::string& text :
-       {std::string("0"), std::string("-0"), std::string("+0.0"), std::string("0e4096"), std::string("-.0e-4096"),
-        std::string(".5"), std::string("5."), std::string("-5.e-3"), std::string("000.500"), std::string("1e4096"),
-        std::string("-1E-4096"), "." + zeros + "1", zeros + "1", '.' + zeros + "1e-4096", "1." + zeros + "e4096",
-        std::string("999999999999999999"), std::string("-.999999999999999999e-4096"),
-        std::string("000123456789.123456789000")}) {
+       words_of("0 -0 +0.0 0e4096 -.0e-4096 .5 5. -5.e-3 000.500 1e4096 -1E-4096 999999999999999999 "
+                "-.999999999999999999e-4096 000123456789.123456789000 ." +
+                zeros + "1 " + zeros + "1 ." + zeros + "1e-4096 1." + zeros + "e4096")) {
     const GC::Decimal x{text};
     BOOST_CHECK_MESSAGE(x.is_decimal() && x.value() == GC::parse_number<Q>(text), text);
   }
@@ -106,23 +101,9 @@ BOOST_AUTO_TEST_CASE(values_are_those_that_are_parsed) {
 // Also of numbers that are equal but written in different ways.
 BOOST_AUTO_TEST_CASE(order) {
   seed();
-  std::vector<std::string> texts = {"0",
-                                    "-0.0",
-                                    "1/2",
-                                    ".5",
-                                    "5e-1",
-                                    "0.50",
-                                    "10",
-                                    "1e1",
-                                    "100e-1",
-                                    "20/2",
-                                    "-1e4096",
-                                    "1e4096",
-                                    "1e-4096",
-                                    "-1e-4096",
-                                    "1234567890123456789",
-                                    "1234567890123456789.0",
-                                    "123456789012345678.9e1"};
+  std::vector<std::string> texts =
+      words_of("0 -0.0 1/2 .5 5e-1 0.50 10 1e1 100e-1 20/2 -1e4096 1e4096 1e-4096 -1e-4096 1234567890123456789 "
+               "1234567890123456789.0 123456789012345678.9e1");
   for (int i = 0; i < 60; ++i) texts.push_back(i % 5 == 0 ? random_fraction() : random_decimal(false).first);
   for (int i = 0; i < 20; ++i) texts.push_back(std::to_string(below(5) - 2) + (i % 2 == 0 ? ".0" : "e-1"));
   for (const std::string& s : texts)
@@ -183,46 +164,14 @@ BOOST_AUTO_TEST_CASE(integers_on_grids) {
 
 // With the same words as by parse_number().
 BOOST_AUTO_TEST_CASE(refused_as_numbers_are) {
-  for (const std::string& text : {std::string(),
-                                  std::string("+"),
-                                  std::string("-"),
-                                  std::string("."),
-                                  std::string("-."),
-                                  std::string("e5"),
-                                  std::string(".e5"),
-                                  std::string("1e"),
-                                  std::string("1e+"),
-                                  std::string("1E-"),
-                                  std::string("1e4097"),
-                                  std::string("1e-4097"),
-                                  std::string("0e4097"),
-                                  std::string("1e99999999999999999999"),
-                                  std::string("1 "),
-                                  std::string(" 1"),
-                                  std::string("1x"),
-                                  std::string("0x10"),
-                                  std::string("nan"),
-                                  std::string("inf"),
-                                  std::string("-inf"),
-                                  std::string("1/0"),
-                                  std::string("1/-2"),
-                                  std::string("1/+2"),
-                                  std::string("/2"),
-                                  std::string("1/"),
-                                  std::string("1.5/2"),
-                                  std::string("1/2.5"),
-                                  std::string("1/2e3"),
-                                  std::string("1,5"),
-                                  std::string("--1"),
-                                  std::string("+-1"),
-                                  std::string("1e5e5"),
-                                  std::string("1.2.3"),
-                                  std::string("1e1.5"),
-                                  std::string("1\0", 2),
-                                  std::string("\xEF\xBB\xBF") + "1",
-                                  std::string(GC::max_number_length, '0') + "1",
-                                  "1." + std::string(GC::max_number_length, '0'),
-                                  std::string(GC::max_number_length + 1, '7')}) {
+  std::vector<std::string> texts = words_of("+ - . -. e5 .e5 1e 1e+ 1E- 1e4097 1e-4097 0e4097 1e99999999999999999999 "
+                                            "1x 0x10 nan inf -inf 1/0 1/-2 1/+2 /2 1/ "
+                                            "1.5/2 1/2.5 1/2e3 1,5 --1 +-1 1e5e5 1.2.3 1e1.5 \xEF\xBB\xBF\61");
+  const std::string zeros(GC::max_number_length, '0');
+  for (const std::string& text : {std::string(), std::string("1 "), std::string(" 1"), std::string("1\0", 2),
+                                  zeros + "1", "1." + zeros, "7" + zeros})
+    texts.push_back(text);
+  for (const std::string& text : texts) {
     const std::string expected = refusal_of_number(text);
     BOOST_CHECK_NE(expected, "no error");
     BOOST_CHECK_EQUAL(refusal_of_text_number(text), expected);

@@ -11,8 +11,8 @@ BOOST_AUTO_TEST_SUITE(G2_text_reader)
 
 BOOST_AUTO_TEST_CASE(places) {
   const std::string text =
-      "\xEF\xBB\xBF"
-      "100 1 0 0\n2 0\n2 2\n0 0 1 1\n0 1.50\n-3e2\t1/3\n\n100 1 0 0\n2 1\n2 2\n0 0 1 1\n7 8 1\n9 10 2";
+      "\xEF\xBB\xBF\61"
+      "00 1 0 0\n2 0\n2 2\n0 0 1 1\n0 1.50\n-3e2\t1/3\n\n100 1 0 0\n2 1\n2 2\n0 0 1 1\n7 8 1\n9 10 2";
   std::istringstream is(text);
   GC::G2_text_reader reader(is, "text");
   GC::G2_curve_text curve;

@@ -31,6 +31,13 @@ template <class Traits> std::vector<GC::Rational_bspline_surface<Traits>> surfac
   return GC::read_g2_rational_bspline_surfaces<Traits>(is, "f.g2");
 }
 
+void check_refused_curve(const std::string& text, const std::string& message) {
+  BOOST_CHECK_EQUAL(error_of([&] { curves_in<Exact_2>(text); }), "malformed_input: f.g2:" + message);
+}
+template <class Traits = Exact_3> void check_refused_surface(const std::string& text, const std::string& message) {
+  BOOST_CHECK_EQUAL(error_of([&] { surfaces_in<Traits>(text); }), "malformed_input: f.g2:" + message);
+}
+
 TEST_FOR_EACH(curves_are_kept, Traits, Planar) {
   typedef typename Traits::Point Point;
   typedef GC::Rational_bspline_curve<Traits> Curve;
@@ -113,24 +120,17 @@ BOOST_AUTO_TEST_CASE(products_are_divided) {
 }
 
 BOOST_AUTO_TEST_CASE(what_is_wrong_is_refused) {
-  const auto error = [](const std::string& text) { return error_of([&] { curves_in<Exact_2>(text); }); };
   const std::string head = "100 1 0 0\n2 1\n3 3\n0 0 0 1 1 1\n";
-  BOOST_CHECK_EQUAL(error(head + "0 0 1\n1 1 -1\n1 0 1\n"),
-                    "malformed_input: f.g2:7: zero_weight: Rational_bspline_curve: weights");
-  BOOST_CHECK_EQUAL(error(head + "0 0 1\n1 1 1\n1 0\n"),
-                    "malformed_input: f.g2:7: file ends after 2 of 3 control points");
-  BOOST_CHECK_EQUAL(error("100 1 0 0\n2 2\n"),
-                    "malformed_input: f.g2:2: the rational flag is '2' where an integer from 0 to 1 is expected");
+  check_refused_curve(head + "0 0 1\n1 1 -1\n1 0 1\n", "7: zero_weight: Rational_bspline_curve: weights");
+  check_refused_curve(head + "0 0 1\n1 1 1\n1 0\n", "7: file ends after 2 of 3 control points");
+  check_refused_curve("100 1 0 0\n2 2\n", "2: the rational flag is '2' where an integer from 0 to 1 is expected");
   std::istringstream pieces(head + "0 0 1\n1 1 -1\n1 0 1\n"), polynomial(head + "0 0 1\n1 1 1\n1 0 1\n");
   BOOST_CHECK_EQUAL(error_of([&] { GC::G2_piece_reader<Exact_2>(pieces, "f.g2").next(); }),
                     "malformed_input: f.g2:7: zero_weight: Rational_bspline_curve: weights");
   BOOST_CHECK_EQUAL(error_of([&] { GC::read_g2_curves<Exact_2>(polynomial, "f.g2"); }),
                     "malformed_input: f.g2:2: a rational curve where a polynomial one is expected");
-  BOOST_CHECK_EQUAL(error_of([&] {
-                      surfaces_in<Exact_3>(
-                          "200 1 0 0\n3 1\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 0 0 1\n1 0 0 -1\n0 1 0 1\n1 1 0 1\n");
-                    }).substr(0, 41),
-                    "malformed_input: f.g2:10: zero_weight: Ra");
+  check_refused_surface("200 1 0 0\n3 1\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 0 0 1\n1 0 0 -1\n0 1 0 1\n1 1 0 1\n",
+                        "10: zero_weight: Rational_bspline_surface: weights");
 }
 
 // Elementary classes: lines with ends are curves of degree 1, all others are refused with their
@@ -148,18 +148,13 @@ BOOST_AUTO_TEST_CASE(elementary_classes) {
   GC::G2_piece_reader<Exact_2> reader(pieces, "f.g2");
   BOOST_CHECK(reader.next()->degree() == 1 && reader.next()->control_point(1) == Exact_2::Point(13, 4) &&
               !reader.next());
-  const auto error = [](const std::string& text) { return error_of([&] { curves_in<Exact_2>(text); }); };
-  BOOST_CHECK_EQUAL(error("120 1 0 0\n2\n1 2\n3 1\n0\n"),
-                    "malformed_input: f.g2:5: a line without ends; a curve has two");
-  BOOST_CHECK_EQUAL(error("120 1 0 0\n2\n1 2\n3 1\n1\n2 2\n"),
-                    "malformed_input: f.g2:6: the ends of a line do not increase: empty domain");
-  BOOST_CHECK_EQUAL(
-      error("130 1 0 0\n2\n"),
-      "malformed_input: f.g2:1: 130 (circle) where a curve (100) is expected; its numbers, such as angles in "
-      "radians, are not exact: write it as a rational spline");
-  BOOST_CHECK_EQUAL(error("250 1 0 0\n"), "malformed_input: f.g2:1: 250 (plane) where a curve (100) is expected");
-  BOOST_CHECK_EQUAL(error_of([] { surfaces_in<Exact_3>("120 1 0 0\n3\n"); }),
-                    "malformed_input: f.g2:1: 120 (line) where a surface (200) is expected");
+  check_refused_curve("120 1 0 0\n2\n1 2\n3 1\n0\n", "5: a line without ends; a curve has two");
+  check_refused_curve("120 1 0 0\n2\n1 2\n3 1\n1\n2 2\n", "6: the ends of a line do not increase: empty domain");
+  check_refused_curve("130 1 0 0\n2\n",
+                      "1: 130 (circle) where a curve (100) is expected; its numbers, such as angles in "
+                      "radians, are not exact: write it as a rational spline");
+  check_refused_curve("250 1 0 0\n", "1: 250 (plane) where a curve (100) is expected");
+  check_refused_surface("120 1 0 0\n3\n", "1: 120 (line) where a surface (200) is expected");
 }
 
 // A plane with exact axes is a surface of degree 1 by 1.
@@ -194,37 +189,28 @@ BOOST_AUTO_TEST_CASE(planes) {
   std::istringstream patches(longer);
   BOOST_CHECK_EQUAL(GC::read_g2_surfaces<Exact_3>(patches, "f.g2").size(), 1u); // as a Bezier_patch
 
-  const auto error = [](const std::string& text) { return error_of([&] { surfaces_in<Exact_3>(text); }); };
   const std::string not_exact =
       ": a plane whose axes are no unit vectors at right angles in exact numbers: write it as a "
       "spline surface of the orders 2";
   for (const std::string wrong : {"0 0 1\n1 0 1e-9", "0 0 1\n3/5 0 4/5", "1 1 0\n0 0 1", "0 0 0\n1 0 0",
                                   "0 0 1\n0.7071067811865475 0.7071067811865475 0"})
-    BOOST_CHECK_EQUAL(error("250 1 0 0\n3\n0 0 0\n" + wrong + "\n1\n0 1\n0 1\n"),
-                      "malformed_input: f.g2:5" + not_exact);
+    check_refused_surface("250 1 0 0\n3\n0 0 0\n" + wrong + "\n1\n0 1\n0 1\n", "5" + not_exact);
   std::string far = longer;
   far.replace(far.find("0 0 0"), 5, "1e400 0 0");
   BOOST_CHECK(surfaces_in<Exact_3>(far).front().degree_u() == 1);
-  BOOST_CHECK(error_of([&] {
-                surfaces_in<Double_3>(far);
-              }).find("a control point: outside the range of floating-point numbers") != std::string::npos);
+  check_refused_surface<Double_3>(far, "8: a control point: outside the range of floating-point numbers");
   for (const std::string bounds : {"1 1.0000000000000000000000001\n0 1\n", "0 1\n1 1.0000000000000000000000001\n"})
-    BOOST_CHECK(error_of([&] {
-                  surfaces_in<Double_3>(longer.substr(0, longer.find("\n1\n") + 3) + bounds);
-                }).find("the ends of the domain of a plane are the same floating-point number") != std::string::npos);
-  BOOST_CHECK_EQUAL(error(axes + "0\n"), "malformed_input: f.g2:6: a plane without bounds; a surface has four edges");
-  BOOST_CHECK_EQUAL(error(axes + "7\n"),
-                    "malformed_input: f.g2:6: the flag of the bounds of a plane is neither 0 nor 1 nor 11");
-  BOOST_CHECK_EQUAL(error(axes + "1\n0 1\n2 2\n\n100"),
-                    "malformed_input: f.g2:8: the bounds of a plane do not increase: empty domain");
-  BOOST_CHECK_EQUAL(error(axes + "11\n0 1\n1 2\n3 3 0 1"),
-                    "malformed_input: f.g2:9: the bounds of a plane do not increase: empty domain");
-  BOOST_CHECK_EQUAL(error(axes + "1\n0 1 0 1\n2\n"), "malformed_input: f.g2:8: 2 where a surface (200) is expected");
-  BOOST_CHECK_EQUAL(error(axes + "1\n0 1 0"), "malformed_input: f.g2:7: file ends after 0 of 1 planes");
-  BOOST_CHECK_EQUAL(error_of([] { surfaces_in<Exact_2>("250 1 0 0\n2\n"); }),
-                    "malformed_input: f.g2:2: a plane of dimension 2 where 3 is expected");
-  BOOST_CHECK_EQUAL(error_of([&] { surfaces_in<Double_3>(axes + "1\n1 1.00000000000000000001 0 1\n"); }),
-                    "malformed_input: f.g2:7: the ends of the domain of a plane are the same floating-point number");
+    check_refused_surface<Double_3>(longer.substr(0, longer.find("\n1\n") + 3) + bounds,
+                                    "8: the ends of the domain of a plane are the same floating-point number");
+  check_refused_surface(axes + "0\n", "6: a plane without bounds; a surface has four edges");
+  check_refused_surface(axes + "7\n", "6: the flag of the bounds of a plane is neither 0 nor 1 nor 11");
+  check_refused_surface(axes + "1\n0 1\n2 2\n\n100", "8: the bounds of a plane do not increase: empty domain");
+  check_refused_surface(axes + "11\n0 1\n1 2\n3 3 0 1", "9: the bounds of a plane do not increase: empty domain");
+  check_refused_surface(axes + "1\n0 1 0 1\n2\n", "8: 2 where a surface (200) is expected");
+  check_refused_surface(axes + "1\n0 1 0", "7: file ends after 0 of 1 planes");
+  check_refused_surface<Exact_2>("250 1 0 0\n2\n", "2: a plane of dimension 2 where 3 is expected");
+  check_refused_surface<Double_3>(axes + "1\n1 1.00000000000000000001 0 1\n",
+                                  "7: the ends of the domain of a plane are the same floating-point number");
 }
 
 // (u-v)^2 + epsilon: that it costs too much to know whether this is positive is not an error of the

@@ -13,8 +13,12 @@ BOOST_AUTO_TEST_SUITE(json)
 typedef GC::Bezier_curve<Exact_2> Curve;
 typedef Exact_2::Point Point;
 
-template <class T> std::string json(const T& x) {
-  return written_by([&](std::ostream& os) { GC::write_json(os, x); });
+template <class... T> std::string json(const T&... x) {
+  return written_by([&](std::ostream& os) { GC::write_json(os, x...); });
+}
+
+template <class... T> std::string members(const T&... x) {
+  return written_by([&](std::ostream& os) { GC::write_json_members(os, x...); });
 }
 
 // f(os) throws `not_finite` and writes nothing.
@@ -71,15 +75,15 @@ BOOST_AUTO_TEST_CASE(enclosures) {
 BOOST_AUTO_TEST_CASE(joins) {
   const Curve left{Point(0, 0), Point(1, 0)}, right{Point(1, 0), Point(Q(4, 3), 0)}, gap{Point(2, 0), Point(3, 0)};
   const auto join = GC::continuity(left, right);
-  const std::string members = "\"left\":7,\"right\":12345,\"c_order\":0,\"g_order\":3,\"f_order\":2,\"betas\":[\"1/3\","
-                              "\"0\",\"0\"],\"regular\":true,\"tangent_equal\":true,\"curvature_equal\":true,"
-                              "\"curvature_vector_equal\":true,\"torsion_equal\":null";
-  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json(os, join, 7, 12345); }), '{' + members + '}');
-  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json_members(os, join, 7, 12345); }), members);
-  const std::string of_two = "\"left\":0,\"right\":1" + members.substr(members.find(",\"c_order\""));
-  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json(os, join); }), '{' + of_two + '}');
-  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json_members(os, join); }), of_two);
-  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json_members(os, GC::continuity(left, gap), 0, 1); }),
+  const std::string all = "\"left\":7,\"right\":12345,\"c_order\":0,\"g_order\":3,\"f_order\":2,\"betas\":[\"1/3\","
+                          "\"0\",\"0\"],\"regular\":true,\"tangent_equal\":true,\"curvature_equal\":true,"
+                          "\"curvature_vector_equal\":true,\"torsion_equal\":null";
+  BOOST_CHECK_EQUAL(json(join, 7, 12345), '{' + all + '}');
+  BOOST_CHECK_EQUAL(members(join, 7, 12345), all);
+  const std::string of_two = "\"left\":0,\"right\":1" + all.substr(all.find(",\"c_order\""));
+  BOOST_CHECK_EQUAL(json(join), '{' + of_two + '}');
+  BOOST_CHECK_EQUAL(members(join), of_two);
+  BOOST_CHECK_EQUAL(members(GC::continuity(left, gap), 0, 1),
                     "\"left\":0,\"right\":1,\"c_order\":-1,\"g_order\":-1,\"f_order\":-1,\"betas\":[],\"regular\":true,"
                     "\"tangent_equal\":true,\"curvature_equal\":true,\"curvature_vector_equal\":true,"
                     "\"torsion_equal\":null");
@@ -88,20 +92,20 @@ BOOST_AUTO_TEST_CASE(joins) {
 BOOST_AUTO_TEST_CASE(orders_within_a_tolerance) {
   const Curve left{Point(0, 0), Point(1, 0)}, right{Point(1, 0), Point(2, 0)};
   GC::Order_within within = GC::order_within(left, right, {});
-  const std::string members = "\"within\":[\"proved\",\"proved\",\"proved\",\"undecided\"],\"gap\":[0,0],"
-                              "\"tangent_angle\":[0,0],\"curvature_jump\":[0,0],\"torsion_jump\":null,"
-                              "\"angle_degrees\":[0,0],\"curvature_percent\":[0,0]";
+  const std::string all = "\"within\":[\"proved\",\"proved\",\"proved\",\"undecided\"],\"gap\":[0,0],"
+                          "\"tangent_angle\":[0,0],\"curvature_jump\":[0,0],\"torsion_jump\":null,"
+                          "\"angle_degrees\":[0,0],\"curvature_percent\":[0,0]";
   within.verdicts[3] = GC::Verdict::undecided;
   within.deviation.torsion_jump.reset();
-  BOOST_CHECK_EQUAL(json(within), '{' + members + '}');
-  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json_members(os, within); }), members);
+  BOOST_CHECK_EQUAL(json(within), '{' + all + '}');
+  BOOST_CHECK_EQUAL(members(within), all);
   within.deviation.curvature_jump = GC::Enclosure{0.25, 0.5};
   within.deviation.tangent_angle.reset();
-  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json_members(os, within.deviation); }),
+  BOOST_CHECK_EQUAL(members(within.deviation),
                     "\"gap\":[0,0],\"tangent_angle\":null,\"curvature_jump\":[0.25,0.5],\"torsion_jump\":null,"
                     "\"angle_degrees\":null,\"curvature_percent\":[25,50]");
   within.deviation.curvature_jump.reset();
-  BOOST_CHECK_EQUAL(written_by([&](std::ostream& os) { GC::write_json_members(os, within.deviation); }),
+  BOOST_CHECK_EQUAL(members(within.deviation),
                     "\"gap\":[0,0],\"tangent_angle\":null,\"curvature_jump\":null,\"torsion_jump\":null,"
                     "\"angle_degrees\":null,\"curvature_percent\":null");
   within.deviation.torsion_jump = GC::Enclosure{0, std::nan("")};

@@ -64,7 +64,8 @@ BOOST_AUTO_TEST_CASE(points_of_the_plane_are_refused) {
 BOOST_AUTO_TEST_CASE(formats_by_names) {
   BOOST_CHECK(GC::mesh_format("a.off") == GC::Mesh_format::off && GC::mesh_format("b/c.OBJ") == GC::Mesh_format::obj);
   BOOST_CHECK(GC::mesh_format("a.b.Ply") == GC::Mesh_format::ply && GC::mesh_format(".stl") == GC::Mesh_format::stl);
-  for (const char* path : {"", "obj", "a.obj/b", "a.obj.gz"}) CHECK_ERROR(GC::mesh_format(path), cannot_write_file);
+  for (const char* path : {"", "obj", "a.obj/b", "a.obj.gz", "teapot.", "a.vtk"})
+    CHECK_ERROR(GC::mesh_format(path), cannot_write_file);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -18,31 +18,22 @@ using GC::Edge_defect;
 
 // The weights w_ij c^j: another rational parameter in v.
 Patch<Exact> with_other_parameter(const Patch<Exact>& s, const Q& c) {
-  std::vector<std::vector<Exact::Point>> net(s.degree_u() + 1);
-  std::vector<std::vector<Q>> weights(s.degree_u() + 1);
-  for (int i = 0; i <= s.degree_u(); ++i) {
+  auto weights = net_weights(s);
+  for (std::vector<Q>& row : weights) {
     Q power(1);
-    for (int j = 0; j <= s.degree_v(); ++j) {
-      net[i].push_back(s.control_point(i, j));
-      weights[i].push_back(power * s.weight(i, j));
+    for (Q& w : row) {
+      w *= power;
       power *= c;
     }
   }
-  return Patch<Exact>(net, weights, s.domain_u(), s.domain_v());
+  return Patch<Exact>(net_points(s), weights, s.domain_u(), s.domain_v());
 }
 
 // With one control point of the layer j next to v = 0 moved.
 Patch<Exact> with_moved_layer(const Patch<Exact>& s, int layer, const Q& distance) {
-  std::vector<std::vector<Exact::Point>> net(s.degree_u() + 1);
-  std::vector<std::vector<Q>> weights(s.degree_u() + 1);
-  for (int i = 0; i <= s.degree_u(); ++i)
-    for (int j = 0; j <= s.degree_v(); ++j) {
-      const Exact::Point p = s.control_point(i, j);
-      const Q shift = i == 1 && j == layer ? distance : Q(0);
-      net[i].emplace_back(p.x(), p.y(), p.z() + shift);
-      weights[i].push_back(s.weight(i, j));
-    }
-  return Patch<Exact>(net, weights, s.domain_u(), s.domain_v());
+  auto net = net_points(s);
+  net[1][layer] = net[1][layer] + Exact::Vector(0, 0, distance);
+  return Patch<Exact>(net, net_weights(s), s.domain_u(), s.domain_v());
 }
 
 // The answers of all three predicates must be those of the order.
@@ -186,11 +177,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(polynomial_surfaces_as_rational_ones, Traits, All_
   typedef typename Traits::FT FT;
   Random random;
   const auto net = [&](int sign, int tilt) {
-    std::vector<std::vector<P>> points(4);
-    for (int i = 0; i < 4; ++i)
-      for (int j = 0; j < 3; ++j)
-        points[i].emplace_back(4 * i, 4 * sign * j, j == 0 ? i * i % 3 : tilt * j + random.integer(-2, 2));
-    return points;
+    return net_of(4, 3, [&](int i, int j) {
+      return P(4 * i, 4 * sign * j, j == 0 ? i * i % 3 : tilt * j + random.integer(-2, 2));
+    });
   };
   for (int round = 0; round < 4; ++round) {
     const GC::Bezier_patch<Traits> a(net(1, round)), b(net(-1, -round));
@@ -199,9 +188,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(polynomial_surfaces_as_rational_ones, Traits, All_
     const auto rational = [](const GC::Bezier_patch<Traits>& s, const FT& factor) {
       std::vector<std::vector<FT>> weights(4, std::vector<FT>(3, factor));
       weights[2][2] = FT(factor * FT(2));
-      std::vector<std::vector<P>> points(4);
-      for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 3; ++j) points[i].push_back(s.control_point(i, j));
+      auto points = net_of(4, 3, [&](int i, int j) { return s.control_point(i, j); });
       points[2][2] = P(8, points[2][2].y(), points[2][2].z());
       return Patch<Traits>(points, weights);
     };

@@ -6,12 +6,6 @@
 
 #include <CGAL/Geometric_continuity/models/Road_network.h>
 
-#include <cmath>
-#include <cstddef>
-#include <memory>
-#include <string>
-#include <vector>
-
 // Road networks that are made here: each test has what is found of one kind of join.
 
 namespace {

@@ -5,6 +5,7 @@
 // Tessellation with exact numbers: points are summed as integers and diagonals compared by
 // intervals, and neither is seen.
 
+#include "support/net_of.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/models/tessellate.h>
@@ -27,15 +28,11 @@ public:
   }
 };
 
-template <class K>
-std::vector<std::vector<typename K::Point_3>> random_net(Random_fractions<typename K::FT>& random, int p, int q) {
-  std::vector<std::vector<typename K::Point_3>> net(p + 1);
-  for (int i = 0; i <= p; ++i)
-    for (int j = 0; j <= q; ++j) {
-      const typename K::FT x = random.fraction(-5, 5), y = random.fraction(-5, 5), z = random.fraction(-5, 5);
-      net[i].emplace_back(x, y, z);
-    }
-  return net;
+template <class K> auto random_net(Random_fractions<typename K::FT>& random, int p, int q) {
+  return net_of(p + 1, q + 1, [&](int, int) {
+    const typename K::FT x = random.fraction(-5, 5), y = random.fraction(-5, 5), z = random.fraction(-5, 5);
+    return typename K::Point_3(x, y, z);
+  });
 }
 
 // Each point is the point of the patch at its place, and no place comes twice.
@@ -68,21 +65,12 @@ TEST_FOR_EACH(points_of_rational_patches, K, Kernels) {
   Random_fractions<FT> random;
   for (int n = 1; n <= 7; ++n) BOOST_TEST_CONTEXT("seed " << first_seed() << ", " << n << " cells") {
       const int p = random.integer(1, 3), q = random.integer(1, 3);
-      std::vector<std::vector<FT>> weights(p + 1);
-      for (std::vector<FT>& row : weights)
-        for (int j = 0; j <= q; ++j) row.push_back(FT(random.fraction(1, 3)));
-      const GC::Rational_bezier_patch<GC::Traits_3<K>> patch(random_net<K>(random, p, q), weights);
-      check_points(patch, n);
+      const auto weights = net_of(p + 1, q + 1, [&](int, int) { return random.fraction(1, 3); });
+      check_points(GC::Rational_bezier_patch<GC::Traits_3<K>>(random_net<K>(random, p, q), weights), n);
     }
-}
-
-// The denominator is positive although a weight is not.
-TEST_FOR_EACH(a_weight_that_is_negative, K, Kernels) {
-  Random_fractions<FT> random;
-  const GC::Rational_bezier_patch<GC::Traits_3<K>> patch(
-      random_net<K>(random, 2, 1),
-      std::vector<std::vector<FT>>{{FT(1), FT(2)}, {FT(-1) / FT(3), FT(1)}, {FT(1), FT(1)}});
-  check_points(patch, 4);
+  // the denominator is positive although a weight is not
+  const std::vector<std::vector<FT>> weights{{FT(1), FT(2)}, {FT(-1) / FT(3), FT(1)}, {FT(1), FT(1)}};
+  check_points(GC::Rational_bezier_patch<GC::Traits_3<K>>(random_net<K>(random, 2, 1), weights), 4);
 }
 
 // The triangles of a cell have its shorter diagonal in common; if both are equal, that from the
@@ -130,16 +118,11 @@ BOOST_AUTO_TEST_CASE(triangles_of_all_numbers) {
   std::vector<GC::Bezier_patch<GC::Traits_3<Double>>> rounded;
   std::vector<GC::Bezier_patch<GC::Traits_3<Rational_kernel>>> exact;
   for (int i = 0; i < 10; ++i) {
-    std::vector<std::vector<Double::Point_3>> net(4);
-    std::vector<std::vector<Rational_kernel::Point_3>> same(4);
-    for (int k = 0; k < 4; ++k)
-      for (int l = 0; l < 4; ++l) {
-        const int x = random.integer(-9, 9), y = random.integer(-9, 9), z = random.integer(-9, 9);
-        net[k].emplace_back(x, y, z);
-        same[k].emplace_back(x, y, z);
-      }
-    rounded.emplace_back(net);
-    exact.emplace_back(same);
+    rounded.emplace_back(net_of(4, 4, [&](int, int) {
+      const int x = random.integer(-9, 9), y = random.integer(-9, 9), z = random.integer(-9, 9);
+      return Double::Point_3(x, y, z);
+    }));
+    exact.push_back(surface_exactly<GC::Traits_3<Rational_kernel>>(rounded.back()));
   }
   for (double tolerance : {1.0, 0.1, 0.01}) {
     const auto a = GC::tessellate(rounded, GC::Chord_tolerance{tolerance});
@@ -147,7 +130,7 @@ BOOST_AUTO_TEST_CASE(triangles_of_all_numbers) {
     BOOST_CHECK(a.triangles == b.triangles);
     BOOST_REQUIRE_EQUAL(a.points.size(), b.points.size());
     for (std::size_t i = 0; i < a.points.size(); ++i)
-      BOOST_CHECK(b.points[i] == Rational_kernel::Point_3(a.points[i].x(), a.points[i].y(), a.points[i].z()));
+      BOOST_CHECK(b.points[i] == point_exactly<GC::Traits_3<Rational_kernel>>(a.points[i]));
   }
 }
 

@@ -40,13 +40,11 @@ BOOST_AUTO_TEST_CASE(triangles_are_within_the_tolerance) {
   Random random;
   for (int round = 0; round < 4; ++round) {
     const int p = random.integer(1, 2), q = random.integer(1, 3);
-    std::vector<std::vector<Exact::Point>> net(p + 1);
-    std::vector<std::vector<Q>> weights(p + 1);
-    for (int i = 0; i <= p; ++i)
-      for (int j = 0; j <= q; ++j) {
-        net[i].push_back({4 * i + random.integer(-1, 1), 4 * j + random.integer(-1, 1), random.integer(-3, 3)});
-        weights[i].push_back(fraction(random.integer(2, 9), 3));
-      }
+    const auto net = net_of(p + 1, q + 1, [&](int i, int j) {
+      const int x = 4 * i + random.integer(-1, 1), y = 4 * j + random.integer(-1, 1);
+      return Exact::Point(x, y, random.integer(-3, 3));
+    });
+    const auto weights = net_of(p + 1, q + 1, [&](int, int) { return fraction(random.integer(2, 9), 3); });
     check_distance(Patch<Exact>(net, weights, {Q(-1), Q(2)}, {Q(0), Q(1)}), 2);
   }
   // three quarters of a turn, with a weight that is not positive, far from the origin

@@ -5,6 +5,7 @@
 // Polyhedra with rounded edges: they are closed, G2 along all rails and seams, exactly, and without
 // folds, with exact numbers and in floating point.
 
+#include "support/net_of.h"
 #include "support/polyhedra.h"
 #include "support/random_surfaces.h"
 
@@ -47,20 +48,8 @@ template <class Surface, class FT> Surface part_of(Surface s, const FT& begin, c
 template <class Blend, class Use, class Face>
 bool is_g2_with_plane(const Blend& blend, const Use& use, const Face& face) {
   typedef GC::Traits_3<Exact_kernel> Exact_traits;
-  const auto& s = blend.surface;
-  const auto to_exact = [](const auto& knots) {
-    std::vector<Q> x;
-    for (const auto& u : knots) x.push_back(Q(u));
-    return GC::Knot_vector<Q>(knots.degree(), std::move(x));
-  };
   const auto vector = [](const auto& p) { return Exact_traits::Vector(Q(p.x()), Q(p.y()), Q(p.z())); };
-  std::vector<std::vector<Exact_traits::Point>> net;
-  for (int i = 0; i < s.number_of_points_u(); ++i) {
-    net.emplace_back();
-    for (int j = 0; j < 6; ++j) net.back().push_back(CGAL::ORIGIN + vector(s.control_point(i, j)));
-  }
-  const GC::Bspline_surface<Exact_traits> exact(net, to_exact(s.knots_u()), to_exact(s.knots_v())),
-      part = part_of(exact, Q(use.begin), Q(use.end));
+  const auto part = part_of(surface_exactly<Exact_traits>(blend.surface), Q(use.begin), Q(use.end));
   const bool at_start = use.side == v0;
   const auto plane = strip(part, at_start);
   const Exact_traits::Vector normal = CGAL::cross_product(vector(face.x), vector(face.y));

@@ -41,17 +41,14 @@ Patch square(int x, int y, std::mt19937& random) {
 
 BOOST_AUTO_TEST_CASE(one_step_is_too_few) {
   const std::vector<Patch> model = crease();
+  const GC::Edge_rows<Q> rows = GC::edge_rows(model[0], v0), other = GC::edge_rows(model[1], v0);
+  const GC::Bernstein_polynomial<Q> polynomial{Q(1), Q(-5), Q(1)};
   CHECK_ERROR(limited(one_step, [&] { return GC::edge_continuity(model[0], v0, model[1], v0); }), work_limit);
   CHECK_ERROR(limited(one_step, [&] { return GC::deviation(model[0], v0, model[1], v0); }), work_limit);
   CHECK_ERROR(limited(one_step, [&] { return GC::order_within(model[0], v0, model[1], v0, {1, 1}); }), work_limit);
   CHECK_ERROR(limited(one_step, [&] { return GC::common_edges(model[0], model[1]); }), work_limit);
-  const GC::Edge_rows<Q> rows = GC::edge_rows(model[0], v0), other = GC::edge_rows(model[1], v0);
   CHECK_ERROR(limited(one_step, [&] { return GC::edge_continuity(rows, other); }), work_limit);
-  CHECK_ERROR(limited(one_step,
-                      [&] {
-                        return GC::sign_pattern(GC::Bernstein_polynomial<Q>{Q(1), Q(-5), Q(1)});
-                      }),
-              work_limit);
+  CHECK_ERROR(limited(one_step, [&] { return GC::sign_pattern(polynomial); }), work_limit);
   BOOST_CHECK_EQUAL(error_of([&] { limited(one_step, [&] { return GC::model_continuity(model); }); }),
                     "work_limit: patch 0 v0 - patch 1 v0: edge_continuity: more than 1 steps of work");
   BOOST_CHECK_EQUAL(GC::model_continuity(model).summary.creases, 1u);

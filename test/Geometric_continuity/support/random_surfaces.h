@@ -37,17 +37,14 @@ struct Random_surfaces : Random {
 
   // Makes a net of degree 3 x 2, over inner knots or none, not near to another one.
   std::vector<std::vector<Exact::Point>> net(int m, int n) {
-    std::vector<std::vector<Exact::Point>> net(m);
     const Q size(4294967296.0);
-    for (int i = 0; i < m; ++i)
-      for (int j = 0; j < n; ++j) net[i].push_back({number() + Q(4 * i) * size, number() + Q(4 * j) * size, number()});
-    return net;
+    return net_of(m, n, [&](int i, int j) {
+      const Q x = number() + Q(4 * i) * size, y = number() + Q(4 * j) * size;
+      return Exact::Point(x, y, number());
+    });
   }
   std::vector<std::vector<Q>> weights(int m, int n) {
-    std::vector<std::vector<Q>> w(m);
-    for (auto& row : w)
-      for (int j = 0; j < n; ++j) row.push_back(fraction(integer(100, 110), 100));
-    return w;
+    return net_of(m, n, [&](int, int) { return fraction(integer(100, 110), 100); });
   }
   std::pair<Q, Q> domain() {
     const Q a = fraction_of<Q>(-9, 9, 1, 9);
@@ -88,35 +85,22 @@ template <class Points> void move_point(Points& net, int i, int j) {
   const Exact::Point p = net[i][j];
   net[i][j] = Exact::Point(p.x(), p.y(), p.z() + Q(1) / Q(1 << 30) / Q(2));
 }
-template <class S> std::vector<std::vector<Exact::Point>> rows_of_points(const S& s, int m, int n) {
-  std::vector<std::vector<Exact::Point>> net(m);
-  for (int k = 0; k < m; ++k)
-    for (int l = 0; l < n; ++l) net[k].push_back(s.control_point(k, l));
-  return net;
-}
 inline Bezier<Exact> moved(const Bezier<Exact>& s, int i, int j) {
-  auto net = rows_of_points(s, s.degree_u() + 1, s.degree_v() + 1);
+  auto net = net_points(Patch<Exact>(s));
   move_point(net, i, j);
   return Bezier<Exact>(net, s.domain_u(), s.domain_v());
 }
 inline Bspline<Exact> moved(const Bspline<Exact>& s, int i, int j) {
-  auto net = rows_of_points(s, s.number_of_points_u(), s.number_of_points_v());
+  auto net = net_points(s);
   move_point(net, i, j);
   return Bspline<Exact>(net, s.knots_u(), s.knots_v());
 }
-template <class S> std::vector<std::vector<Q>> rows_of_weights(const S& s) {
-  std::vector<std::vector<Q>> w(s.number_of_points_u());
-  for (int k = 0; k < s.number_of_points_u(); ++k)
-    for (int l = 0; l < s.number_of_points_v(); ++l) w[k].push_back(s.weight(k, l));
-  return w;
-}
 inline Patch<Exact> moved(const Patch<Exact>& s, int i, int j) {
-  const auto net = rows_of_points(moved(s.unweighted(), i, j), s.number_of_points_u(), s.number_of_points_v());
-  return Patch<Exact>(net, rows_of_weights(s), s.domain_u(), s.domain_v());
+  return Patch<Exact>(net_points(Patch<Exact>(moved(s.unweighted(), i, j))), net_weights(s), s.domain_u(),
+                      s.domain_v());
 }
 inline Spline<Exact> moved(const Spline<Exact>& s, int i, int j) {
-  const auto net = rows_of_points(moved(s.unweighted(), i, j), s.number_of_points_u(), s.number_of_points_v());
-  return Spline<Exact>(net, rows_of_weights(s), s.knots_u(), s.knots_v());
+  return Spline<Exact>(net_points(moved(s.unweighted(), i, j)), net_weights(s), s.knots_u(), s.knots_v());
 }
 
 // The order along two whole edges, otherwise -2.

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "net_of.h"
 #include "random.h"
 
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
@@ -35,24 +36,26 @@ inline Q fraction(int p, int q) { return Q(p) / Q(q); }
 
 // A patch with arbitrary rational numbers.
 inline Patch<Exact> random_patch(Random& random, int p, int q) {
-  std::vector<std::vector<Exact::Point>> net(p + 1);
-  std::vector<std::vector<Q>> weights(p + 1);
-  for (int i = 0; i <= p; ++i)
-    for (int j = 0; j <= q; ++j) {
-      net[i].push_back({random.rational() + Q(100 * i), random.rational() + Q(100 * j), random.rational()});
-      weights[i].push_back(random.positive());
-    }
+  const auto net = net_of(p + 1, q + 1, [&](int i, int j) {
+    const Q x = random.rational() + Q(100 * i), y = random.rational() + Q(100 * j);
+    return Exact::Point(x, y, random.rational());
+  });
+  const auto weights = net_of(p + 1, q + 1, [&](int, int) { return random.positive(); });
   return Patch<Exact>(net, weights, {Q(-1), Q(2)}, {Q(0), fraction(1, 3)});
+}
+
+// The nets of points and weights of a surface.
+template <class Surface> auto net_points(const Surface& s) {
+  return net_of(s.number_of_points_u(), s.number_of_points_v(), [&](int i, int j) { return s.control_point(i, j); });
+}
+template <class Surface> auto net_weights(const Surface& s) {
+  return net_of(s.number_of_points_u(), s.number_of_points_v(), [&](int i, int j) { return s.weight(i, j); });
 }
 
 // The patch with all weights multiplied by a factor.
 template <class Traits> Patch<Traits> with_factor(const Patch<Traits>& s, const typename Traits::FT& factor) {
-  std::vector<std::vector<typename Traits::Point>> net(s.degree_u() + 1);
-  std::vector<std::vector<typename Traits::FT>> weights(s.degree_u() + 1);
-  for (int i = 0; i <= s.degree_u(); ++i)
-    for (int j = 0; j <= s.degree_v(); ++j) {
-      net[i].push_back(s.control_point(i, j));
-      weights[i].push_back(typename Traits::FT(factor * s.weight(i, j)));
-    }
-  return Patch<Traits>(net, weights, s.domain_u(), s.domain_v());
+  auto weights = net_weights(s);
+  for (auto& row : weights)
+    for (auto& w : row) w *= factor;
+  return Patch<Traits>(net_points(s), weights, s.domain_u(), s.domain_v());
 }

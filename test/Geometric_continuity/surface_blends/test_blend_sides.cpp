@@ -87,15 +87,17 @@ template <class Given, class A, class B> void check_sides(Numbers& random, const
   BOOST_CHECK(blend(a, ea, b, eb, shape(std::nullopt, std::nullopt), direction) ==
               blend(a, ea, b, eb, Given(Shape()), direction));
   // what does not fit is refused, by name
-  const auto refused = [&](bool upper, int point, int derivative, const std::string& text) {
+  const auto refused = [&](bool upper, bool of_curve, int i, const std::string& what) {
     Side x = upper ? end : start;
-    if (point >= 0) move(x.curve[point]);
-    if (derivative >= 0) move(x.cross[derivative]);
-    const std::string error = error_of([&] { upper ? shape(start, x) : shape(x, end); });
-    BOOST_CHECK_MESSAGE(error.find(text) != std::string::npos, error + " is not " + text);
+    auto& rows = of_curve ? x.curve : x.cross;
+    move(rows[upper ? last - i : i]);
+    const std::string error = error_of([&] { upper ? shape(start, x) : shape(x, end); }),
+                      place = upper ? "u = 1, the edge " + to_string(eb) + " of the second surface: "
+                                    : "u = 0, the edge " + to_string(ea) + " of the first surface: ",
+                      text = std::string(of_curve && i == 0 ? "curves_do_not_meet" : "incompatible_corner") +
+                             ": blend sides: " + place + what;
+    BOOST_CHECK_MESSAGE(error.find(text) == 0, error + " is not " + text);
   };
-  const std::string first = ", the edge " + to_string(ea) + " of the first surface: ",
-                    second = ", the edge " + to_string(eb) + " of the second surface: ";
   if constexpr (std::is_base_of_v<GC::Rational_edge_reparametrisation<Q>, decltype(Given().start)>) {
     // the same curve at another pace: it fits alone, but not after the other one
     Side x = end;
@@ -108,23 +110,12 @@ template <class Given, class A, class B> void check_sides(Numbers& random, const
     const std::string error = error_of([&] { shape(start, x); });
     BOOST_CHECK_MESSAGE(error.find("belong to another factor") != std::string::npos, error);
   }
-  refused(false, 0, -1, "u = 0" + first + "the side curve does not end at the corner");
-  refused(true, last, -1, "u = 1" + second + "the side curve does not end at the corner");
-  refused(false, 1, -1, "incompatible_corner: blend sides: u = 0" + first + "S_v: ");
-  refused(true, last - 1, -1, "incompatible_corner: blend sides: u = 1" + second + "S_v: ");
-  refused(false, 2, -1, "incompatible_corner: blend sides: u = 0" + first + "S_vv: ");
-  refused(true, last - 2, -1, "incompatible_corner: blend sides: u = 1" + second + "S_vv: ");
-  refused(false, -1, 0, "incompatible_corner: blend sides: u = 0" + first + "S_u: ");
-  refused(true, -1, last, "incompatible_corner: blend sides: u = 1" + second + "S_u: ");
-  refused(false, -1, 1, "incompatible_corner: blend sides: u = 0" + first + "S_uv: ");
-  refused(true, -1, last - 1, "incompatible_corner: blend sides: u = 1" + second + "S_uv: ");
-  refused(false, -1, 2, "incompatible_corner: blend sides: u = 0" + first + "S_uvv: ");
-  refused(true, -1, last - 2, "incompatible_corner: blend sides: u = 1" + second + "S_uvv: ");
-  if constexpr (order == 2) return;
-  refused(false, 3, -1, "incompatible_corner: blend sides: u = 0" + first + "S_vvv: ");
-  refused(true, last - 3, -1, "incompatible_corner: blend sides: u = 1" + second + "S_vvv: ");
-  refused(false, -1, 3, "incompatible_corner: blend sides: u = 0" + first + "S_uvvv: ");
-  refused(true, -1, last - 3, "incompatible_corner: blend sides: u = 1" + second + "S_uvvv: ");
+  const std::string derivatives[] = {"", "v", "vv", "vvv"};
+  for (const bool upper : {false, true}) {
+    refused(upper, true, 0, "the side curve does not end at the corner");
+    for (int i = 1; i <= order; ++i) refused(upper, true, i, "S_" + derivatives[i] + ": ");
+    for (int i = 0; i <= order; ++i) refused(upper, false, i, "S_u" + derivatives[i] + ": ");
+  }
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(all_types, A, Surface_types) {
@@ -213,20 +204,18 @@ TEST_FOR_EACH(neighbours, Traits, All_traits) {
       b({{P(0, 12, 0), P(0, 16, 0)}, {P(8, 12, 0), P(8, 16, 0)}}),
       neighbour({{P(-8, 4, 4), P(-8, 12, 4)}, {P(-4, 4, 0), P(-2, 12, 0)}, {P(0, 4, 0), P(0, 12, 0)}});
   const Side side(neighbour, u1);
-  const auto shape = surface_shape_with_sides(a, v1, b, v0, Edge_direction::same, GC::Surface_blend_shape<FT>(),
-                                              std::optional<Side>(side), std::optional<Side>());
-  const S s = blend(a, v1, b, v0, shape);
+  const auto shape = [&](const Side& at_start, const auto& of, const S& first) {
+    return surface_shape_with_sides(first, v1, b, v0, Edge_direction::same, of, std::optional<Side>(at_start),
+                                    std::optional<Side>());
+  };
+  const GC::Surface_blend_shape<FT> plain{};
+  const S s = blend(a, v1, b, v0, shape(side, plain, a));
   BOOST_CHECK(Side(s, u0).curve == Side(neighbour.elevate(0, 4), u1).curve);
   if constexpr (!std::is_floating_point_v<FT>) {
     BOOST_CHECK_EQUAL(whole_edge_order(s, u0, neighbour, u1), 1);
     BOOST_CHECK_EQUAL(whole_edge_order(a, v1, s, v0), 2);
   }
-  const auto text = [&](const Side& x) {
-    return error_of([&] {
-      surface_shape_with_sides(a, v1, b, v0, Edge_direction::same, GC::Surface_blend_shape<FT>(),
-                               std::optional<Side>(x), std::optional<Side>());
-    });
-  };
+  const auto text = [&](const Side& x) { return error_of([&] { shape(x, plain, a); }); };
   BOOST_CHECK_EQUAL(text(Side(neighbour, u1, Edge_direction::opposite)),
                     "curves_do_not_meet: blend sides: u = 0, the edge v1 of the first surface: the side curve does not "
                     "end at the corner");
@@ -247,32 +236,23 @@ TEST_FOR_EACH(neighbours, Traits, All_traits) {
   BOOST_CHECK_EQUAL(text(curve({7, P(0, 4, 0)})),
                     "wrong_number_of_points: blend sides: u = 0, the curve: the degree must be at most 5, it is 6");
   typedef Septic<GC::Surface_blend_shape<FT>> Order_3;
-  const S s7 = blend(a, v1, b, v0,
-                     surface_shape_with_sides(a, v1, b, v0, Edge_direction::same, Order_3(), std::optional<Side>(side),
-                                              std::optional<Side>()));
+  const S s7 = blend(a, v1, b, v0, shape(side, Order_3(), a));
   BOOST_CHECK(Side(s7, u0).curve == Side(neighbour.elevate(0, 6), u1).curve);
   if constexpr (!std::is_floating_point_v<FT>) {
     BOOST_CHECK_EQUAL(whole_edge_order(s7, u0, neighbour, u1), 1);
     BOOST_CHECK(is_g3_edge(a, v1, s7, v0) && is_g3_edge(s7, v1, b, v0));
   }
   BOOST_CHECK_EQUAL(error_of([&] {
-                      surface_shape_with_sides(a, v1, b, v0, Edge_direction::same, Order_3(),
-                                               std::optional<Side>(curve({9, P(0, 4, 0)})), std::optional<Side>());
+                      shape(curve({9, P(0, 4, 0)}), Order_3(), a);
                     }),
                     "wrong_number_of_points: blend sides: u = 0, the curve: the degree must be at most 7, it is 8");
   const S pole({{P(0, 0, 0), P(0, 4, 0)}, {P(8, 0, 0), P(0, 4, 0)}});
   // the edge leads in the direction across it, from the corner
   const S folded({{P(0, 0, 0), P(0, 4, 0)}, {P(8, 0, 0), P(0, 8, 0)}});
-  for (const S& singular : {pole, folded})
-    CHECK_ERROR(surface_shape_with_sides(singular, v1, b, v0, Edge_direction::same, GC::Surface_blend_shape<FT>(),
-                                         std::optional<Side>(side.curve_only()), std::optional<Side>()),
-                singular_frame);
+  for (const S& singular : {pole, folded}) CHECK_ERROR(shape(side.curve_only(), plain, singular), singular_frame);
   GC::Surface_blend_shape<FT> vanishing;
   vanishing.start.beta = {FT(0)};
-  BOOST_CHECK_EQUAL(error_of([&] {
-                      surface_shape_with_sides(a, v1, b, v0, Edge_direction::same, vanishing, std::optional<Side>(side),
-                                               std::optional<Side>());
-                    }),
+  BOOST_CHECK_EQUAL(error_of([&] { shape(side, vanishing, a); }),
                     "nonpositive_beta: blend sides: u = 1, where no side is given: the shape");
   const GC::Knot_vector<FT> knots(1, FT(0), FT(1), {{FT(1) / FT(2), 1}});
   const Bspline<Traits> bent({{P(0, 4, 0), P(0, 5, 1), P(0, 12, 0)}, {P(8, 4, 0), P(8, 5, 1), P(8, 12, 0)}},
@@ -288,17 +268,18 @@ BOOST_AUTO_TEST_CASE(steep_functions) {
   const Bezier<Exact> a(random.net(3, 3)), c(random.net(3, 3));
   Shape steep;
   steep.start.beta = Function{Q(1), fraction(1, 100), Q(9), Q(1)};
+  const auto shape_between = [&](const Side& x, const Side& y) {
+    return surface_shape_with_sides(S(a), v1, S(c), v0, Edge_direction::same, Shape(), std::optional<Side>(x),
+                                    std::optional<Side>(y));
+  };
   const S other = S(blend(a, v1, c, v0, steep));
   Side side = beyond<Side>(other, u0), end = beyond<Side>(other, u1);
-  const Shape shape = surface_shape_with_sides(S(a), v1, S(c), v0, Edge_direction::same, Shape(),
-                                               std::optional<Side>(side), std::optional<Side>(end));
-  BOOST_CHECK(shape.start.beta.is_positive());
+  BOOST_CHECK(shape_between(side, end).start.beta.is_positive());
   Shape steeper;
   steeper.start.beta = Function{Q(2), fraction(1, 100), Q(1), fraction(1, 100), Q(9), fraction(1, 100), Q(2)};
   const S third = S(blend(a, v1, c, v0, steeper));
   side = beyond<Side>(third, u0), end = beyond<Side>(third, u1);
-  const Shape spline = surface_shape_with_sides(S(a), v1, S(c), v0, Edge_direction::same, Shape(),
-                                                std::optional<Side>(side), std::optional<Side>(end));
+  const Shape spline = shape_between(side, end);
   BOOST_CHECK(!spline.start.beta.knots().inner_knots().empty());
   BOOST_CHECK(spline.start.beta.is_positive());
   const S s = blend(S(a), v1, S(c), v0, spline);
@@ -315,8 +296,7 @@ BOOST_AUTO_TEST_CASE(steep_functions) {
     side = beyond<Side>(fourth, u0), end = beyond<Side>(fourth, u1);
     for (const auto& [x, y] :
          {std::make_pair(side, end), std::make_pair(side, end.curve_only()), std::make_pair(side.curve_only(), end)}) {
-      const Shape found = surface_shape_with_sides(S(a), v1, S(c), v0, Edge_direction::same, Shape(),
-                                                   std::optional<Side>(x), std::optional<Side>(y));
+      const Shape found = shape_between(x, y);
       BOOST_CHECK(found.start.beta.is_positive());
       const S t = blend(S(a), v1, S(c), v0, found);
       BOOST_CHECK(beyond<Side>(t, u0).curve == side.curve && beyond<Side>(t, u1).curve == end.curve);

@@ -22,14 +22,10 @@ typedef GC::Surface_blend_shape<Q> Shape;
 typedef std::tuple<Double, Filtered> Rounded_traits;
 
 struct Numbers : Random_surfaces {
-  Function function(int degree) {
+  Function function(int degree, bool is_positive = false) {
     std::vector<Q> b;
-    for (int i = 0; i <= degree; ++i) b.push_back(rational() / Q(1000000));
-    return GC::Bernstein_polynomial<Q>(b);
-  }
-  Function positive_function(int degree) {
-    std::vector<Q> b;
-    for (int i = 0; i <= degree; ++i) b.push_back(fraction_of<Q>(1, 99, 1, 99));
+    for (int i = 0; i <= degree; ++i)
+      b.push_back(is_positive ? fraction_of<Q>(1, 99, 1, 99) : Q(rational() / Q(1000000)));
     return GC::Bernstein_polynomial<Q>(b);
   }
   // Twice continuously differentiable, on any domain.
@@ -41,7 +37,7 @@ struct Numbers : Random_surfaces {
   }
   Reparametrisation spline_reparametrisation() { return {spline(0), spline(1), spline(0), spline(0)}; }
   Reparametrisation reparametrisation(int alpha, int beta, int alpha2, int delta) {
-    return {function(alpha), positive_function(beta), function(alpha2), function(delta)};
+    return {function(alpha), function(beta, true), function(alpha2), function(delta)};
   }
   Reparametrisation reparametrisation() {
     const int a = integer(0, 2), b = integer(0, 2), c = integer(0, 2);
@@ -140,14 +136,12 @@ BOOST_AUTO_TEST_CASE(factors_of_homogeneous_points) {
   const Q low = fraction(1, 3), high = fraction(3, 5);
   const Patch<Exact> part = middle(s, low, high);
   const auto homogeneous = part.homogeneous();
-  std::vector<std::vector<Patch<Exact>::Homogeneous::Point>> net(4);
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j <= 5; ++j) {
-      Patch<Exact>::Homogeneous::Point b(4);
-      if (j < 5) b += fraction(5 - j, 5) * homogeneous.control_point(i, j);
-      if (j > 0) b += fraction(3 * j, 10) * homogeneous.control_point(i, j - 1);
-      net[i].push_back(b);
-    }
+  const auto net = net_of(4, 6, [&](int i, int j) {
+    Patch<Exact>::Homogeneous::Point b(4);
+    if (j < 5) b += fraction(5 - j, 5) * homogeneous.control_point(i, j);
+    if (j > 0) b += fraction(3 * j, 10) * homogeneous.control_point(i, j - 1);
+    return b;
+  });
   GC::Rational_surface_blend_shape<Q> shape;
   shape.start.beta = shape.end.beta = Function{Q(high - low)};
   shape.start.lambda1 = Function{fraction(1, 2)};
@@ -157,27 +151,6 @@ BOOST_AUTO_TEST_CASE(factors_of_homogeneous_points) {
   BOOST_CHECK(blend(s.split_v(low).first, v1, s.split_v(high).second, v0, shape) == expected);
 }
 
-// With constants, the columns of control points are blends of the columns of the surfaces.
-BOOST_AUTO_TEST_CASE(columns_are_blends_of_curves) {
-  Numbers random;
-  const Bezier<Exact> a(random.net(4, 4)), b(random.net(4, 3));
-  Shape shape;
-  shape.start.beta = Function{fraction(3, 4)};
-  shape.end.beta = Function{fraction(5, 2)};
-  const Bezier<Exact> s = blend(a, v1, b, v0, shape);
-  const auto column = [](const Bezier<Exact>& surface, int i) {
-    std::vector<Exact::Point> p;
-    for (int j = 0; j <= surface.degree_v(); ++j) p.push_back(surface.control_point(i, j));
-    return GC::Bezier_curve<Exact>(p.begin(), p.end());
-  };
-  BOOST_CHECK_EQUAL(s.degree_u(), 3);
-  for (int i = 0; i <= 3; ++i) {
-    const auto curve =
-        GC::blend(column(a, i), column(b, i), GC::Matching_second_derivative(), {fraction(3, 4), fraction(5, 2)});
-    for (int j = 0; j <= 5; ++j) BOOST_CHECK(curve.control_point(j) == s.control_point(i, j));
-  }
-}
-
 // Short numbers, up to those that no longer are: the same as with functions of degree 1 that are
 // constant, which take another way.
 BOOST_AUTO_TEST_CASE(short_numbers) {
@@ -185,16 +158,11 @@ BOOST_AUTO_TEST_CASE(short_numbers) {
   for (int i = 0; i < 200; ++i) {
     const int size = 1 << random.integer(1, 30), denominator = i % 4 == 0 ? 7919 : 1 << random.integer(0, 20);
     const auto patch = [&](int m, int from) {
-      const int n = random.integer(2, 5);
-      std::vector<std::vector<Exact::Point>> net(m);
-      for (int k = 0; k < m; ++k)
-        for (int l = 0; l < n; ++l) {
-          const auto number = [&](int at) -> Q {
-            return Q(3 * at) + fraction(random.integer(-size, size), denominator);
-          };
-          const Q x = number(k), y = number(from + l), z = number(0);
-          net[k].emplace_back(x, y, z);
-        }
+      const auto number = [&](int at) -> Q { return Q(3 * at) + fraction(random.integer(-size, size), denominator); };
+      const auto net = net_of(m, random.integer(2, 5), [&](int k, int l) {
+        const Q x = number(k), y = number(from + l);
+        return Exact::Point(x, y, number(0));
+      });
       return Bezier<Exact>(net, {Q(0), Q(1)}, i % 3 == 0 ? random.domain() : std::pair<Q, Q>(0, 1));
     };
     const int m = random.integer(2, 4);
@@ -389,7 +357,7 @@ BOOST_AUTO_TEST_CASE(functions_over_knots) {
   const Bezier<Exact> a(random.net(3, 3), {Q(2), Q(6)}, {Q(0), Q(1)}), b(random.net(3, 3));
   Shape shape;
   shape.start.beta = hat;
-  const Bspline<Exact> s = blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, shape);
+  const Bspline<Exact> spline_a(a), spline_b(b), s = blend(spline_a, v1, spline_b, v0, shape);
   BOOST_CHECK(s.knots_u() == Knots(4, Q(2), Q(6), {{Q(3), 4}})); // degree 2 + 2 of beta^2
   // at each parameter the curve is the blend with beta there
   for (const Q& t : {fraction(1, 8), fraction(1, 4), fraction(2, 3)}) {
@@ -399,17 +367,16 @@ BOOST_AUTO_TEST_CASE(functions_over_knots) {
     const Bezier<Exact> at = blend(a, v1, b, v0, number);
     for (const Q& v : {fraction(1, 3), fraction(3, 4)}) BOOST_CHECK(s(u, v) == at(u, v));
   }
-  check_blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, s, Edge_direction::same);
+  check_blend(spline_a, v1, spline_b, v0, s, Edge_direction::same);
   // a spline that is negative somewhere, one with a negative coefficient that is positive, one that
   // jumps
   shape.start.beta = GC::Bspline_function<Q>(on_3_to_7, {Q(1), Q(-1), Q(2)});
-  CHECK_ERROR(blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, shape), nonpositive_beta);
+  CHECK_ERROR(blend(spline_a, v1, spline_b, v0, shape), nonpositive_beta);
   shape.start.beta =
       GC::Bspline_function<Q>(Knots(2, Q(0), Q(1), {{fraction(1, 2), 2}}), {Q(4), Q(-1), Q(1), Q(1), Q(1)});
-  check_blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, shape),
-              Edge_direction::same);
+  check_blend(spline_a, v1, spline_b, v0, blend(spline_a, v1, spline_b, v0, shape), Edge_direction::same);
   shape.start.beta = GC::Bspline_function<Q>(Knots(0, Q(0), Q(1), {{fraction(1, 2), 1}}), {Q(4), Q(1)});
-  CHECK_ERROR(blend(Bspline<Exact>(a), v1, Bspline<Exact>(b), v0, shape), knot_multiplicity);
+  CHECK_ERROR(blend(spline_a, v1, spline_b, v0, shape), knot_multiplicity);
   // patches have no room for knots
   shape.start.beta = hat;
   CHECK_ERROR(blend(a, v1, b, v0, shape), knot_multiplicity);
@@ -418,13 +385,10 @@ BOOST_AUTO_TEST_CASE(functions_over_knots) {
 // Numbers that are short, but not over one denominator, or not when they are multiplied.
 BOOST_AUTO_TEST_CASE(numbers_that_become_long) {
   const auto check = [](const std::array<Q, 4>& y, const Q& beta, const Q& delta) {
-    const auto patch = [](const Q& from, const Q& to) {
-      std::vector<std::vector<Exact::Point>> net(2);
-      for (int i = 0; i < 2; ++i)
-        for (const Q& v : {from, to}) net[i].emplace_back(Q(i), v, Q(0));
-      return Bezier<Exact>(net);
+    const auto patch = [&](int from) {
+      return Bezier<Exact>(net_of(2, 2, [&](int i, int j) { return Exact::Point(Q(i), y[from + j], Q(0)); }));
     };
-    const Bezier<Exact> a = patch(y[0], y[1]), b = patch(y[2], y[3]);
+    const Bezier<Exact> a = patch(0), b = patch(2);
     Shape shape;
     shape.start.beta = shape.end.beta = Function{beta};
     shape.start.delta = shape.end.delta = Function{delta};
@@ -558,9 +522,7 @@ BOOST_AUTO_TEST_CASE(other_dimensions) {
   const Shape shape{random.reparametrisation(), random.reparametrisation()};
   const Bezier<Exact> s = blend(a, v1, a, u0, shape);
   for (int d : {2, 3, 5}) {
-    std::vector<std::vector<Traits::Point>> points(net.size());
-    for (std::size_t i = 0; i < net.size(); ++i)
-      for (const Exact::Point& p : net[i]) points[i].push_back(lift(p, d));
+    auto points = net_of(3, 4, [&](int i, int j) { return lift(net[i][j], d); });
     const Bezier<Traits> b(points), t = blend(b, v1, b, u0, shape);
     for (int i = 0; i <= t.degree_u(); ++i)
       for (int j = 0; j <= 5; ++j) BOOST_CHECK(t.control_point(i, j) == lift(s.control_point(i, j), d));
@@ -579,12 +541,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(floating_point, Traits, Rounded_traits) {
   typedef typename Traits::Point P;
   Numbers random;
   const auto net = [&](int m, int n, int from, int unit) {
-    std::vector<std::vector<P>> net(m);
-    for (int i = 0; i < m; ++i)
-      for (int j = 0; j < n; ++j)
-        net[i].push_back({unit * (50 * i + random.integer(-9, 9)), unit * (50 * (from + j) + random.integer(-9, 9)),
-                          unit * random.integer(-9, 9)});
-    return net;
+    return net_of(m, n, [&](int i, int j) {
+      const int x = 50 * i + random.integer(-9, 9), y = 50 * (from + j) + random.integer(-9, 9);
+      return P(unit * x, unit * y, unit * random.integer(-9, 9));
+    });
   };
   GC::Surface_blend_shape<double> constants, shape;
   constants.start.beta = {0.75};
@@ -594,15 +554,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(floating_point, Traits, Rounded_traits) {
   shape.end.beta = {2};
   const Shape exact_shape{{{fraction(1, 2), Q(1)}, Function{Q(1)}, Function{Q(0)}, {Q(-1), Q(2), Q(3)}},
                           {Function{Q(0)}, Function{Q(2)}, Function{Q(0)}, Function{Q(0)}}};
-  const auto exact = [](const Bezier<Traits>& s) {
-    std::vector<std::vector<Exact::Point>> net(s.degree_u() + 1);
-    for (int i = 0; i <= s.degree_u(); ++i)
-      for (int j = 0; j <= s.degree_v(); ++j) {
-        const P& p = s.control_point(i, j);
-        net[i].emplace_back(p.x(), p.y(), p.z());
-      }
-    return Bezier<Exact>(net);
-  };
   int rounded = 0;
   for (int i = 0; i < 20; ++i) {
     const Bezier<Traits> a(net(3, 3, 0, 320)), b(net(3, 3, 5, 320)), s = blend(a, v1, b, v0, constants);
@@ -610,7 +561,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(floating_point, Traits, Rounded_traits) {
     BOOST_CHECK_EQUAL(whole_edge_order(s, v1, b, v0), 2);
     const Bezier<Traits> c(net(3, 3, 0, 1)), d(net(2, 3, 5, 1)), t = blend(c, v1, d, v0, shape);
     rounded += whole_edge_order(c, v1, t, v0) < 2;
-    const Bezier<Exact> e = blend(exact(c), v1, exact(d), v0, exact_shape);
+    const Bezier<Exact> e = blend(surface_exactly<Exact>(c), v1, surface_exactly<Exact>(d), v0, exact_shape);
     for (int k = 0; k <= e.degree_u(); ++k)
       for (int l = 0; l <= 5; ++l)
         for (int x = 0; x < 3; ++x)
@@ -645,14 +596,11 @@ struct Bent_surfaces : Random_surfaces {
   Bezier<Double> surface(double y, double z, bool before, double noise) {
     const int p = integer(1, 3), q = integer(1, 4);
     const double tilt = number(noise);
-    std::vector<std::vector<Double::Point>> net(p + 1);
-    for (int i = 0; i <= p; ++i)
-      for (int j = 0; j <= q; ++j) {
-        const double across = 2. * (before ? j - q : j) + number(noise), up = number(noise);
-        net[i].push_back({6. * i / p + number(noise), y + std::cos(tilt) * across - std::sin(tilt) * up,
-                          z + std::sin(tilt) * across + std::cos(tilt) * up});
-      }
-    return Bezier<Double>(net);
+    return Bezier<Double>(net_of(p + 1, q + 1, [&](int i, int j) {
+      const double across = 2. * (before ? j - q : j) + number(noise), up = number(noise);
+      return Double::Point(6. * i / p + number(noise), y + std::cos(tilt) * across - std::sin(tilt) * up,
+                           z + std::sin(tilt) * across + std::cos(tilt) * up);
+    }));
   }
 };
 

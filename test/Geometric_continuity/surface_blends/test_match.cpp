@@ -14,14 +14,7 @@ BOOST_AUTO_TEST_SUITE(match_surfaces)
 
 typedef GC::Matching_shape<Q> Shape;
 
-Patch_edge opposite(Patch_edge edge) {
-  switch (edge) {
-  case u0: return u1;
-  case u1: return u0;
-  case v0: return v1;
-  default: return v0;
-  }
-}
+Patch_edge opposite(Patch_edge edge) { return edge == u0 ? u1 : edge == u1 ? u0 : edge == v0 ? v1 : v0; }
 
 template <class S> constexpr bool is_spline = std::is_same_v<S, Bspline<Exact>> || std::is_same_v<S, Spline<Exact>>;
 template <class S> constexpr bool is_rational = std::is_same_v<S, Patch<Exact>> || std::is_same_v<S, Spline<Exact>>;

@@ -26,13 +26,10 @@ struct Numbers : Random_integers<> {
   template <class Traits>
   std::vector<std::vector<typename Traits::Point>> net(int m, int n, int from, bool short_ones) {
     const auto number = [&] { return short_ones ? on_grid() : full(); };
-    std::vector<std::vector<typename Traits::Point>> net(m);
-    for (int i = 0; i < m; ++i)
-      for (int j = 0; j < n; ++j) {
-        const double x = 4 * i + number(), y = 4 * (from + j) + number(), z = number();
-        net[i].emplace_back(x, y, z);
-      }
-    return net;
+    return net_of(m, n, [&](int i, int j) {
+      const double x = 4 * i + number(), y = 4 * (from + j) + number();
+      return typename Traits::Point(x, y, number());
+    });
   }
   std::pair<double, double> domain() {
     const double a = full();
@@ -55,12 +52,9 @@ template <class Traits> Bezier<Traits> next_to(const Bezier<Traits>& s, int i, i
   return Bezier<Traits>(s.degree_u(), s.degree_v(), points, s.domain_u(), s.domain_v());
 }
 template <class Traits> Bspline<Traits> next_to(const Bspline<Traits>& s, int i, int j) {
-  std::vector<std::vector<typename Traits::Point>> net(s.number_of_points_u());
-  for (int k = 0; k < s.number_of_points_u(); ++k)
-    for (int l = 0; l < s.number_of_points_v(); ++l) {
-      const typename Traits::Point p = s.control_point(k, l);
-      net[k].push_back(k == i && l == j ? typename Traits::Point(p.x(), p.y(), std::nextafter(p.z(), 1e300)) : p);
-    }
+  auto net = net_points(s);
+  const typename Traits::Point p = net[i][j];
+  net[i][j] = typename Traits::Point(p.x(), p.y(), std::nextafter(p.z(), 1e300));
   return Bspline<Traits>(net, s.knots_u(), s.knots_v());
 }
 
@@ -216,17 +210,8 @@ BOOST_AUTO_TEST_CASE(a_blend_with_short_numbers) {
   GC::Surface_blend_shape<Q> shape;
   shape.start.beta = {Q(r.start_join.beta)};
   shape.end.beta = {Q(r.end_join.beta)};
-  const auto exact = [](const Bezier<Double>& s) {
-    std::vector<std::vector<Exact::Point>> net(s.degree_u() + 1);
-    for (int i = 0; i <= s.degree_u(); ++i)
-      for (int j = 0; j <= s.degree_v(); ++j) {
-        const auto p = s.control_point(i, j);
-        net[i].emplace_back(p.x(), p.y(), p.z());
-      }
-    return Bezier<Exact>(net, s.domain_u(), s.domain_v());
-  };
   // delta from one coordinate: of bilinear patches W = 0 and S_vv = delta T
-  const Bezier<Exact> c = exact(a), d = exact(b), s = exact(r.blend);
+  const Bezier<Exact> c = surface_exactly<Exact>(a), d = surface_exactly<Exact>(b), s = surface_exactly<Exact>(r.blend);
   const auto at = [](const Bezier<Exact>& surface, int i, int j) { return surface.coordinates(i, j)[1]; };
   shape.start.delta = {Q((Q(20) * (at(s, 0, 2) - Q(2) * at(s, 0, 1) + at(s, 0, 0))) / (at(c, 0, 1) - at(c, 0, 0)))};
   shape.end.delta = {Q((Q(20) * (at(s, 0, 3) - Q(2) * at(s, 0, 4) + at(s, 0, 5))) / (at(d, 0, 1) - at(d, 0, 0)))};
@@ -283,13 +268,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(errors, Traits, Rounded_traits) {
 BOOST_AUTO_TEST_CASE(other_dimensions) {
   typedef GC::Traits_d<CGAL::Cartesian_d<double>> Traits;
   const auto patch = [](int d, double from) {
-    std::vector<std::vector<Traits::Point>> net(2);
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) {
-        const double x[] = {1. * i, from + j, 0};
-        net[i].push_back(Traits::Point(d, x, x + d));
-      }
-    return Bezier<Traits>(net);
+    return Bezier<Traits>(net_of(2, 2, [&](int i, int j) {
+      const double x[] = {1. * i, from + j, 0};
+      return Traits::Point(d, x, x + d);
+    }));
   };
   BOOST_CHECK_EQUAL(representable_blend(patch(2, 0), v1, patch(2, 3), v0).blend.dimension(), 2);
   CHECK_ERROR(representable_blend(patch(2, 0), v1, patch(3, 3), v0, GC::Minimal_energy<3>(), Edge_direction::same),

@@ -20,19 +20,14 @@ typedef GC::Edge_function<Q> Function;
 typedef GC::Surface_blend_shape<Q> Shape;
 
 struct Numbers : Random_surfaces {
-  Function function(const Q& size) {
+  Function function(const Q& size, int least = -99) {
     std::vector<Q> b;
-    for (int i = integer(0, 2); i >= 0; --i) b.push_back(size * fraction_of<Q>(-99, 99, 1, 99));
-    return GC::Bernstein_polynomial<Q>(b);
-  }
-  Function positive_function(const Q& size) {
-    std::vector<Q> b;
-    for (int i = integer(0, 2); i >= 0; --i) b.push_back(size * fraction_of<Q>(1, 99, 1, 99));
+    for (int i = integer(0, 2); i >= 0; --i) b.push_back(size * fraction_of<Q>(least, 99, 1, 99));
     return GC::Bernstein_polynomial<Q>(b);
   }
   template <class Reparametrisation> void choose(Reparametrisation& r, const Q& size) {
     for (Function* f : {&r.alpha, &r.alpha2, &r.alpha3, &r.delta, &r.delta3}) *f = function(size);
-    r.beta = positive_function(size);
+    r.beta = function(size, 1);
     if constexpr (std::is_base_of_v<GC::Rational_edge_reparametrisation<Q>, Reparametrisation>) {
       r.lambda = fraction(integer(1, 9), 7);
       for (Function* f : {&r.lambda1, &r.lambda2, &r.lambda3}) *f = function(size);

@@ -5,6 +5,7 @@
 // Tensor product surfaces. With exact numbers all is compared with ==.
 
 #include "support/exact_splines.h"
+#include "support/net_of.h"
 
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 
@@ -26,12 +27,8 @@ struct Net_surface {
   Surface<Exact> s;
 
   static Surface<Exact> surface(const std::vector<std::vector<Vector>>& net, const Knots& u, const Knots& v) {
-    std::vector<std::vector<Exact::Point_3>> points;
-    for (const std::vector<Vector>& row : net) {
-      points.emplace_back();
-      for (const Vector& x : row) points.back().push_back(point(x));
-    }
-    return Surface<Exact>(points, u, v);
+    const int m = static_cast<int>(net.size()), n = static_cast<int>(net[0].size());
+    return Surface<Exact>(net_of(m, n, [&](int i, int j) { return point(net[i][j]); }), u, v);
   }
   static std::vector<std::vector<Vector>> random_net(Random& random, int m, int n) {
     std::vector<std::vector<Vector>> net;
@@ -209,26 +206,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rounded_surfaces, K, Rounded_kernels) {
   Random random;
   for (int round = 0; round < 10; ++round) {
     const Knots u(3, Q(0), Q(4), {{Q(1), 1}, {ratio(5, 2), 2}}), v(2, Q(-1), Q(2), {{Q(0), 1}});
-    std::vector<std::vector<typename K::Point_3>> points;
-    std::vector<std::vector<Vector>> net;
-    for (int i = 0; i < u.number_of_coefficients(); ++i) {
-      points.emplace_back();
-      net.emplace_back();
-      for (int j = 0; j < v.number_of_coefficients(); ++j) {
-        const double x[] = {3 * i + random.integer(-999, 999) / 1001.0, 3 * j + random.integer(-999, 999) / 1001.0,
-                            random.integer(-999, 999) / 101.0};
-        points.back().emplace_back(x[0], x[1], x[2]);
-        net.back().emplace_back(3);
-        for (int k = 0; k < 3; ++k) net.back().back()[k] = Q(x[k]);
-      }
-    }
-    const auto rounded = [](const Knots& knots) {
-      std::vector<double> x;
-      for (const Q& k : knots) x.push_back(CGAL::to_double(k));
-      return GC::Knot_vector<double>(knots.degree(), x);
-    };
-    const Surface<K> s(points, rounded(u), rounded(v));
-    const Surface<Exact> e = Net_surface::surface(net, u, v);
+    const auto points = net_of(u.number_of_coefficients(), v.number_of_coefficients(), [&](int i, int j) {
+      const double x = 3 * i + random.integer(-999, 999) / 1001.0, y = 3 * j + random.integer(-999, 999) / 1001.0;
+      return typename K::Point_3(x, y, random.integer(-999, 999) / 101.0);
+    });
+    const Surface<K> s(points, knots_exactly<double>(u), knots_exactly<double>(v));
+    const Surface<Exact> e = surface_exactly<GC::Traits_3<Exact>>(s);
     for (int k = 0; k < 20; ++k) {
       const double a = random.integer(0, 64) / 16.0, b = random.integer(-16, 32) / 16.0;
       const auto jet = s.jet(a, b, 2);

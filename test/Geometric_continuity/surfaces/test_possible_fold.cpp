@@ -24,10 +24,8 @@ Bezier<Traits> cusp(const typename Traits::FT& a, const typename Traits::FT& b) 
     return i == 0 ? FT(c * c) : i == 1 ? FT(c * c - c) : FT((c - 1) * (c - 1));
   };
   const auto line = [](const FT& c, int i) { return FT(FT(i) / FT(2) - c); };
-  std::vector<std::vector<P>> net(3);
-  for (int i = 0; i <= 2; ++i)
-    for (int j = 0; j <= 2; ++j) net[i].push_back(P(square(a, i), square(b, j), line(a, i) * line(b, j)));
-  return Bezier<Traits>(net);
+  return Bezier<Traits>(
+      net_of(3, 3, [&](int i, int j) { return P(square(a, i), square(b, j), line(a, i) * line(b, j)); }));
 }
 
 TEST_FOR_EACH(regular_and_folded, Traits, All_traits) {
@@ -109,14 +107,9 @@ BOOST_AUTO_TEST_CASE(narrow_folds) {
     for (const Q& e : {Q(1, 100000), Q(-1, 100000)}) {
       const Q r(k, 10), h[] = {r * r - e, r * r - r - e, (1 - r) * (1 - r) - e};
       const Q x[] = {0, h[0] / 3, (h[0] + h[1]) / 3, (h[0] + h[1] + h[2]) / 3};
-      std::vector<std::vector<P>> along_u(4), along_v(4);
-      std::vector<std::vector<Q>> weights(4);
-      for (int i = 0; i <= 3; ++i)
-        for (int j = 0; j <= 3; ++j) {
-          along_u[i].push_back(P(x[i], Q(j, 3), Q(0)));
-          along_v[i].push_back(P(Q(i, 3), x[j], Q(0)));
-          weights[i].push_back(Q(1 << i));
-        }
+      const auto along_u = net_of(4, 4, [&](int i, int j) { return P(x[i], Q(j, 3), Q(0)); }),
+                 along_v = net_of(4, 4, [&](int i, int j) { return P(Q(i, 3), x[j], Q(0)); });
+      const auto weights = net_of(4, 4, [](int i, int) { return Q(1 << i); });
       const auto u = possible_fold(Bezier<Exact>(along_u)), v = possible_fold(Bezier<Exact>(along_v)),
                  w = possible_fold(Patch<Exact>(along_u, weights));
       BOOST_CHECK(bool(u) == (e > 0) && bool(v) == (e > 0) && bool(w) == (e > 0));

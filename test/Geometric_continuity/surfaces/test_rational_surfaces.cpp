@@ -24,12 +24,8 @@ template <class Traits> Patch<Traits> bilinear() {
 template <class Traits> Patch<Traits> with_middle_weight(const typename Traits::FT& w) {
   typedef typename Traits::Point P;
   typedef typename Traits::FT FT;
-  std::vector<std::vector<P>> net(3);
-  std::vector<std::vector<FT>> weights(3, std::vector<FT>(3, FT(1)));
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) net[i].emplace_back(i, j, i * j);
-  weights[1][1] = w;
-  return Patch<Traits>(net, weights);
+  return Patch<Traits>(net_of(3, 3, [](int i, int j) { return P(i, j, i * j); }),
+                       net_of(3, 3, [&](int i, int j) { return i == 1 && j == 1 ? w : FT(1); }));
 }
 
 int binomial(int n, int k) { return k == 0 ? 1 : binomial(n - 1, k - 1) * n / k; }
@@ -166,16 +162,12 @@ TEST_FOR_EACH(denominators, Traits, All_traits) {
   // ((3u-1)^2 + (3v-1)^2) / 9 is zero at u = v = 1/3 only, inside of ever smaller rectangles
   std::vector<std::vector<P>> net(3, std::vector<P>(3, P(0, 0, 0)));
   const FT square[] = {FT(1), FT(-2), FT(4)};
-  std::vector<std::vector<FT>> touching(3);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) touching[i].push_back(FT(square[i] + square[j]));
+  const auto touching = net_of(3, 3, [&](int i, int j) { return FT(square[i] + square[j]); });
   CHECK_ERROR(Patch<Traits>(net, touching), zero_weight);
   // (u-v)^2 + epsilon needs the more rectangles the smaller epsilon is, along the whole diagonal
   const auto near_diagonal = [&](const FT& epsilon) {
-    std::vector<std::vector<FT>> weights(3);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) weights[i].push_back(FT(FT((i == 2) + (j == 2)) - FT(i * j) / FT(2) + epsilon));
-    return Patch<Traits>(net, weights);
+    return Patch<Traits>(
+        net, net_of(3, 3, [&](int i, int j) { return FT(FT((i == 2) + (j == 2)) - FT(i * j) / FT(2) + epsilon); }));
   };
   BOOST_CHECK(!near_diagonal(weight(1, 1024)).is_polynomial());
   CHECK_ERROR(near_diagonal(weight(0, 1)), zero_weight);
@@ -221,21 +213,10 @@ BOOST_AUTO_TEST_CASE(infinite_control_points) {
 BOOST_AUTO_TEST_CASE(grids) {
   typedef GC::Surface_grid<double> Grid;
   Random random;
-  std::vector<std::vector<Double::Point>> net(8);
-  std::vector<std::vector<double>> weights(8);
   for (int p : {1, 2, 7}) { // unrolled and not
-    const std::size_t n = static_cast<std::size_t>(p) + 1;
-    for (std::size_t i = 0; i < n; ++i) {
-      net[i].clear();
-      weights[i].clear();
-      for (int j = 0; j <= p; ++j) {
-        net[i].emplace_back(static_cast<double>(i), j, random.integer(-9, 9));
-        weights[i].push_back(random.integer(1, 9) / 4.);
-      }
-    }
-    const Patch<Double> patch(std::vector<std::vector<Double::Point>>(net.begin(), net.begin() + p + 1),
-                              std::vector<std::vector<double>>(weights.begin(), weights.begin() + p + 1), {1, 3},
-                              {0, 2});
+    const auto net = net_of(p + 1, p + 1, [&](int i, int j) { return Double::Point(i, j, random.integer(-9, 9)); });
+    const auto weights = net_of(p + 1, p + 1, [&](int, int) { return random.integer(1, 9) / 4.; });
+    const Patch<Double> patch(net, weights, {1, 3}, {0, 2});
     const std::vector<double> u{1, 1.25, 2, 3}, v{0, 0.3, 1, 1.7, 2};
     const auto compare = [&](const auto& surface) {
       Grid unit, plain;

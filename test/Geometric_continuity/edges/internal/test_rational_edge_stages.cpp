@@ -53,14 +53,12 @@ typedef std::vector<std::vector<Point>> Net;
 
 // A patch from homogeneous control points with positive weights.
 Patch<Exact> patch(const Net& h) {
-  std::vector<std::vector<Exact::Point>> points(h.size());
-  std::vector<std::vector<Q>> weights(h.size());
-  for (std::size_t i = 0; i < h.size(); ++i)
-    for (const Point& x : h[i]) {
-      points[i].emplace_back(x[0] / x[3], x[1] / x[3], x[2] / x[3]);
-      weights[i].push_back(x[3]);
-    }
-  return Patch<Exact>(points, weights);
+  const int m = static_cast<int>(h.size()), n = static_cast<int>(h[0].size());
+  const auto point = [&](int i, int j) {
+    const Point& x = h[i][j];
+    return Exact::Point(x[0] / x[3], x[1] / x[3], x[2] / x[3]);
+  };
+  return Patch<Exact>(net_of(m, n, point), net_of(m, n, [&](int i, int j) { return h[i][j][3]; }));
 }
 
 struct Pair {
@@ -198,15 +196,9 @@ template <class Weight> Symmetric symmetric_pair(Random& random, int n, int q, i
 }
 
 Patch<Exact> to_exact(const Patch<Filtered>& s) {
-  std::vector<std::vector<Exact::Point>> net(static_cast<std::size_t>(s.degree_u()) + 1);
-  std::vector<std::vector<Q>> weights(net.size());
-  for (int i = 0; i <= s.degree_u(); ++i)
-    for (int j = 0; j <= s.degree_v(); ++j) {
-      const Filtered::Point& p = s.control_point(i, j);
-      net[static_cast<std::size_t>(i)].emplace_back(Q(p.x()), Q(p.y()), Q(p.z()));
-      weights[static_cast<std::size_t>(i)].push_back(Q(s.weight(i, j)));
-    }
-  return Patch<Exact>(net, weights);
+  const int m = s.number_of_points_u(), n = s.number_of_points_v();
+  return Patch<Exact>(net_of(m, n, [&](int i, int j) { return point_exactly<Exact>(s.control_point(i, j)); }),
+                      net_of(m, n, [&](int i, int j) { return Q(s.weight(i, j)); }));
 }
 
 BOOST_AUTO_TEST_CASE(weights_of_all_sizes) {

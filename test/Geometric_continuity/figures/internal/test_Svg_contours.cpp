@@ -5,21 +5,12 @@
 // Contours on grids, regions of what is nearest, and what is seen of a sphere: compared with
 // circles.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include <Geometric_continuity_figures/internal/Svg_facets.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <sstream>
-#include <string>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(Svg_contours)
 
-namespace GC = CGAL::Geometric_continuity;
 using GC::internal::grid_contours;
 using GC::internal::Grid_line;
 using GC::internal::Svg_pixel;

@@ -4,20 +4,12 @@
 
 // The places of labels in a picture, compared with those that a search through all points finds.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include <Geometric_continuity_figures/internal/svg_text.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <random>
-#include <vector>
-
 BOOST_AUTO_TEST_SUITE(places_of_labels)
 
-namespace GC = CGAL::Geometric_continuity;
 using GC::internal::Svg_label_places;
 using GC::internal::Svg_pixel;
 using GC::internal::svg_vector;

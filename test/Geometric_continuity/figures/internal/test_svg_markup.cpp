@@ -4,17 +4,11 @@
 
 // Numbers, texts and outlines of pictures, and places of labels at the edges of a panel.
 
-#include <boost/test/unit_test.hpp>
+#include "support/test.h"
 
 #include <Geometric_continuity_figures/internal/Svg_contours.h>
 #include <Geometric_continuity_figures/internal/svg_markup.h>
 #include <Geometric_continuity_figures/internal/svg_text.h>
-
-#include <cmath>
-#include <limits>
-#include <string>
-#include <utility>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(svg_markup)
 
