@@ -41,8 +41,7 @@ says err "$files files:"
 for lines in 0 3 "$((files - 1))"; do
   head -n "$lines" all.jsonl >part.jsonl
   [ "$lines" -eq 0 ] || sed -n "$((lines + 1))p" all.jsonl | head -c 40 >>part.jsonl
-  run 2 verify --jsonl list --require G1 -o part.jsonl
-  says out "$lines had a record before"
+  answers 2 "$lines had a record before" verify --jsonl list --require G1 -o part.jsonl
   sort part.jsonl | cmp -s - all.sorted || holds false
 done
 run 2 verify --jsonl list --require G1 -o part.jsonl && says out "$files had a record before"
