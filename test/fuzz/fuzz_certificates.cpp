@@ -10,18 +10,11 @@
 #include "reports/certificate.h"
 
 #include <CGAL/Geometric_continuity/IO/G2_span_reader.h>
-#include <CGAL/Geometric_continuity/Traits.h>
-#include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cstddef>
+#include <boost/property_tree/json_parser.hpp>
+
 #include <map>
-#include <sstream>
-#include <string>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace {
 
@@ -29,60 +22,33 @@ typedef CGAL::Exact_rational Q;
 typedef std::vector<Q> Numbers; // a vector, or factors
 constexpr int order = 3;
 
-// The members of a line: integers, and arrays of arrays of numbers; a flat array is one of these.
-struct Certificate_reader {
-  const std::string text;
-  std::size_t at = 0;
-  std::map<std::string, std::vector<Numbers>> members;
+// The members of a line by their names: arrays of arrays of numbers, of which a flat array and an
+// integer are one.
+typedef std::map<std::string, std::vector<Numbers>> Members;
 
-  explicit Certificate_reader(std::string line) : text(std::move(line)) {
-    do {
-      const std::string name = word();
-      expect(':');
-      require(members.emplace(name, value()).second, "a member is written once");
-    } while (has_more());
-  }
-
-  bool has_more() {
-    if (at == text.size()) return false;
-    expect(',');
-    return true;
-  }
-  void expect(char c) { require(at < text.size() && text[at++] == c, "a certificate is a list of members"); }
-  std::string word() {
-    expect('"');
-    const std::size_t begin = at, end = text.find('"', at);
-    require(end != std::string::npos, "a text has an end");
-    at = end + 1;
-    return text.substr(begin, end - begin);
-  }
-  bool next_is(char c) const { return at < text.size() && text[at] == c; }
-
-  template <class Item> void list(Item item) {
-    expect('[');
-    if (!next_is(']'))
-      for (item(); !next_is(']'); item()) expect(',');
-    expect(']');
-  }
-  Numbers numbers() {
-    Numbers x;
-    list([&] { x.push_back(GC::parse_number<Q>(word())); });
-    return x;
-  }
-  std::vector<Numbers> value() {
-    if (!next_is('[')) { // an order
-      const std::size_t begin = at;
-      while (at < text.size() && (text[at] == '-' || std::isdigit(static_cast<unsigned char>(text[at])))) ++at;
-      return {{GC::parse_number<Q>(text.substr(begin, at - begin))}};
+Members members_of(const std::string& line) {
+  typedef boost::property_tree::ptree Tree;
+  std::istringstream is('{' + line + '}');
+  Tree tree;
+  boost::property_tree::read_json(is, tree);
+  const auto number = [](const Tree& x) { return GC::parse_number<Q>(x.data()); };
+  Members members;
+  for (const auto& [name, value] : tree) {
+    std::vector<Numbers> rows(1);
+    if (value.empty() && !value.data().empty()) rows[0].push_back(number(value));
+    for (const auto& item : value) {
+      if (item.second.empty())
+        rows[0].push_back(number(item.second));
+      else {
+        rows.emplace_back();
+        for (const auto& x : item.second) rows.back().push_back(number(x.second));
+      }
     }
-    if (text.compare(at, 2, "[[") != 0) return {numbers()};
-    std::vector<Numbers> rows;
-    list([&] { rows.push_back(numbers()); });
-    return rows;
+    if (rows.size() > 1) rows.erase(rows.begin());
+    require(members.emplace(name, rows).second, "a member is written once");
   }
-
-  int integer(const std::string& name) { return static_cast<int>(CGAL::to_double(members[name].at(0).at(0))); }
-};
+  return members;
+}
 
 Q product(const Numbers& x, const Numbers& y) {
   Q sum(0);
@@ -98,21 +64,22 @@ Numbers sum(Numbers x, const Q& s, const Numbers& y) {
 
 // Checks that the numbers of a certificate prove its orders, by the equations of the class
 // Join_certificate.
-void check(Certificate_reader c) {
-  const std::vector<Numbers>&x = c.members["x"], &y = c.members["y"];
-  const int dimension = static_cast<int>(x.at(0).size()), c_order = c.integer("c_order"), g = c.integer("g_order"),
-            f = c.integer("f_order");
+void check(Members c) {
+  const auto integer = [&](const char* name) { return static_cast<int>(CGAL::to_double(c[name].at(0).at(0))); };
+  const std::vector<Numbers>&x = c["x"], &y = c["y"];
+  const int dimension = static_cast<int>(x.at(0).size()), c_order = integer("c_order"), g = integer("g_order"),
+            f = integer("f_order");
   require(x.size() == order + 1 && y.size() == order + 1, "there are derivatives up to the order");
   for (int j = 0; j <= c_order; ++j) require(x.at(j) == y[j], "C: derivatives are equal");
   if (c_order < order) {
-    require(c.members["c_residual"].at(0) == sum(y.at(c_order + 1), Q(-1), x[c_order + 1]), "C: the residual");
-    require(!is_zero(c.members["c_residual"][0]), "C: the next order does not hold");
+    require(c["c_residual"].at(0) == sum(y.at(c_order + 1), Q(-1), x[c_order + 1]), "C: the residual");
+    require(!is_zero(c["c_residual"][0]), "C: the next order does not hold");
   }
   if (c_order < 0 || is_zero(x[1]) || is_zero(y[1])) {
     require(g == (std::min)(c_order, 0) && f == g, "G and F are not defined");
     return;
   }
-  const Numbers b = c.members["betas"].at(0);
+  const Numbers b = c["betas"].at(0);
   require(static_cast<int>(b.size()) == (std::min)(g + 1, order) && (g == 0 || b[0] > 0), "G: the shape parameters");
   for (int j = 1; j <= static_cast<int>(b.size()); ++j) {
     Numbers residual = sum(y[j], Q(-b[j - 1]), x[1]); // the chain rule
@@ -130,7 +97,7 @@ void check(Certificate_reader c) {
     Q power(1);
     for (int i = 0; i < j; ++i) power *= b[0];
     Numbers residual = sum(y[j], Q(-power), x[j]);
-    const Numbers a = c.members["f_factors"].at(j - 2);
+    const Numbers a = c["f_factors"].at(j - 2);
     for (int i = 1; i < j; ++i) residual = sum(residual, Q(-a.at(i - 1)), x[i]);
     require(is_zero(residual) == (j <= f), "F: the order");
     for (int i = 1; i < j; ++i) require(product(residual, x[i]) == 0, "F: the residual is orthogonal");
@@ -156,7 +123,7 @@ template <int N> void check_chain(std::string_view text) {
     const std::string line = certificate_members(GC::join_certificate(
         left.jets().template end_jet_over<Q>(order), right.jets().template start_jet_over<Q>(order), join, order));
     if (line.size() > 20000) continue; // long numbers are not read again
-    check(Certificate_reader(line));
+    check(members_of(line));
   }
 }
 

@@ -7,18 +7,9 @@
 
 #include "fuzz_target.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Rational_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <sstream>
-#include <type_traits>
-#include <vector>
 
 namespace {
 

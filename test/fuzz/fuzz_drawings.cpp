@@ -8,8 +8,6 @@
 
 #include "formats/svg/svg_drawing.h"
 
-#include <sstream>
-
 namespace {
 
 struct Checking_handler : Drawing_handler {

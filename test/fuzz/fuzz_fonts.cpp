@@ -13,13 +13,8 @@
 #include "formats/font/Glyph_selection.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/Visual_class.h>
-
-#include <algorithm>
-#include <optional>
-#include <vector>
 
 namespace {
 

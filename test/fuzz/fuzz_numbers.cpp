@@ -8,12 +8,9 @@
 #include "fuzz_target.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/IO/number.h>
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace {
 

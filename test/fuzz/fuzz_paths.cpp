@@ -11,13 +11,7 @@
 #include "formats/svg/Svg_transform.h"
 #include "formats/svg/read_svg_path.h"
 #include "formats/svg/svg_shapes.h"
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <vector>
 
 typedef GC::Traits_2<CGAL::Simple_cartesian<CGAL::Exact_rational>> Exact;
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Double;

@@ -12,10 +12,6 @@
 #include "commands/repair/repair_drawing.h"
 #include "formats/svg/svg_drawing.h"
 
-#include <algorithm>
-#include <optional>
-#include <vector>
-
 namespace {
 
 typedef std::vector<std::optional<GC::Visual_class>> Grades;

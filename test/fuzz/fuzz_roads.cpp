@@ -10,9 +10,6 @@
 
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>
 
-#include <sstream>
-#include <string>
-
 namespace {
 
 struct Checking_visitor {

@@ -6,15 +6,8 @@
 
 #include "fuzz_target.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/g2.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <algorithm>
-#include <sstream>
-#include <vector>
 
 typedef GC::Traits_3<CGAL::Simple_cartesian<CGAL::Exact_rational>> Traits;
 typedef GC::Rational_bspline_surface<Traits> Surface;

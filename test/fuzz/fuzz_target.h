@@ -8,16 +8,23 @@
 // replay_main.cpp calls: typed errors are expected, everything else that escapes is a mistake, and
 // so is a property that does not hold.
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/Traits.h>
+#include <CGAL/Simple_cartesian.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <type_traits>
+#include <vector>
 
 namespace GC = CGAL::Geometric_continuity;
 

@@ -12,10 +12,6 @@
 
 #include "formats/font/largest_kink.h"
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
 namespace {
 
 typedef CGAL::Exact_rational Exact;

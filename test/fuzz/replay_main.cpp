@@ -7,12 +7,10 @@
 
 #include "fuzz_target.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <vector>
 
 int main(int argc, char* argv[]) {
   std::vector<std::filesystem::path> files;

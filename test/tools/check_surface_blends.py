@@ -91,23 +91,30 @@ def spans(degree, knots):
     return [i for i in range(degree, len(knots) - degree - 1) if knots[i] < knots[i + 1]]
 
 
-def jet(surface, upper, u, n):
-    """The derivatives (k, l), k + l <= n, of the surface in space at (u, end of v)."""
-    p, q = surface.degrees
-    homogeneous = {}
+def along(surface, upper, n):
+    """The splines in u that are the homogeneous derivatives (k, l), k + l <= n, at the end of v."""
+    splines = {}
     for l in range(n + 1):
         row = []
         for points in surface.net:
-            degree, knots, c = q, surface.knots[1], points
+            degree, knots, c = surface.degrees[1], surface.knots[1], points
             for _ in range(l):
                 degree, knots, c = derivative(degree, knots, c)
             span = spans(degree, knots)[-1 if upper else 0]
             row.append(value(degree, knots, c, span, knots[span + 1] if upper else knots[span]))
-        degree, knots = p, surface.knots[0]
+        spline = surface.degrees[0], surface.knots[0], row
         for k in range(n + 1 - l):
-            span = next(i for i in spans(degree, knots) if knots[i] <= u <= knots[i + 1])
-            homogeneous[k, l] = value(degree, knots, row, span, u)
-            degree, knots, row = derivative(degree, knots, row)
+            splines[k, l] = spline
+            spline = derivative(*spline)
+    return splines
+
+
+def jet(splines, u, n):
+    """The derivatives (k, l), k + l <= n, in space at u."""
+    homogeneous = {}
+    for kl, (degree, knots, c) in splines.items():
+        span = next(i for i in spans(degree, knots) if knots[i] <= u <= knots[i + 1])
+        homogeneous[kl] = value(degree, knots, c, span, u)
     result = {}
     for order in range(n + 1):
         for k in range(order + 1):
@@ -145,10 +152,11 @@ def has_order(order, given, edge, outwards, blend, upper, backwards):
     # that along the edge, over weights
     number = (12 if order == 2 else 36) * (blend.degrees[0] + s.degrees[0]) + 1
     sign = 1 if at_end == outwards else -1
+    given_splines, blend_splines = along(s, at_end, order), along(blend, upper, order)
     for low, high in zip(breaks, breaks[1:]):
         for i in range(1, number + 1):
             u = low + (high - low) * Fraction(i, number + 1)
-            x, y = jet(s, at_end, to_given(u), order), jet(blend, upper, u, order)
+            x, y = jet(given_splines, to_given(u), order), jet(blend_splines, u, order)
             if x[0, 0] != y[0, 0]:
                 return False
             g = {(k, l): [sign**l * z for z in x[k, l]] for k, l in x}
@@ -201,7 +209,7 @@ def random_surface(shift):
 
 def corners(surface, edge):
     s, upper = surface.turned(edge)
-    return [jet(s, upper, u, 0)[0, 0] for u in s.domain(0)]
+    return [jet(along(s, upper, 0), u, 0)[0, 0] for u in s.domain(0)]
 
 
 def main():
@@ -220,7 +228,7 @@ def main():
             subprocess.run(command + ["-o", blend_file], check=True, stdout=subprocess.DEVNULL)
             s = Surface.read(blend_file)
             # how the second edge runs, from its ends
-            backwards = jet(s, True, s.domain(0)[0], 0)[0, 0] != corners(b, edges[1])[0]
+            backwards = jet(along(s, True, 0), s.domain(0)[0], 0)[0, 0] != corners(b, edges[1])[0]
             layers = len(s.net[0])
 
             def verdicts():

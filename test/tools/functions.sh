@@ -4,7 +4,7 @@
 # which moves to an empty work folder. When the test ends, its exit code tells whether a check has
 # failed.
 set -u
-program=$1 data=$2 work=$3
+program=$1 data=$2 work=$3 here=$(cd "$(dirname "$0")" && pwd)
 rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
 failures=0 checks=0
 finish() {
@@ -17,18 +17,26 @@ trap finish EXIT
 
 S=$data/lmroman10-regular_S_0.g2 L=$data/space_left.g2 R=$data/space_right.g2 teapot=$data/teapot.g2
 
-# run CODE ARGUMENTS...: the exit code of the program is CODE; output and errors are kept in the
+# ends CODE COMMAND...: the exit code of the command is CODE; output and errors are kept in the
 # files out and err
-run() {
+input=/dev/null
+ends() {
   local expected=$1 code=0
   shift
   checks=$((checks + 1))
-  "$program" "$@" >out 2>err </dev/null || code=$?
+  "$@" >out 2>err <"$input" || code=$?
   [ "$code" -eq "$expected" ] && return
   failures=$((failures + 1))
   echo "exit code $code instead of $expected: $*"
   head -c 5000 out err
 }
+# run CODE ARGUMENTS...: as ends, of the program, which the command `limit` runs
+limit=()
+run() { ends "$1" "${limit[@]}" "$program" "${@:2}"; }
+# bounded SECONDS CODE ARGUMENTS...: as run, in time
+bounded() { local limit=(timeout "$1") && run "${@:2}"; }
+# piped FILE CODE ARGUMENTS...: as run, with the file on standard input
+piped() { local input=$1 && run "${@:2}"; }
 # is_narrow CODE ARGUMENTS...: with 100 columns no line of the output is longer, with the same words
 # as without a terminal, where one is
 is_narrow() {
@@ -63,8 +71,27 @@ lacks() {
   for text in "$@"; do holds [ "$(grep -cF -- "$text" "$file")" -eq 0 ]; done
 }
 
+# is GIVEN EXPECTED WHAT: the texts are equal
+is() {
+  checks=$((checks + 1))
+  [ "$1" = "$2" ] && return
+  failures=$((failures + 1))
+  echo "$3: '$1' instead of '$2'"
+}
+# same FILE FILE: they have the same content
+same() { holds cmp -s "$1" "$2"; }
 # refused TEXT ARGUMENTS...: the exit code is 2, and the error contains the text
 refused() { run 2 "${@:2}" && says err "$1"; }
+# answers CODE TEXT ARGUMENTS...: the exit code, and the output contains the text
+answers() { run "$1" "${@:3}" && says out "$2"; }
+# valid_json SCHEMA FILE: JSON as the schema says, where python3 and its jsonschema are there
+valid_json() {
+  python3 -c "import jsonschema" 2>/dev/null || return
+  holds python3 -c 'import json, sys; from jsonschema import Draft7Validator as V
+V(json.load(open(sys.argv[1]))).validate(json.load(open(sys.argv[2])))' "$here/schemas/$1.json" "$2"
+}
+# font FILE [AWK_OPTIONS...]: a font of the glyphs on standard input
+font() { printf "$(LC_ALL=C awk "${@:2}" -f "$here/make_font.awk")" >"$1"; }
 # needs_cad VARIABLE: the rest of the test is skipped where this one names no program, without
 # OpenCASCADE
 needs_cad() {

@@ -11,30 +11,10 @@ kink is left, `verify` finds none. Prints what does not hold, and the sums."""
 import gzip
 import json
 import os
-import re
-import subprocess
-import sys
-import tempfile
+
+from repaired_files import main, run
 
 RANK = {"gap": 0, "corner": 1, "kink": 2, "G1": 3, "G2": 4}
-
-
-def drawings(paths):
-    seen = set()
-    for path in paths:
-        for folder, _, names in os.walk(path) if os.path.isdir(path) else [("", [], [path])]:
-            for name in sorted(names):
-                file = os.path.join(folder, name)
-                if re.search(r"\.svgz?$", name, re.I) and os.path.isfile(file):
-                    with open(file, "rb") as f:
-                        data = f.read()
-                    if hash(data) not in seen:
-                        seen.add(hash(data))
-                        yield file, gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
-
-
-def run(*arguments):
-    return subprocess.run(arguments, capture_output=True, encoding="utf-8", errors="replace")
 
 
 def joins(program, file, angle):
@@ -49,11 +29,10 @@ def count(found, grade):
     return sum(g == grade for g, _, _ in found)
 
 
-def check(program, data, folder, options, sums):
+def check(program, file, data, folder, options, angle, sums):
     given, repaired, again = (os.path.join(folder, name) for name in ("given.svg", "repaired.svg", "again.svg"))
     with open(given, "wb") as f:
-        f.write(data)
-    angle = [o for i, o in enumerate(options) if o == "--kink-angle" or (i > 0 and options[i - 1] == "--kink-angle")]
+        f.write(gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data)
     before, reason = joins(program, given, angle)
     done = run(program, "repair", given, "-o", repaired, "--json", *options)
     if before is None or done.returncode == 2:
@@ -96,23 +75,6 @@ def check(program, data, folder, options, sums):
     sums["largest move"] = max(sums["largest move"], report["largest_move"][1])
 
 
-def main():
-    arguments, options = sys.argv[1:], []
-    if "--" in arguments:
-        arguments, options = arguments[: arguments.index("--")], arguments[arguments.index("--") + 1 :]
-    names = ("drawings", "refused", "joins", "kinks before", "kinks after", "moves", "lost", "lost_said")
-    sums = dict.fromkeys(names, 0)
-    sums["largest move"] = 0
-    failures = 0
-    with tempfile.TemporaryDirectory() as folder:
-        for file, data in drawings(arguments[1:]):
-            for problem in check(arguments[0], data, folder, options, sums):
-                failures += 1
-                print("%s: %s" % (file, problem.strip()))
-    print(", ".join("%s %s" % (value, name) for name, value in sums.items()))
-    print("%d failures" % failures)
-    return failures != 0 or sums["drawings"] == 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    names = ("drawings", "refused", "joins", "kinks before", "kinks after", "moves", "lost", "lost_said", "largest move")
+    main(r"\.svgz?$", names, check)

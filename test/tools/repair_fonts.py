@@ -13,32 +13,12 @@ glyphs are those with bends and rounding here. Prints what does not hold, and th
 import collections
 import json
 import os
-import re
-import subprocess
-import sys
-import tempfile
+
+from repaired_files import main, run
 
 APPLY = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../tools/fontforge/apply_moves.py")
 GRADES = ("joins", "corners", "kinks", "bends", "G1", "G2")
 CLASSES = ("joins", "corners", "kinks", "bends", "rounding", "G1", "G2")
-
-
-def fonts(paths):
-    seen = set()
-    for path in paths:
-        for folder, _, names in os.walk(path) if os.path.isdir(path) else [("", [], [path])]:
-            for name in sorted(names):
-                file = os.path.join(folder, name)
-                if re.search(r"\.(ttf|otf|ttc|otc|pf[ab]|woff2?)$", name, re.I) and os.path.isfile(file):
-                    with open(file, "rb") as f:
-                        data = f.read()
-                    if hash(data) not in seen:
-                        seen.add(hash(data))
-                        yield file, data[4:8] if data[:3] == b"wOF" else data[:4]
-
-
-def run(*arguments):
-    return subprocess.run(arguments, capture_output=True, encoding="utf-8", errors="replace")
 
 
 class Glyph:
@@ -116,9 +96,10 @@ def check_repaired(glyphs, control, repaired, moved, left, sums):
             yield "glyph %s: off by %g units, before by %g" % (key[0], result.units, glyph.units)
 
 
-def check(program, file, extension, folder, options, sums):
+def check(program, file, data, folder, options, angle, sums):
     moves, none, again = (os.path.join(folder, name) for name in ("moves.json", "none.json", "again.json"))
-    angle = [o for i, o in enumerate(options) if o == "--kink-angle" or (i > 0 and options[i - 1] == "--kink-angle")]
+    kind = data[4:8] if data[:3] == b"wOF" else data[:4]
+    extension = ".ttf" if kind in (b"\0\1\0\0", b"true") else ".otf"
     glyphs = verified(program, file, angle)
     done = run(program, "repair", file, "-o", moves, *options)
     if glyphs is None or done.returncode == 2:
@@ -157,23 +138,6 @@ def check(program, file, extension, folder, options, sums):
             yield "repaired again, it changes"
 
 
-def main():
-    arguments, options = sys.argv[1:], []
-    if "--" in arguments:
-        arguments, options = arguments[: arguments.index("--")], arguments[arguments.index("--") + 1 :]
-    names = ("fonts", "refused", "kinks before", "kinks after", "moves", "by FontForge", "glyphs", "changed by FontForge")
-    sums = dict.fromkeys(names, 0)
-    failures = 0
-    for file, kind in fonts(arguments[1:]):
-        with tempfile.TemporaryDirectory() as folder:
-            extension = ".ttf" if kind in (b"\0\1\0\0", b"true") else ".otf"
-            for problem in check(arguments[0], file, extension, folder, options, sums):
-                failures += 1
-                print("%s: %s" % (file, problem.strip()), flush=True)
-    print(", ".join("%s %s" % (value, name) for name, value in sums.items()))
-    print("%d failures" % failures)
-    return failures != 0 or sums["fonts"] == 0
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    names = ("fonts", "refused", "kinks before", "kinks after", "moves", "by FontForge", "glyphs", "changed by FontForge")
+    main(r"\.(ttf|otf|ttc|otc|pf[ab]|woff2?)$", names, check)

@@ -7,24 +7,17 @@ bad() { # bad REASON: the file bad.g2 is refused
   run 2 blend bad.g2 "$R" -o no.g2 --plot no.svg && says err "bad.g2"
   holds [ ! -e no.g2 -a ! -e no.svg ]
 }
+bad_curve() { curve "$2" >bad.g2 && bad "$1"; } # bad_curve REASON TEXT: that is refused
 printf '' >bad.g2
 bad "bad.g2:1"
-curve $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 1 1\n2 2 2' >bad.g2
-bad "3 of 4"
-curve $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 nan 1\n2 2 2\n3 3 3' >bad.g2
-bad "bad.g2:6"
-curve $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 inf 1\n2 2 2\n3 3 3' >bad.g2
-bad "bad.g2:6"
-curve $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 1/0 1\n2 2 2\n3 3 3' >bad.g2
-bad "bad.g2:6"
-curve $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 1e999999999 1\n2 2 2\n3 3 3' >bad.g2
-bad "bad.g2:6"
-curve $'3 0\n4000000000 4\n0 0 0 0 1 1 1 1\n0 0 0' >bad.g2
-bad "bad.g2:3"
-curve $'3 2\n4 4\n0 0 0 0 1 1 1 1\n0 0 0' >bad.g2
-bad "bad.g2:2"
-curve $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 1 1\n2 2 2\n3 3 3\n4 4 4' >bad.g2
-bad "bad.g2:9"
+bad_curve "3 of 4" $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 1 1\n2 2 2'
+bad_curve "bad.g2:6" $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 nan 1\n2 2 2\n3 3 3'
+bad_curve "bad.g2:6" $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 inf 1\n2 2 2\n3 3 3'
+bad_curve "bad.g2:6" $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 1/0 1\n2 2 2\n3 3 3'
+bad_curve "bad.g2:6" $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 1e999999999 1\n2 2 2\n3 3 3'
+bad_curve "bad.g2:3" $'3 0\n4000000000 4\n0 0 0 0 1 1 1 1\n0 0 0'
+bad_curve "bad.g2:2" $'3 2\n4 4\n0 0 0 0 1 1 1 1\n0 0 0'
+bad_curve "bad.g2:9" $'3 0\n4 4\n0 0 0 0 1 1 1 1\n0 0 0\n1 1 1\n2 2 2\n3 3 3\n4 4 4'
 printf '\0\0\0\377\376' >bad.g2
 bad "bad.g2:1"
 printf '200 1 0 0\n' >bad.g2
@@ -89,9 +82,7 @@ for file in "dxf DXF" "json JSON" "glyphs Glyphs" "stl mesh" "freecad FreeCAD" "
   "packed packed CAD model" "packed_curves packed" "step call it *.step" "iges call it *.iges" "brep call it *.brep"; do
   refused "${file%% *}" verify "${file#* }" "verify reads "
 done
-code=0
-"$program" verify - <dxf >out 2>err || code=$?
-holds [ $code -eq 2 ] && says err "standard input: DXF, which is not read"
+piped dxf 2 verify - && says err "standard input: DXF, which is not read"
 echo hello >words.txt && refused words.txt verify "no format that is read; verify reads"
 # a folder of sources, and none of fonts
 mkdir -p sources/Bold.ufo && refused sources verify "sources/Bold.ufo: a UFO"

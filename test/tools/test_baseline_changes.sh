@@ -2,7 +2,6 @@
 # verify --baseline when files change: what is unchanged, moved, or better is known; what is worse,
 # or more, is new. Drawings, fonts, variable fonts, chains, surfaces and CAD models, also those of
 # the system where there are some.
-here=$(realpath "$(dirname "$0")")
 . "$(dirname "$0")/functions.sh"
 
 # base ARGUMENTS...: a report on these is the baseline, with so many findings
@@ -68,7 +67,6 @@ uses $'\n\n<path d="M0 0h1"/>' && known x.svg --require G1
 uses '<use href="#p" y="9"/>' && new 1 '"rule":"kink"' x.svg --require G1
 
 # --- fonts: as many findings as there are kinks, more than --worst shows, equal ones as well
-font() { printf "$(LC_ALL=C awk "$@" -f "$here/make_font.awk")" >x.ttf; }
 glyphs() { # SLOPE DX BEFORE: the glyphs, the last one with this kink, moved, behind others
   printf 'glyph .notdef\n'
   printf '%s' "${3-}"
@@ -83,25 +81,25 @@ kinks() { local glyph=0 && glyphs "$@"; }
 for names in yes no; do
   for outlines in glyf cff; do
     options="-v names=$names -v outlines=$outlines"
-    kinks 95 0 | font $options && base x.ttf --require G1
+    kinks 95 0 | font x.ttf $options && base x.ttf --require G1
     holds [ "$findings" -eq "$(grep -o '"kinks":[0-9]*' base.sarif | head -n 1 | grep -o '[0-9]*')" ] && holds [ "$findings" -gt 10 ]
     lacks base.sarif 'more like this'
     known x.ttf --require G1 && known "$PWD/x.ttf" --require G1
     run 0 verify x.ttf --require G1 --baseline base.sarif && says out "$findings of them known" 'nothing new is not G1'
-    kinks 95 30 | font $options && known x.ttf --require G1
-    kinks 95 0 $'glyph first 65\ncontour 0,0 100,0 100,100\n' | font $options && known x.ttf --require G1
-    kinks 95 30 $'glyph first 65\ncontour 0,0 100,0 100,100\n' | font $options && known x.ttf --require G1
-    kinks 96 0 | font $options && known x.ttf --require G1
-    kinks 94 0 | font $options && new 1 'contour 0, node ' x.ttf --require G1
-    kinks 94 0 $'glyph first 65\ncontour 0,0 100,0 100,100\n' | font $options && new 1 'contour 0, node ' x.ttf --require G1
+    kinks 95 30 | font x.ttf $options && known x.ttf --require G1
+    kinks 95 0 $'glyph first 65\ncontour 0,0 100,0 100,100\n' | font x.ttf $options && known x.ttf --require G1
+    kinks 95 30 $'glyph first 65\ncontour 0,0 100,0 100,100\n' | font x.ttf $options && known x.ttf --require G1
+    kinks 96 0 | font x.ttf $options && known x.ttf --require G1
+    kinks 94 0 | font x.ttf $options && new 1 'contour 0, node ' x.ttf --require G1
+    kinks 94 0 $'glyph first 65\ncontour 0,0 100,0 100,100\n' | font x.ttf $options && new 1 'contour 0, node ' x.ttf --require G1
   done
 done
-kinks 95 0 | font && base x.ttf --require G2 && known x.ttf --require G2 && says base.sarif '"quantity":"curvature_jump"'
+kinks 95 0 | font x.ttf && base x.ttf --require G2 && known x.ttf --require G2 && says base.sarif '"quantity":"curvature_jump"'
 run 2 verify x.ttf --require G2 --baseline base.sarif --worst 5 && says err '--baseline: not with --worst'
 run 1 verify x.ttf --require G1 --format sarif --worst 3 && says out 'more joins not G1; --worst N tells N of them' # where that is asked for
 run 1 verify x.ttf --require G1 --format junit && holds [ "$(grep -c '<failure' out)" -eq 15 ]
 mkdir -p fonts && cp x.ttf fonts/one.ttf && cp x.ttf fonts/two.ttf && base fonts --require G1 && known fonts --require G1
-kinks 93 0 | font && cp x.ttf fonts/two.ttf && new 1 'fonts/two.ttf' fonts --require G1
+kinks 93 0 | font x.ttf && cp x.ttf fonts/two.ttf && new 1 'fonts/two.ttf' fonts --require G1
 
 # --- chains
 chain() { # SLOPE [FIRST]: a line that turns by a kink, another kink, and a gap behind the first curve

@@ -2,18 +2,9 @@
 # Large inputs: what the program needs is bounded, in memory and in time, or it refuses the work at
 # once.
 . "$(dirname "$0")/functions.sh"
-program_itself=$program starts=$(memory_to_start)
-cat >bounded.sh <<'END'
-#!/usr/bin/env bash
-ulimit -v "$kilobytes" || exit 99
-exec timeout "$seconds" "$program_itself" "$@"
-END
-chmod +x bounded.sh
-export program_itself kilobytes seconds
+starts=$(memory_to_start)
 # bounded KILOBYTES SECONDS: the runs that follow have no more memory and time
-bounded() {
-  kilobytes=$1 seconds=$2 program=$PWD/bounded.sh
-}
+bounded() { limit=(bash -c "ulimit -v $1 || exit 99; exec timeout $2 \"\$@\"" -); }
 
 # a chain of many curves is drawn, each join with its label
 awk -v n=2000 'BEGIN { for (i = 0; i < n; ++i)

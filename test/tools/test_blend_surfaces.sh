@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # blend --surfaces: patches, splines with inner knots, rational surfaces, every edge, and what is
 # refused. That the written surface is G2 is decided by verify.
-tests=$(cd "$(dirname "$0")" && pwd)
 . "$(dirname "$0")/functions.sh"
 
 # proved A B ARGUMENTS...: the blend is G2 with both, as verify reads all three
@@ -87,9 +86,9 @@ run 1 blend --surfaces point.g2 next.g2 && says out "vanishing_normal" "not G2 a
 
 # decided by arithmetic of its own, for random pairs
 if command -v python3 >/dev/null; then
-  holds python3 "$tests/check_surface_blends.py" "$program" 4 >checked
+  holds python3 "$here/check_surface_blends.py" "$program" 4 >checked
   says checked "4 pairs, 0 wrong"
-  holds python3 "$tests/check_surface_blends.py" "$program" 1 2 3 >checked
+  holds python3 "$here/check_surface_blends.py" "$program" 1 2 3 >checked
   says checked "1 pairs, 0 wrong"
 fi
 

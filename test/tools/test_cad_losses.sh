@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # CAD models: what a file names and OpenCASCADE leaves out, shells that are not closed, faces side
 # by side that share no edge, and sewing.
-here=$(realpath "$(dirname "$0")")
 . "$(dirname "$0")/functions.sh"
 
 made_by MAKE_CAD_MODELS models

@@ -1,22 +1,13 @@
 #!/usr/bin/env bash
 # verify --certificate: what it writes is accepted by check_certificate, which notices each other
 # number, in the certificate and in the file.
-tools=$(cd "$(dirname "$0")/../../tools/certificates" && pwd)
-alter=$(cd "$(dirname "$0")" && pwd)/alter_certificate.py
 . "$(dirname "$0")/functions.sh"
+tools=$here/../../tools/certificates alter=$here/alter_certificate.py
 command -v python3 >/dev/null || exit 77
 
 # checked CODE [FILE...]: the exit code of check_certificate for the last certificate
-checked() {
-  local expected=$1 code=0
-  shift
-  checks=$((checks + 1))
-  python3 "$tools/check_certificate.py" certificate "$@" >said 2>&1 || code=$?
-  [ "$code" -eq "$expected" ] && return
-  failures=$((failures + 1))
-  echo "check_certificate: exit code $code instead of $expected"
-  cat said out
-}
+check() { python3 "$tools/check_certificate.py" certificate "$@" 2>&1; }
+checked() { ends "$1" check "${@:2}"; }
 # certified CODE ARGUMENTS...: the report is the same without the certificate, which is accepted
 certified() {
   local expected=$1
@@ -29,15 +20,15 @@ certified() {
 for file in "$data"/*_S_0.g2 "$data"/planar.g2 "$data"/hill_left.g2; do certified 0 "$file" --closed; done
 certified 0 "$L" "$R"
 for model in fillet smooth_fillet; do certified 0 --surfaces "$data/$model.g2"; done
-certified 1 --surfaces "$teapot" && says said "52 certified"
+certified 1 --surfaces "$teapot" && says out "52 certified"
 certified 1 --closed "$S" --require G1 --summary
-run 0 verify "$data/leaf_inkscape.svg" --certificate certificate && checked 3 && says said "not checked: 1 that" # <use>
-run 0 verify "$data/badge_illustrator.svg" --certificate certificate && checked 3 && says said "29 certified; not checked: 2 that" # a rotated ellipse
-svg '<path d="M0 0A7 4 45 0 1 16 24A4 7 -45 0 1 0 0M8 8a6,3,135,0,0-6,0z"/>' && run 0 verify drawing.svg --certificate certificate && checked 3 && says said "2 certified; not checked: 2 that"
-svg '<path d="M20 60c0-5.523 4.477-10 10-10s10 4.477 10 10-4.477 10-10 10-10-4.477-10-10.001Z"/>' && certified 0 drawing.svg && says said "5 certified" # also of rounding
+run 0 verify "$data/leaf_inkscape.svg" --certificate certificate && checked 3 && says out "not checked: 1 that" # <use>
+run 0 verify "$data/badge_illustrator.svg" --certificate certificate && checked 3 && says out "29 certified; not checked: 2 that" # a rotated ellipse
+svg '<path d="M0 0A7 4 45 0 1 16 24A4 7 -45 0 1 0 0M8 8a6,3,135,0,0-6,0z"/>' && run 0 verify drawing.svg --certificate certificate && checked 3 && says out "2 certified; not checked: 2 that"
+svg '<path d="M20 60c0-5.523 4.477-10 10-10s10 4.477 10 10-4.477 10-10 10-10-4.477-10-10.001Z"/>' && certified 0 drawing.svg && says out "5 certified" # also of rounding
 ends='d="M50 10C72 10 90 90 50 90C28 90 10 11 50 10"'
-svg "<path $ends/><g style=\"fill : none !important\"><path $ends/><path fill=\"#000\" $ends/></g>" && certified 0 drawing.svg && says said "5 certified"
-svg "<style>*{fill:red}</style><g fill=\"none\"><path $ends/><path fill=\"none\" $ends/></g>" && certified 0 drawing.svg && says said "4 certified"
+svg "<path $ends/><g style=\"fill : none !important\"><path $ends/><path fill=\"#000\" $ends/></g>" && certified 0 drawing.svg && says out "5 certified"
+svg "<style>*{fill:red}</style><g fill=\"none\"><path $ends/><path fill=\"none\" $ends/></g>" && certified 0 drawing.svg && says out "4 certified"
 
 # all orders: G2 and F3 but not G3, C2 at inner knots, unclamped knots, rational curves, a cusp,
 # zero tangents, points, other dimensions
@@ -63,21 +54,21 @@ svg '<g transform="rotate(30) scale(2 3)"><circle r="1.5mm"/><ellipse cx="3" rx=
   <rect width="9" height="4" rx="2"/><rect x="1in" width="4" height="4" rx="auto" ry="3e1"/><rect width="1" height="2" ry="0"/>
   <line y1="3"/><rect width="0" height="2" rx="1"/><ellipse rx="0" ry="1"/>
   <path d="M0 0A1 2 0 0 1 12 0L15 1a0 3 0 1 1 2 2A10 5 -270 0 0 17 15q1 1 3 0A5 5 17 0126 15a5-5 0 11 0 0Z"/>'
-certified 0 drawing.svg && says said "29 certified"
+certified 0 drawing.svg && says out "29 certified"
 svg '<path d="M0 0A5 5 0 0 1 3 4L1 2 3 4A2 1 30 0 0 9 9L1 1"/><circle r="1em"/><circle r="2"/>'
-run 1 verify drawing.svg --certificate certificate --allow-undecided && checked 3 && says said "5 certified; not checked: 4 that"
+run 1 verify drawing.svg --certificate certificate --allow-undecided && checked 3 && says out "5 certified; not checked: 4 that"
 
 # what is not covered has no claims, and does not hide those of the rest
 good='<path d="M0 0h1v1"/>'
 partly() { # partly MISSING CONTENT: the certificate of the drawing holds for two joins, and misses so many
-  svg "$good$2$good" && run 1 verify drawing.svg --certificate certificate && checked 3 && says said "2 certified; not checked: $1 that"
+  svg "$good$2$good" && run 1 verify drawing.svg --certificate certificate && checked 3 && says out "2 certified; not checked: $1 that"
 }
 partly 4 '<circle r="1"><animate attributeName="r"/></circle>'
 partly 3 '<g transform="x(1)"><path d="M5 5h1v1z"/></g>'
 partly 4 '<circle r="-1"/>'
-svg "<path d=\"M0 0h1v1L2 2 3\"/><polygon points=\"0 0 1 0 1 1 2\"/>$good" && run 1 verify drawing.svg --certificate certificate && checked 3 && says said "4 certified; not checked: 2 that"
-svg "<path d=\"none\"/><ellipse rx=\"3\"/><ellipse rx=\"auto\" ry=\"2\"/>$good" && certified 0 drawing.svg && says said "9 certified"
-printf '<svg viewBox="0 0 9 9"><circle r="10%%"/>%s</svg>' "$good" >drawing.svg && run 0 verify drawing.svg --certificate certificate && checked 3 && says said "1 certified; not checked: 1 that"
+svg "<path d=\"M0 0h1v1L2 2 3\"/><polygon points=\"0 0 1 0 1 1 2\"/>$good" && run 1 verify drawing.svg --certificate certificate && checked 3 && says out "4 certified; not checked: 2 that"
+svg "<path d=\"none\"/><ellipse rx=\"3\"/><ellipse rx=\"auto\" ry=\"2\"/>$good" && certified 0 drawing.svg && says out "9 certified"
+printf '<svg viewBox="0 0 9 9"><circle r="10%%"/>%s</svg>' "$good" >drawing.svg && run 0 verify drawing.svg --certificate certificate && checked 3 && says out "1 certified; not checked: 1 that"
 
 # each number matters
 {
@@ -105,7 +96,7 @@ certified 0 --surfaces vanishing.g2 && says report "G0 (vanishing_normal)"
 
 # other files, and no whole certificates
 run 0 verify --closed "$S" --certificate certificate && checked 1 "$data/planar.g2" && checked 2 nowhere.g2
-head -n -1 certificate >short && mv short certificate && checked 1 && says said "the last line is missing"
+head -n -1 certificate >short && mv short certificate && checked 1 && says out "the last line is missing"
 : >certificate && checked 1
 
 # it is written as a whole or not at all, also when a requirement is not met

@@ -86,17 +86,9 @@ done
 
 # the text in other encodings, and packed; from standard input
 svg '<path id="&#252;" d="M0 0h1v1"/>'
-run_with() { # run_with FILE CODE ARGUMENTS...: with the file on standard input
-  local file=$1 real=$program
-  shift
-  printf '#!/bin/sh\nexec "%s" "$@" <"%s"\n' "$real" "$file" >run_with.sh && chmod +x run_with.sh
-  program=./run_with.sh
-  run "$@"
-  program=$real
-}
 same_as_drawing() { # same_as_drawing FILE: it is read like drawing.svg
   run 0 verify "$1" && says out 'path "ü" (line 2), subpath 1' "1 join "
-  run_with "$1" 0 verify - && says out 'path "ü" (line 2), subpath 1' "1 join "
+  piped "$1" 0 verify - && says out 'path "ü" (line 2), subpath 1' "1 join "
 }
 { printf '\xef\xbb\xbf' && cat drawing.svg; } >bom.svg && same_as_drawing bom.svg
 iconv -f UTF-8 -t UTF-16LE drawing.svg | { printf '\xff\xfe' && cat; } >utf16.svg && same_as_drawing utf16.svg
@@ -104,8 +96,7 @@ iconv -f UTF-8 -t UTF-16BE drawing.svg | { printf '\xfe\xff' && cat; } >utf16.sv
 gzip -c drawing.svg >packed.svgz && same_as_drawing packed.svgz
 cp packed.svgz packed.svg && same_as_drawing packed.svg && cp packed.svgz packed && same_as_drawing packed
 { head -c 30 drawing.svg | gzip && tail -c +31 drawing.svg | gzip -1; } >packed.svg && same_as_drawing packed.svg
-run_with <(gzip -c drawing.svg) 0 verify - && says out "1 join " # a pipe
-
+piped <(gzip -c drawing.svg) 0 verify - && says out "1 join " # a pipe
 
 bad_packed() { # bad_packed REASON: packed.svg is refused
   run 2 verify packed.svg --require G1 && says err "malformed_input: packed.svg: packed by gzip, $1"
@@ -151,20 +142,9 @@ for begin in '<!DOCTYPE svg [<!ENTITY x SYSTEM "other.txt">]>' "$doctype [<!ENTI
 done
 # and what expands to more and more text is refused
 entities() { for i in {1..15}; do printf '<!ENTITY e%d "%s">' "$i" "$(printf "&e$((i - 1));%.0s" {1..10})"; done; }
-bounded() { # bounded CODE ARGUMENTS...: run in 20 s and 1 GiB
-  local real=$program
-  cat >bounded.sh <<END
-#!/usr/bin/env bash
-$limit_memory
-exec timeout 20 "$real" "\$@"
-END
-  chmod +x bounded.sh
-  program=./bounded.sh
-  run "$@"
-  program=$real
-}
-limit_memory="ulimit -v 1048576"
-grep -qa __asan_init "$program" && limit_memory=
+little=(bash -c 'ulimit -v 1048576 && exec timeout 20 "$@"' -)
+if grep -qa __asan_init "$program"; then little=(timeout 20); fi
+bounded() { local limit=("${little[@]}") && run "$@"; } # bounded CODE ARGUMENTS...: run in 20 s and 1 GiB
 for begin in '<!DOCTYPE svg' "$doctype"; do
   document "$begin [<!ENTITY e0 'M0 0h1v1'>$(entities)]>" '<svg>&e15;</svg>' && bounded 2 verify drawing.svg
   says err "drawing.svg:2: limit on input amplification factor"

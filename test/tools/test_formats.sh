@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Reports for other programs: JSON, SARIF and JUnit's XML, validated by schemas; they say what the
 # text says.
-schemas=$(cd "$(dirname "$0")" && pwd)/schemas
 . "$(dirname "$0")/functions.sh"
 
 # valid SCHEMA FILE: the file will be validated by the schema of this name, at the end all at once
@@ -9,7 +8,7 @@ valid() { cp "$2" "report_$((++reports))_by_$1"; }
 reports=0
 command -v xmllint >/dev/null || echo "skipped: XML is not validated, xmllint is missing"
 valid_junit() {
-  if command -v xmllint >/dev/null; then holds xmllint --noout --schema "$schemas/junit.xsd" "$1" 2>/dev/null; fi
+  if command -v xmllint >/dev/null; then holds xmllint --noout --schema "$here/schemas/junit.xsd" "$1" 2>/dev/null; fi
 }
 count() { grep -o -- "$1" "$2" | wc -l; }
 
@@ -157,7 +156,7 @@ for name in glob.glob(sys.argv[1] + "/*.json"):
         Draft7Validator.check_schema(json.load(schema))
 sys.exit(failures > 0)
 PYTHON
-  holds python3 valid.py "$schemas"
+  holds python3 valid.py "$here/schemas"
 else
   echo "skipped: JSON is not validated, python3-jsonschema is missing"
 fi

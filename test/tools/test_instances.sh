@@ -1,15 +1,9 @@
 #!/usr/bin/env bash
 # verify --all-instances: the largest kinks of variable fonts between the masters, what is undecided
 # and what is not covered.
-schemas=$(cd "$(dirname "$0")" && pwd)/schemas fonts=$(cd "$(dirname "$0")" && pwd)/data # as hexadecimal digits
 . "$(dirname "$0")/functions.sh"
+fonts=$here/data # as hexadecimal digits
 
-# valid FILE: the file is JSON as the schema says, where python3 and its jsonschema are there
-valid() {
-  python3 -c "import jsonschema" 2>/dev/null || return
-  holds python3 -c 'import json, sys; from jsonschema import Draft7Validator as V; V(json.load(open(sys.argv[1]))).validate(json.load(open(sys.argv[2])))' \
-    "$schemas/instances.json" "$1"
-}
 bytes() { printf '%b' "$(tr -d '\n' | sed 's/../\\x&/g')"; }
 
 # An axis wght from 100 to 900 whose upper half is stretched by 'avar'. Glyph 1 has the points
@@ -52,12 +46,12 @@ run 0 verify kink.ttf --all-instances --kink-angle 3.5 --max-kink 89
 
 # JSON: of one font, and of several.
 run 1 verify kink.ttf --all-instances --max-kink 2 --json
-valid out
+valid_json instances out
 says out '"summary":{"glyphs":3,"joins":3,"corners":2,"no_direction":0,"not_covered":0,"proved":0,"refuted":1,' \
   '"verdict":"refuted","angle_degrees":[3.0' '"instance":{"wght":"1700/3"}' '"default_angle_degrees":[0,0]' '"composites":1' \
   '"axes":[{"tag":"wght","minimum":100,"default":100,"maximum":900}]' '"max_kink":"2","met":false' '"outline_point":2'
 run 1 verify kink.ttf not_variable.ttf --all-instances --json
-valid out
+valid_json instances out
 says out '{"fonts":[' '"file":"kink.ttf"' '"not_verified":[{"file":"not_variable.ttf","reason":"not a variable font"}]' \
   '"summary":{"fonts":1,"joins":3,' '"claims":{"given":4,"decided":3,"not_met":0,"undecided":[],' \
   '"not_covered":[{"what":"font","reason":"not a variable font","count":1}]}'
@@ -108,7 +102,7 @@ lacks out "proved"
 run 0 verify parts.ttf --all-instances --max-kink 10 --allow-uncovered
 says out "every join that is no corner at the default instance that was decided is within 10 degrees in every instance, proved"
 run 1 verify parts.ttf --all-instances --max-kink 10 --json
-valid out
+valid_json instances out
 says out '"part":"kink"' '"met":false' '"not_covered":[{"what":"join","reason":"a handle has no length at the default instance","count":1}]'
 
 # More than three axes. Beyond the work that is allowed a join is undecided, and that is never
@@ -129,15 +123,14 @@ says out "not_variable.ttf: not covered, not a variable font" "no join, nothing 
 run 0 verify not_variable.ttf --all-instances --allow-empty --allow-uncovered
 for font in "other_outlines.ttf: not covered, a variable font without TrueType or CFF2 outlines" \
   "avar2.ttf: not covered, the table 'avar' of version 2"; do
-  run 1 verify kink.ttf "${font%%:*}" --all-instances
-  says out "$font"
+  answers 1 "$font" verify kink.ttf "${font%%:*}" --all-instances
   run 0 verify kink.ttf "${font%%:*}" --all-instances --max-kink 4 --allow-uncovered
 done
 mkdir fonts && cp kink.ttf not_variable.ttf fonts && printf 'wOFF' >fonts/packed.woff && head -c 300 kink.ttf >fonts/cut.ttf
 run 1 verify fonts --all-instances
 says out "kink.ttf" "packed.woff: not covered, " "not_variable.ttf: not covered" "cut.ttf: not covered, font: its table"
 run 0 verify fonts --all-instances --allow-uncovered --json
-valid out
+valid_json instances out
 
 # A glyph that is malformed does not hide the others.
 LC_ALL=C sed 's/\x82\x40\x00\xc8/\xc2\x40\x00\xc8/' kink.ttf >unread.ttf
@@ -145,28 +138,21 @@ holds [ "$(cmp -l kink.ttf unread.ttf | wc -l)" -eq 1 ]
 run 1 verify unread.ttf --all-instances --allow-empty
 says out "glyph glyph00001: not covered, table 'gvar', glyph 1: a run of movements is of an unknown form"
 run 0 verify unread.ttf --all-instances --json --allow-empty --allow-uncovered
-valid out
+valid_json instances out
 says out '"not_verified":[{"index":1,"name":"glyph00001","reason":"table ' '"summary":{"glyphs":2,'
 run 0 verify unread.ttf --all-instances --format sarif --allow-empty --allow-uncovered
 says out "glyph glyph00001" "a run of movements" '"level":"warning"'
 
 # Bad input.
-run 2 verify fonts/cut.ttf --all-instances
-says err "malformed_input: fonts/cut.ttf: font: its table"
-run 2 verify "$S" --all-instances
-says err "--all-instances: only for fonts"
-run 2 verify "$S" --max-kink 1
-says err "--max-kink: only for fonts"
+refused "malformed_input: fonts/cut.ttf: font: its table" verify fonts/cut.ttf --all-instances
+refused "--all-instances: only for fonts" verify "$S" --all-instances
+refused "--max-kink: only for fonts" verify "$S" --max-kink 1
 for angle in 90 -1 x; do
-  run 2 verify kink.ttf --all-instances --max-kink=$angle
-  says err "--max-kink: "
+  refused "--max-kink: " verify kink.ttf --all-instances --max-kink=$angle
 done
-run 2 verify kink.ttf --all-instances --require G1
-says err "--require: not with --all-instances"
-run 2 verify kink.ttf --all-instances --off-by 2
-says err "--off-by: not with --all-instances"
-run 2 verify kink.ttf --all-instances --glyphs nowhere
-says err "nowhere"
+refused "--require: not with --all-instances" verify kink.ttf --all-instances --require G1
+refused "--off-by: not with --all-instances" verify kink.ttf --all-instances --off-by 2
+refused "nowhere" verify kink.ttf --all-instances --glyphs nowhere
 
 # Damaged fonts end with a report or a reason, never in another way.
 bad=0

@@ -1,15 +1,12 @@
 #!/usr/bin/env bash
 # verify of alignments in IFC 4.3 and LandXML: what files claim about their joins, and numbers that
 # follow from others.
-schemas=$(cd "$(dirname "$0")" && pwd)/schemas
 . "$(dirname "$0")/functions.sh"
 
-# valid ARGUMENTS...: the report in JSON is as the schema says, where jsonschema of python3 is there
+# valid ARGUMENTS...: the report in JSON is as the schema says
 valid() {
-  python3 -c "import jsonschema" 2>/dev/null || return
   "$program" verify --json "$@" >valid.json 2>err
-  holds python3 -c 'import json, sys; from jsonschema import Draft7Validator as V; V(json.load(open(sys.argv[1]))).validate(json.load(open(sys.argv[2])))' \
-    "$schemas/roads.json" valid.json
+  valid_json roads valid.json
 }
 # ifc FILE ENTITIES: a file with these entities
 ifc() {

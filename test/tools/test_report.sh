@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
 # report: what stands in the page, and that nothing of the input is more than text.
-generator=$(realpath "$(dirname "$0")")/make_font.awk
 . "$(dirname "$0")/functions.sh"
 
 # data FILE: the block of data of a page; script FILE, style FILE: what their hashes are for
@@ -115,7 +114,7 @@ glyph both 68
 component 3 0 10
 component 1 5000 0
 END
-printf "$(LC_ALL=C awk -f "$generator" glyphs.txt)" >test.ttf
+font test.ttf <glyphs.txt
 page test.ttf && says data.json '"whole":"em"' '"counts":{"kink":4,"bend":4,"rounding":4,"corner":34,"G1":4,"G2":0}'
 says data.json '"grade":"rounding","place":"glyph \u003cscript\u003ealert(1)\u003c/script\u003e, contour 0, node 1"' '"severity":"1"'
 says data.json '"angle":["0.572938","0.572939"]' '"summary":"1 font, 5 glyphs (1 empty), 50 joins: 34 corners, 4 kinks, 4 bends of two lines, 4 off by rounding, 4 G1, 0 G2 or more"'
@@ -124,7 +123,7 @@ says data.json '"place":"glyph both, in its component off, contour 1, node 1"'
 page test.ttf --glyphs off
 holds [ "$(grep -o '"grade":"[a-z]*","place":"glyph off, contour [0-9], node [0-9]"' data.json | sed 's/.*":"\(.*\)","place":"glyph off, contour \(.\), node \(.\)"/\1 \2 \3/' | head -5 | tr '\n' ,)" = \
   "kink 1 1,kink 2 1,bend 0 1,bend 0 2,rounding 3 1," ]
-printf "$(LC_ALL=C awk -v em=2048 -v family=Fine -f "$generator" glyphs.txt)" >fine.ttf # parts of the em are half as large
+font fine.ttf -v em=2048 -v family=Fine <glyphs.txt # parts of the em are half as large
 page test.ttf fine.ttf --glyphs off
 holds [ "$(grep -o '"place":"[A-Za-z ]*: glyph off, contour [12], node 1"' data.json | cut -d'"' -f4 | tr '\n' ';')" = \
   "Test Regular: glyph off, contour 1, node 1;Fine Regular: glyph off, contour 1, node 1;Test Regular: glyph off, contour 2, node 1;Fine Regular: glyph off, contour 2, node 1;" ]
@@ -145,9 +144,9 @@ same_counts() { # CODE ARGUMENTS...
   says data.json "$(grep -o '[0-9]* glyphs\?[ ,].* joins\?.*' out | sed 's/; .*//' | tail -1)" # of all fonts
 }
 mkdir fonts && cp test.ttf fonts && head -c 300 test.ttf >fonts/broken.ttf
-printf "$(LC_ALL=C awk -v outlines=cff -v container=woff -f "$generator" glyphs.txt)" >fonts/other.woff
-printf "$(LC_ALL=C awk -v container=ttc -f "$generator" glyphs.txt)" >fonts/test.ttc
-printf "$(printf 'glyph .notdef\nglyph alone\ncontour 0,0 9,0 9,9' | LC_ALL=C awk -f "$generator")" >alone.ttf
+font fonts/other.woff -v outlines=cff -v container=woff <glyphs.txt
+font fonts/test.ttc -v container=ttc <glyphs.txt
+printf 'glyph .notdef\nglyph alone\ncontour 0,0 9,0 9,9' | font alone.ttf
 for options in "" "--off-by 0" "--off-by 0.9999" "--off-by 6" "--off-by 100" "--kink-angle 3" "--glyphs A-C" "--glyphs off,both"; do
   same_counts 0 test.ttf $options
   same_counts 1 fonts $options

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # The page of `report` in a browser without a network: no message on its console, what is shown, the
 # keys, 10 000 joins.
-generator=$(realpath "$(dirname "$0")")/make_font.awk
 . "$(dirname "$0")/functions.sh"
 
 browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || {
@@ -123,7 +122,7 @@ contour 0,0 300,20 600,20 900,0 600,-500 300,-500
 contour 2000,0 2100,0 2200,7* 2300,300 2000,300
 contour 3000,0 3100,0 3200,1 3200,300 3000,300
 END
-printf "$(LC_ALL=C awk -f "$generator" glyphs.txt)" >test.ttf
+font test.ttf <glyphs.txt
 run 0 report test.ttf -o font.html && asks font.html '
 const root = getComputedStyle(document.documentElement);
 for (const b of document.querySelectorAll("#grades button")) log(b.textContent);

@@ -2,7 +2,6 @@
 # verify, repair and report of road networks in OpenDRIVE. GEOMETRIC_CONTINUITY_ROADS names a folder
 # in which carla/, esmini/ and qc/ hold the files .xodr of carla-simulator/opendrive-test-files,
 # esmini/esmini and asam-ev/qc-opendrive, if these are to be verified as well.
-schemas=$(cd "$(dirname "$0")" && pwd)/schemas
 . "$(dirname "$0")/functions.sh"
 
 # network ROADS: a file with these roads; each of them on a line of its own
@@ -14,12 +13,10 @@ road() {
 }
 piece() { printf '<geometry s="%s" x="%s" y="%s" hdg="%s" length="%s">%s</geometry>' "$@"; }
 line='<line/>'
-# valid ARGUMENTS...: the report in JSON is as the schema says, where jsonschema of python3 is there
+# valid ARGUMENTS...: the report in JSON is as the schema says
 valid() {
-  python3 -c "import jsonschema" 2>/dev/null || return
   "$program" verify --json "$@" >valid.json 2>err
-  holds python3 -c 'import json, sys; from jsonschema import Draft7Validator as V; V(json.load(open(sys.argv[1]))).validate(json.load(open(sys.argv[2])))' \
-    "$schemas/roads.json" valid.json
+  valid_json roads valid.json
 }
 # decides CODE PIECES TEXT...: verify of one road of these pieces
 decides() {

@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
 # Closed shells that are written as solids: their splines are read as the same doubles, FreeCAD
 # finds closed solids, and `verify` the orders that they are made with.
-folder=$(realpath "$(dirname "$0")")
-check_solids=$folder/cad/check_solids.py make_solids=$folder/make_solids.py
 . "$(dirname "$0")/functions.sh"
+check_solids=$here/cad/check_solids.py make_solids=$here/make_solids.py
 made_by MAKE_CAD_SHELLS shells >made
 
 for ending in step brep; do

@@ -2,18 +2,6 @@
 # answer or a refusal that says how to allow more.
 . "$(dirname "$0")/functions.sh"
 
-# bounded SECONDS CODE ARGUMENTS...: the program ends in time, with this code
-bounded() {
-  local seconds=$1 expected=$2 code=0
-  shift 2
-  checks=$((checks + 1))
-  timeout "$seconds" "$program" "$@" >out 2>err </dev/null || code=$?
-  [ "$code" -eq "$expected" ] && return
-  failures=$((failures + 1))
-  echo "exit code $code instead of $expected within $seconds seconds: $*"
-  head -c 2000 out err
-}
-
 # Two bilinear surfaces with one edge, of which the rest is given.
 bilinear() { printf '200 1 0 0\n3 0\n2 2\n0 0 1 1\n2 2\n0 0 1 1\n0 5e300 -7e4000\n3 1 8e-4000\n%s\n' "$1"; }
 { bilinear $'6e4000 0 -4e4000\n-8e-278 0 0'; bilinear $'-1 -9e-4000 -2e-300\n-9e-986 0 -9e-300'; } >huge.g2
@@ -48,26 +36,28 @@ ulimit -S -t 5 # for each program; it takes less than half a second
 bounded 120 0 verify --require G3 order128.g2
 ulimit -S -t "$(ulimit -H -t)"
 says out "128 joins"
-run 0 verify --max-order 32 --json --require C32 order64.g2
-says out '"joins":64,"G32":64'
+answers 0 '"joins":64,"G32":64' verify --max-order 32 --json --require C32 order64.g2
 run 2 verify --max-work 1000000 order64.g2
 says err "order64.g2: work_limit" "--max-work N"
 
+# This function of awk makes a fraction: random digits over as many.
+fraction='
+  function fraction(digits,   text, j) {
+    for (j = 0; j < 2 * digits; ++j) text = text (j == digits ? "/" : "") 1 + int(9 * rand())
+    return text
+  }
+'
 # Orders up to 32 of curves with long fractions: one polynomial on both sides of a knot, so that all
 # orders hold.
 long_fractions() { # DIGITS
-  awk -v digits="$1" 'BEGIN {
+  awk -v digits="$1" "$fraction"'BEGIN {
     srand(7)
     print "100 1 0 0\n2 0\n35 34"
     for (i = 0; i < 34; ++i) printf "0 "
     printf "1 "
     for (i = 0; i < 34; ++i) printf "2 "
     print ""
-    for (i = 0; i < 70; ++i) {
-      number = ""
-      for (j = 0; j < 2 * digits; ++j) number = number (j == digits ? "/" : "") 1 + int(9 * rand())
-      printf "%s%s", number, i % 2 ? "\n" : " "
-    }
+    for (i = 0; i < 70; ++i) printf "%s%s", fraction(digits), i % 2 ? "\n" : " "
   }'
 }
 long_fractions 400 >fractions.g2
@@ -108,16 +98,12 @@ says err "join 0 -> 1: work_limit" "--max-work N"
 
 # Constructions with long numbers.
 random_curve() { # ORDER DIGITS SEED
-  awk -v k="$1" -v digits="$2" -v seed="$3" 'BEGIN {
+  awk -v k="$1" -v digits="$2" -v seed="$3" "$fraction"'BEGIN {
     srand(seed)
     print "100 1 0 0\n2 0\n" k, k
     for (i = 0; i < 2 * k; ++i) printf "%d ", (i >= k)
     print ""
-    for (i = 0; i < 2 * k; ++i) {
-      number = ""
-      for (j = 0; j < 2 * digits; ++j) number = number (j == digits ? "/" : "") 1 + int(9 * rand())
-      printf "%s%s", number, i % 2 ? "\n" : " "
-    }
+    for (i = 0; i < 2 * k; ++i) printf "%s%s", fraction(digits), i % 2 ? "\n" : " "
   }'
 }
 random_curve 128 2 1 >short.g2
@@ -137,8 +123,7 @@ bounded 60 2 blend long_left.g2 long_right.g2 --max-work 4000000000 -o none.g2
 says err "work_limit" "--max-work N"
 bounded 60 2 blend long_left.g2 long_right.g2 --order 3 --max-work 100000000 -o none.g2
 says err "work_limit: blend: more than 100000000 steps" "--max-work N"
-run 2 blend left.g2 --corner 0 --distance 1 --max-work 1000
-says err "--max-work: not with --corner"
+refused "--max-work: not with --corner" blend left.g2 --corner 0 --distance 1 --max-work 1000
 run 2 blend left.g2 right.g2 --order 3 --max-work 10000
 says err "left.g2: work_limit" "--max-work N"
 run 2 extend short.g2 --order curvature --toward 3,4 --max-work 1000000 -o none.g2
@@ -158,14 +143,10 @@ holds test ! -e none.g2
 
 # Orders up to 32 of rational curves with long fractions: their jets count.
 rational() { # DIGITS [GAP]
-  awk -v digits="$1" -v gap="${2:-0}" '
-    function number(   text, j) {
-      for (j = 0; j < 2 * digits; ++j) text = text (j == digits ? "/" : "") 1 + int(9 * rand())
-      return text
-    }
+  awk -v digits="$1" -v gap="${2:-0}" "$fraction"'
     BEGIN {
       srand(3)
-      for (i = 0; i <= 21; ++i) point[i] = number() " " number() " " number()
+      for (i = 0; i <= 21; ++i) point[i] = fraction(digits) " " fraction(digits) " " fraction(digits)
       for (first = 0; first <= 10 + gap; first += 10 + gap) {
         print "100 1 0 0\n2 1\n11 11\n0 0 0 0 0 0 0 0 0 0 0 1 1 1 1 1 1 1 1 1 1 1"
         for (i = 0; i <= 10; ++i) print point[first + i]
@@ -214,14 +195,10 @@ ulimit -S -t "$(ulimit -H -t)"
 says err "patch 0 v1 - patch 1 v0: edge_continuity: more than 4000000000 steps" "--max-work N"
 
 # Triangles in exact numbers.
-awk 'BEGIN {
+awk "$fraction"'BEGIN {
   srand(9)
   print "200 1 0 0\n3 0\n3 3\n0 0 0 1 1 1\n3 3\n0 0 0 1 1 1"
-  for (i = 0; i < 27; ++i) {
-    number = ""
-    for (j = 0; j < 4000; ++j) number = number (j == 2000 ? "/" : "") 1 + int(9 * rand())
-    printf "%s%s", number, i % 3 == 2 ? "\n" : " "
-  }
+  for (i = 0; i < 27; ++i) printf "%s%s", fraction(2000), i % 3 == 2 ? "\n" : " "
 }' >long_patch.g2
 run 2 tessellate --kernel exact --max-work 1000000 long_patch.g2 -o none.off
 says err "work_limit: tessellate: more than 1000000 steps" "--max-work"
@@ -245,10 +222,8 @@ holds test ! -e none.off
 
 # The option.
 for word in 0 -1 x 1e9 1.5 "" 99999999999999999999999; do
-  run 2 verify --max-work "$word" "$S"
-  says err "--max-work: '$word'"
-  run 2 blend left.g2 right.g2 --max-work "$word"
-  says err "--max-work: '$word'"
+  refused "--max-work: '$word'" verify --max-work "$word" "$S"
+  refused "--max-work: '$word'" blend left.g2 right.g2 --max-work "$word"
 done
 run 0 verify --max-work 18446744073709551615 "$S"
 run 0 verify --surfaces --allow-uncovered --max-work 100000000 "$teapot"

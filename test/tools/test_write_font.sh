@@ -2,14 +2,13 @@
 # repair writes fonts by fontTools: nothing but the handles of its moves differs, and verify finds
 # what repair has promised. The masters of variable fonts are mended together. Skipped without
 # fontTools.
-here=$(cd "$(dirname "$0")" && pwd) python=
+python=
 for candidate in python3 /usr/bin/python3; do
   $candidate -c 'import fontTools' 2>/dev/null && python=$candidate && break
 done
 [ -n "$python" ] || exit 77
-. "$here/functions.sh"
+. "$(dirname "$0")/functions.sh"
 
-font() { printf "$(LC_ALL=C awk -f "$here/make_font.awk" "$@")"; }
 # Compares two fonts with fontTools: prints the tables that differ and the points that have moved.
 compare() {
   $python - "$@" <<'END'
@@ -37,7 +36,7 @@ END
 }
 
 # TrueType, with a component, and a handle that leaves the box of its glyph.
-font -v bearing=5 >given.ttf <<'END'
+font given.ttf -v bearing=5 <<'END'
 glyph .notdef
 glyph base 65
 contour 0,0 100,0 200,3* 300,300 0,300
@@ -81,7 +80,7 @@ run 2 repair given.ttc -o no.ttf && says err "a collection of fonts is written a
 holds [ ! -e no.ttf ] && holds [ ! -e no.ttc ]
 
 # Cubic curves. A segment without length stays.
-font -v outlines=cff >given.otf <<'END'
+font given.otf -v outlines=cff <<'END'
 glyph .notdef
 glyph curve 65
 contour 0,0 100,0 150,3* 260,100* 300,300 300,300 0,300

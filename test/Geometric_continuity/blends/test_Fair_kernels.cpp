@@ -8,7 +8,6 @@
 #define BOOST_TEST_MODULE Fair_kernels
 #include "support/test.h"
 
-#include <CGAL/Geometric_continuity/IO/g2.h>
 #include <CGAL/Geometric_continuity/blends/Fair.h>
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
@@ -127,19 +126,6 @@ BOOST_AUTO_TEST_CASE(rounding_modes) {
     in_every_mode(jet<Exact_3>(phi_3), jet<Exact_3>(psi_3), GC::Fair_f3());
     in_every_mode(jet<Exact_d>(derivatives(4)), jet<Exact_d>(derivatives(4)), GC::Fair());
   }
-}
-
-BOOST_AUTO_TEST_CASE(exact_when_read_again) {
-  std::mt19937_64 random(12);
-  const Curves curves(random, 3);
-  const GC::Bezier_curve<Exact_3> phi = curve<Exact_3>(curves.phi), psi = curve<Exact_3>(curves.psi);
-  std::stringstream file;
-  GC::write_g2(file, phi);
-  GC::write_g2(file, GC::blend(phi, psi, GC::Fair()));
-  GC::write_g2(file, psi);
-  const std::vector<GC::Bezier_curve<Exact_3>> read = GC::read_g2_curves<Exact_3>(file, "file");
-  BOOST_REQUIRE_EQUAL(read.size(), 3U);
-  BOOST_CHECK(GC::is_g2_join(read[0], read[1]) && GC::is_g2_join(read[1], read[2]));
 }
 
 // Scaled by a power of two: the same numbers. Turned, mirrored, and from the other side: as fair,

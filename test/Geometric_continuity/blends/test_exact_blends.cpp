@@ -276,10 +276,6 @@ template <class Traits, class FT = typename Traits::FT> void check_errors(int di
   CHECK_ERROR(GC::blend(standing, phi), zero_tangent);
   CHECK_ERROR(GC::blend(phi, standing, GC::Near_line()), zero_tangent);
   CHECK_ERROR(GC::blend(phi, standing, GC::Sequential_g3()), zero_tangent);
-  CHECK_ERROR(GC::blend(phi, phi, GC::Normal_offset(), {FT(0), FT(1)}), nonpositive_beta);
-  CHECK_ERROR(GC::blend(phi, phi, GC::Joint_g3(), {FT(1), FT(FT(-1) / FT(9))}), nonpositive_beta);
-  CHECK_ERROR(GC::blend(phi, jet<Traits>(dimension, 1, small)), jet_order_too_low);
-  CHECK_ERROR(GC::blend(phi, jet<Traits>(dimension, 2, small), GC::Joint_g3()), jet_order_too_low);
 }
 
 template <class Traits> void check_all_but_strategies(int dimension) {
@@ -372,36 +368,6 @@ BOOST_AUTO_TEST_CASE(jets_that_are_not_finite) {
         Every_strategy<double>::quintic(quintic);
         Every_strategy<double>::septic(septic);
       }
-}
-
-// A curve of the user: an arc of a parabola that can be read only by its jets.
-struct Parabola {
-  typedef Exact_traits Traits;
-  Exact scale;
-
-  std::pair<Exact, Exact> domain() const { return {Exact(1), Exact(3)}; }
-  GC::Curve_jet<Traits> jet(const Exact& u, int k) const {
-    GC::Curve_jet<Traits> x(3, k);
-    x[0][0] = u;
-    x[0][1] = scale * u * u;
-    if (k > 0) x[1][0] = 1;
-    if (k > 0) x[1][1] = 2 * scale * u;
-    if (k > 1) x[2][1] = 2 * scale;
-    return x;
-  }
-};
-
-// blend() reads the ends of a curve as continuity() does.
-BOOST_AUTO_TEST_CASE(ends_of_curves) {
-  const Parabola left{Exact(1)}, right{Exact(-2)};
-  const auto join = [](const auto& x, const auto& y) { return GC::continuity(x, y).g_order; };
-  const auto quintic = GC::blend(left, right);
-  BOOST_CHECK(join(left, quintic) >= 2 && join(quintic, right) >= 2);
-  const auto septic = GC::blend(left, right, GC::Joint_g3());
-  BOOST_CHECK(join(left, septic) >= 3 && join(septic, right) >= 3);
-  const GC::Curve_jet<Exact_traits> x = jet<Exact_traits>(3, 3, mixed), y = jet<Exact_traits>(3, 3, mixed);
-  const auto middle = GC::blend(x, y), next = GC::blend(middle, right);
-  BOOST_CHECK(join(middle, next) >= 2 && join(next, right) >= 2);
 }
 
 // Number types that are not known by their numerators and denominators: the operators.

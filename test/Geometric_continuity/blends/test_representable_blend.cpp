@@ -5,7 +5,6 @@
 // Blends whose control points are floating-point numbers and whose joins are exactly G2.
 
 #include <CGAL/Geometric_continuity.h>
-#include <CGAL/Geometric_continuity/IO/g2.h>
 
 #include "support/rounding_modes.h"
 #include "support/test.h"
@@ -125,17 +124,6 @@ BOOST_AUTO_TEST_CASE(strategies) {
     check(phi, psi, GC::Minimal_energy<3>(), 3, 1);
     check(phi, psi, GC::Given_parameters<double>{0.25, -0.125}, 1, 1);
   }
-}
-
-BOOST_AUTO_TEST_CASE(written_and_read) {
-  const Blend b = GC::representable_blend(random_curve(3, full), random_curve(4, full));
-  std::stringstream file;
-  GC::write_g2(file, b.phi);
-  GC::write_g2(file, b);
-  GC::write_g2(file, b.psi);
-  const std::vector<Curve> curves = GC::read_g2_curves<Space>(file, "file");
-  BOOST_REQUIRE_EQUAL(curves.size(), 3);
-  BOOST_CHECK(GC::continuity(curves[0], curves[1]).g_order >= 2 && GC::continuity(curves[1], curves[2]).g_order >= 2);
 }
 
 BOOST_AUTO_TEST_CASE(unlike_sizes) {

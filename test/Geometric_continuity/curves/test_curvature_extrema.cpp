@@ -62,7 +62,6 @@ const Rows two_inflections = {{-3, 2}, {4, -1}, {2, -2}, {2, 4}};
 const Rows quarter = {{1, 0}, {1, 0.55078125}, {0.55078125, 1}, {0, 1}};
 const Rows undulation = {{0, 0}, {0.25, 0}, {0.5, 0}, {0.75, 0}, {1, 1}};   // y = x^4
 const Rows flat_s = {{-5, -1}, {-3, 1}, {-1, -1}, {1, 1}, {3, -1}, {5, 1}}; // y = (x/5)^5
-const Rows cubic_graph = {{-1, -1}, {-1. / 2, 1}, {1. / 2, -1}, {1, 1}};
 
 // Counts by dense sampling how often the curvature of a planar curve turns, and how often it
 // changes its sign.
@@ -121,9 +120,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(an_s_has_one_inflection, Traits, Planar_traits) {
   BOOST_REQUIRE_EQUAL(c.extrema.size(), 2u);
   BOOST_CHECK(!c.extrema[0].maximum && c.extrema[1].maximum);
   BOOST_CHECK(c.extrema[0].curvature.lower == -c.extrema[1].curvature.upper);
-  // y = x^3: |kappa| is largest where 45 x^4 = 1; then 6 x / (1 + 9 x^4)^(3/2)
-  const GC::Curvature_extrema d = measured<Traits>(cubic_graph, -1, 1);
-  BOOST_REQUIRE_EQUAL(d.extrema.size(), 2u);
 }
 
 BOOST_AUTO_TEST_CASE(the_cube_of_x) {
@@ -155,13 +151,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(other_planar_curves, Traits, Planar_traits) {
   BOOST_CHECK_EQUAL(measured<Traits>(undulation).inflections.size(), 0u);
   BOOST_CHECK_EQUAL(measured<Traits>(undulation).extrema.size(), 1u);
   BOOST_CHECK((measured<Traits>(undulation).least.curvature == GC::Enclosure{0, 0}));
-  const GC::Curvature_extrema q = measured<Traits>(quarter);
-  BOOST_CHECK_EQUAL(q.inflections.size(), 0u);
-  BOOST_CHECK_EQUAL(q.extrema.size(), 3u);
-  BOOST_CHECK(0.9 < q.least.curvature.lower && q.greatest.curvature.upper < 1.1);
-  const GC::Curvature_extrema two = measured<Traits>(two_inflections);
-  BOOST_CHECK_EQUAL(two.inflections.size(), 2u);
-  BOOST_CHECK_EQUAL(two.extrema.size(), 3u);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(lines_and_cusps, Traits, Planar_traits) {
@@ -189,10 +178,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(planar_curves_in_space, Traits, Space_traits) {
   const GC::Curvature_extrema u = measured<Traits>(in_space({{-1, 1}, {-0.5, -1}, {0, 1}, {0.5, -1}, {1, 1}}, 3));
   BOOST_CHECK(u.inflections.empty() && u.extrema.size() == 3);
   BOOST_CHECK(measured<Traits>({{0, 0, 0}, {1, 1, 1}, {4, 4, 4}}).extrema.empty());
-  // the twisted cubic: kappa^2 = 4 (1 + 9t^2 + 9t^4) / (1 + 4t^2 + 9t^4)^3, largest at 0
-  const GC::Curvature_extrema t = measured<Traits>({{-1, 1, -1}, {-0.5, -0.5, 0.5}, {0.5, -0.5, -0.5}, {1, 1, 1}});
-  BOOST_CHECK(t.inflections.empty());
-  BOOST_CHECK(t.extrema.size() % 2 == 1);
 }
 
 BOOST_AUTO_TEST_CASE(random_curves_against_samples) {
@@ -356,10 +341,9 @@ BOOST_AUTO_TEST_CASE(extrema_that_are_hard_to_enclose) {
 }
 
 BOOST_AUTO_TEST_CASE(counts_of_extrema_are_written) {
-  std::ostringstream os;
-  os << measured<Double_d>(parabola) << '\n' << measured<Double_d>(two_inflections);
-  BOOST_CHECK_MESSAGE(os.str().find("1 extremum of curvature, 0 inflections, curvature from ") == 0, os.str());
-  BOOST_CHECK_MESSAGE(os.str().find(" of curvature, 2 inflections, curvature from ") != std::string::npos, os.str());
+  BOOST_CHECK_EQUAL(text(measured<Double_d>(parabola)).find("1 extremum of curvature, 0 inflections, curvature from "),
+                    0);
+  BOOST_CHECK(contains(text(measured<Double_d>(two_inflections)), " of curvature, 2 inflections, curvature from "));
 }
 
 // The place where the curvature exceeds a bound, on a curve with these control points.

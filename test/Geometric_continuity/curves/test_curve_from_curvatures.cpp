@@ -163,43 +163,28 @@ BOOST_AUTO_TEST_CASE(slope_curve_over_a_clothoid) {
                                                              [](double s) { return 0.8 * s; }));
 }
 
-BOOST_AUTO_TEST_CASE(two_circles_in_four_dimensions) {
-  // (a cos s, a sin s, b cos 2s, b sin 2s) with a = 3/5, 2b = 4/5 has unit speed and constant
-  // curvatures
-  const auto at = [](double s, int n, int k) {
-    Jet<Double_d> x = zero_jet<Double_d>(n, k);
-    for (int j = 0; j <= k; ++j) {
-      const double c[] = {std::cos(s + j * pi / 2), std::sin(s + j * pi / 2), std::cos(2 * s + j * pi / 2),
-                          std::sin(2 * s + j * pi / 2)};
-      for (int i = 0; i < 4; ++i) x[j][i] = (i < 2 ? 0.6 : 0.4 * std::pow(2, j)) * c[i];
-    }
-    return x;
-  };
-  const Jet<Double_d> start = at(0, 4, 4);
-  std::vector<double> kappa;
-  for (const auto& k : GC::frenet_curvatures(start)) kappa.push_back(k->sign * std::sqrt(k->square));
-  BOOST_CHECK_SMALL(kappa[0] - std::sqrt(0.36 + 16 * 0.16), 1e-14); // |x''|, with a few roundings
-  check_integration<Double_d>([&](double) { return kappa; }, start, 7, 0.6 + 0.4 * 64,
-                              [&](double s) { return at(s, 4, 0)[0]; });
-}
-
-BOOST_AUTO_TEST_CASE(two_circles_and_a_line_in_five_dimensions) {
-  // the same with 0.48, 0.64 / 2 and the slope 0.6
-  const auto at = [](double s, int k) {
-    Jet<Double_d> x = zero_jet<Double_d>(5, k);
-    for (int j = 0; j <= k; ++j) {
-      const double c[] = {std::cos(s + j * pi / 2), std::sin(s + j * pi / 2), std::cos(2 * s + j * pi / 2),
-                          std::sin(2 * s + j * pi / 2)};
-      for (int i = 0; i < 4; ++i) x[j][i] = (i < 2 ? 0.48 : 0.32 * std::pow(2, j)) * c[i];
-      x[j][4] = j == 0 ? 0.6 * s : j == 1 ? 0.6 : 0;
-    }
-    return x;
-  };
-  const Jet<Double_d> start = at(0, 5);
-  std::vector<double> kappa;
-  for (const auto& k : GC::frenet_curvatures(start)) kappa.push_back(k->sign * std::sqrt(k->square));
-  check_integration<Double_d>([&](double) { return kappa; }, start, 5, 0.48 + 0.32 * 64,
-                              [&](double s) { return at(s, 0)[0]; });
+// (a cos s, a sin s, b cos 2s, b sin 2s, c s) with a^2 + 4 b^2 + c^2 = 1 has unit speed and
+// constant curvatures.
+BOOST_AUTO_TEST_CASE(two_circles_in_four_dimensions_and_a_line_in_five) {
+  for (const int n : {4, 5}) {
+    const double a = n == 4 ? 0.6 : 0.48, b = n == 4 ? 0.4 : 0.32;
+    const auto at = [&](double s, int k) {
+      Jet<Double_d> x = zero_jet<Double_d>(n, k);
+      for (int j = 0; j <= k; ++j) {
+        const double c[] = {std::cos(s + j * pi / 2), std::sin(s + j * pi / 2), std::cos(2 * s + j * pi / 2),
+                            std::sin(2 * s + j * pi / 2)};
+        for (int i = 0; i < 4; ++i) x[j][i] = (i < 2 ? a : b * std::pow(2, j)) * c[i];
+        if (n == 5) x[j][4] = j == 0 ? 0.6 * s : j == 1 ? 0.6 : 0;
+      }
+      return x;
+    };
+    const Jet<Double_d> start = at(0, n);
+    std::vector<double> kappa;
+    for (const auto& k : GC::frenet_curvatures(start)) kappa.push_back(k->sign * std::sqrt(k->square));
+    BOOST_CHECK_SMALL(kappa[0] - std::sqrt(a * a + 16 * b * b), 1e-14); // |x''|, with a few roundings
+    check_integration<Double_d>([&](double) { return kappa; }, start, n == 4 ? 7 : 5, a + 64 * b,
+                                [&](double s) { return at(s, 0)[0]; });
+  }
 }
 
 BOOST_AUTO_TEST_CASE(joins_of_the_bezier_curve) {

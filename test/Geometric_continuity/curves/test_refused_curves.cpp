@@ -5,11 +5,8 @@
 // Counts, domains and numbers that curves refuse, and what large degrees and large coordinates do
 // not disturb.
 
-#include "support/errors.h"
+#include "support/test.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Exact_rational.h>
-#include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Bspline_curve.h>
 #include <CGAL/Geometric_continuity/curves/Composite_bezier_curve.h>
@@ -19,22 +16,9 @@
 #include <CGAL/Geometric_continuity/curves/interpolate.h>
 #include <CGAL/Geometric_continuity/curves/polyline.h>
 #include <CGAL/Interval_nt.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <array>
-#include <cmath>
-#include <iterator>
-#include <limits>
-#include <random>
-#include <sstream>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(refused_curves)
 
-namespace GC = CGAL::Geometric_continuity;
-typedef CGAL::Exact_rational Q;
-typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Epick;
 typedef GC::Bezier_curve<Double_3> Curve;
 typedef GC::Bezier_curve<Double_3, 3> Cubic;
 typedef Double_3::Point Point;
@@ -90,8 +74,8 @@ BOOST_AUTO_TEST_CASE(domains_of_infinite_length) {
   typedef GC::Composite_bezier_curve<Double_3> Composite;
   CHECK_ERROR(Curve(points.begin(), points.end(), a, b), not_finite);
   CHECK_ERROR(Cubic(points.begin(), points.end(), a, b), not_finite);
-  const std::array<Epick::Point, 2> epick_points{Epick::Point(0, 0, 0), Epick::Point(1, 2, 0)};
-  CHECK_ERROR(GC::Bezier_curve<Epick>(epick_points.begin(), epick_points.end(), a, b), not_finite);
+  const std::array<Epick_3::Point, 2> epick_points{Epick_3::Point(0, 0, 0), Epick_3::Point(1, 2, 0)};
+  CHECK_ERROR(GC::Bezier_curve<Epick_3>(epick_points.begin(), epick_points.end(), a, b), not_finite);
   CHECK_ERROR(c.with_domain(a, b), not_finite);
   CHECK_ERROR(f.with_domain(a, b), not_finite);
   CHECK_ERROR(Composite(points.begin(), points.end(), {a, b}), not_finite);

@@ -78,11 +78,8 @@ template <class Traits> std::vector<Point<Traits>> points(int d, std::initialize
 
 // The matrix of the slides is derived when compiling.
 constexpr GC::Basis_matrix<int> constraints({{{0, 1, 0, 3}, {0, 1, 0, 2}, {0, 1, 1, 1}, {1, 1, 0, 0}}});
-static_assert(constraints.determinant() == 1 || constraints.determinant() == -1);
 static_assert(constraints.inverse() ==
               GC::Basis_matrix<int>({{{2, -3, 0, 1}, {-2, 3, 0, 0}, {1, -2, 1, 0}, {1, -1, 0, 0}}}));
-static_assert(constraints.inverse() * constraints ==
-              GC::Basis_matrix<int>({{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}));
 
 BOOST_AUTO_TEST_CASE(the_matrices_of_the_bases) {
   const Matrix hermite = matrix({{{2, -3, 0, 1}, {-2, 3, 0, 0}, {1, -2, 1, 0}, {1, -1, 0, 0}}});
@@ -157,8 +154,6 @@ BOOST_AUTO_TEST_CASE(inverse_of_a_matrix) {
     CHECK_ERROR(singular.inverse(), singular_frame);
     CHECK_ERROR(GC::change_of_basis(identity(), singular), singular_frame);
   }
-  CHECK_ERROR(GC::Basis_matrix<int>({{{2, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}}).inverse(),
-              singular_frame);
 
   // one row is all but twice another
   const FT o(0), e(1);
@@ -286,21 +281,12 @@ TEST_WITH_RANDOM_INPUT(what_the_geometry_means) {
   const std::vector<Column<Traits>> c{column<Traits>(p[0]), column<Traits>(p[1]), column<Traits>(p[2]),
                                       column<Traits>(p[3]), column<Traits>(p[4])};
   const auto check = [](const Column<Traits>& x, const Column<Traits>& y) { BOOST_CHECK(nearly_equal_columns(x, y)); };
-  const auto hermite = blended<Traits>(p, GC::Hermite_basis());
-  check(hermite.jet(FT(0), 1)[0], c[0]);
-  check(hermite.jet(FT(1), 1)[0], c[1]);
-  check(hermite.jet(FT(0), 1)[1], c[2]);
-  check(hermite.jet(FT(1), 1)[1], c[3]);
   const FT tension = random.number(), s = (FT(1) - tension) / FT(2);
   const auto cardinal = blended<Traits>(p, GC::Cardinal_basis<FT>{tension});
   check(cardinal.jet(FT(0), 1)[0], c[1]);
   check(cardinal.jet(FT(1), 1)[0], c[2]);
   check(cardinal.jet(FT(0), 1)[1], s * (c[2] - c[0]));
   check(cardinal.jet(FT(1), 1)[1], s * (c[3] - c[1]));
-  const auto bspline = blended<Traits>(p, GC::Uniform_bspline_basis()),
-             next = blended<Traits>({p[1], p[2], p[3], p[4]}, GC::Uniform_bspline_basis());
-  check(FT(6) * bspline.jet(FT(0), 0)[0], c[0] + FT(4) * c[1] + c[2]);
-  BOOST_CHECK(nearly_equal_jets(bspline.jet(FT(1), 2), next.jet(FT(0), 2)));
   const GC::Cubic_blended_curve<Traits, GC::Bezier_basis> bezier({p[0], p[1], p[2], p[3]});
   BOOST_CHECK(same_points<Traits>(bezier.bezier(), bezier.geometry()));
 

@@ -184,32 +184,6 @@ BOOST_AUTO_TEST_CASE(a_refused_curve_does_not_change_the_chain) {
 
 // ------------------------------------------------------------------- analysis of a segmented curve
 
-TEST_FOR_EACH(continuity_in_the_global_parameter, Traits, All_traits) {
-  const int n = test_dimension<Traits>;
-  typedef GC::Predicate_FT<Traits> Field;
-  // one cubic over the knots 0, 1, 2, 4
-  const Composite<Traits> cubic = composite<Traits>({{0}, {4, 0, 0, 8}, {8, 8, 4}, {8, 12, 16, 4}}, {0, 4});
-  const Composite<Traits> c = cubic.insert_knot(FT(2)).insert_knot(FT(1));
-  const GC::Composite_continuity<Traits> whole = GC::chain_continuity(c);
-  BOOST_REQUIRE_EQUAL(whole.joins.size(), 2);
-  for (const GC::Composite_join<Traits>& join : whole.joins) {
-    BOOST_CHECK_EQUAL(join.continuity.c_order, 3);
-    BOOST_CHECK_EQUAL(join.continuity.g_order, 3);
-    BOOST_CHECK_EQUAL(join.continuity.f_order, std::min(3, n));
-    BOOST_CHECK(join.continuity.betas() == numbers<Field>({1, 0, 0}));
-  }
-  BOOST_CHECK_EQUAL(whole.joins[1].left, 1);
-  BOOST_CHECK_EQUAL(whole.joins[1].right, 2);
-  BOOST_CHECK_EQUAL(whole.joins[1].knot, FT(2));
-
-  // the same points over other knots: the last segment, of length 2, is run through in 1/2
-  const std::vector<FT> knots = {FT(0), FT(1), FT(2), ratio<FT>(5, 2)};
-  const auto other = GC::chain_continuity(Composite<Traits>(c.begin(), c.end(), knots)).joins[1].continuity;
-  BOOST_CHECK_EQUAL(other.c_order, 0);
-  BOOST_CHECK_EQUAL(other.g_order, 3);
-  BOOST_CHECK(other.betas() == numbers<Field>({4, 0, 0}));
-}
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(every_join_is_that_of_two_curves, Traits, All_traits) {
   typedef GC::Predicate_FT<Traits> Field;
   Random random;

@@ -178,8 +178,7 @@ BOOST_AUTO_TEST_CASE(verdicts) {
        {GC::Join_tolerance{-1, 0, 0, 0}, GC::Join_tolerance{0, -1, 0, 0},
         GC::Join_tolerance{0, 0, std::numeric_limits<double>::quiet_NaN(), 0}, GC::Join_tolerance{0, 0, 0, -1},
         GC::Join_tolerance{GC::Enclosure{2, 1}}, GC::Join_tolerance{GC::Enclosure{-1, 1}}})
-    BOOST_CHECK_EXCEPTION(order(bad), GC::Error,
-                          [](const GC::Error& x) { return x.code() == GC::Error_code::unreachable_tolerance; });
+    CHECK_ERROR(order(bad), unreachable_tolerance);
   BOOST_CHECK_EQUAL(Verdict::proved && Verdict::undecided, Verdict::undecided);
   BOOST_CHECK_EQUAL(Verdict::undecided && Verdict::refuted, Verdict::refuted);
 }
@@ -218,10 +217,8 @@ BOOST_AUTO_TEST_CASE(order_3_in_the_plane) {
   const GC::Order_within none = GC::order_within(line, cusp, {4, 4, 4, 4, 4});
   BOOST_CHECK(none(1) == Verdict::refuted && none(3) == Verdict::refuted && none.proved_order() == 0);
   BOOST_CHECK(!none.deviation.tangent_angle && !none.deviation.curvature_jump);
-  BOOST_CHECK_EXCEPTION(within(line, cubic, -1), GC::Error,
-                        [](const GC::Error& x) { return x.code() == GC::Error_code::unreachable_tolerance; });
-  BOOST_CHECK_EXCEPTION(within(line, cubic, 0)(-1), GC::Error,
-                        [](const GC::Error& x) { return x.code() == GC::Error_code::negative_count; });
+  CHECK_ERROR(within(line, cubic, -1), unreachable_tolerance);
+  CHECK_ERROR(within(line, cubic, 0)(-1), negative_count);
 }
 
 // Rounding a blend breaks its joins by about one unit in the last place, and that is what is

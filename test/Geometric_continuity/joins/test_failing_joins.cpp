@@ -84,13 +84,10 @@ BOOST_AUTO_TEST_CASE(pairs_of_curves) {
 
 BOOST_AUTO_TEST_CASE(numbers_of_curves_differ) {
   const std::vector<Curve<double>> curves = parabola<double>(5, {});
-  const auto refused = [](const GC::Error& e) { return e.code() == GC::Error_code::wrong_number_of_points; };
-  BOOST_CHECK_EXCEPTION(
-      (void)GC::failing_joins(curves.begin(), curves.end(), curves.begin(), curves.end() - 1, GC::is_g2_join),
-      GC::Error, refused);
-  BOOST_CHECK_EXCEPTION(
-      (void)GC::failing_joins(curves.begin(), curves.begin(), curves.begin(), curves.end(), GC::is_g2_join), GC::Error,
-      refused);
+  CHECK_ERROR(GC::failing_joins(curves.begin(), curves.end(), curves.begin(), curves.end() - 1, GC::is_g2_join),
+              wrong_number_of_points);
+  CHECK_ERROR(GC::failing_joins(curves.begin(), curves.begin(), curves.begin(), curves.end(), GC::is_g2_join),
+              wrong_number_of_points);
 }
 
 // An exception of a predicate reaches the caller, also from another thread.

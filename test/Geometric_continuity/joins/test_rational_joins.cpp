@@ -91,24 +91,6 @@ TEST_FOR_EACH(points_and_weights_decide_as_jets_do, Traits, All) {
   if (GC::dimension_v<Traits> == 3) BOOST_CHECK(n.f3 > 100 && n.torsion >= n.f3 / 2);
 }
 
-// Where rounded weights decide nothing: huge, tiny, and very different ones.
-BOOST_AUTO_TEST_CASE(weights_of_any_size) {
-  typedef GC::Traits_3<CGAL::Epick> Traits;
-  typedef GC::Rational_bezier_curve<Traits> Curve;
-  Counts n;
-  for (int i = 0; i < 40; ++i) {
-    std::vector<Traits::Point> p;
-    for (int j = 0; j <= 3; ++j) p.push_back(point<Traits>());
-    const auto parts = GC::Bezier_curve<Traits>(p.begin(), p.end()).split(0.5);
-    const Curve right = Curve(parts.second).reparametrised(std::ldexp(1., 10 * (below(41) - 20)));
-    std::vector<double> v(right.weights().begin(), right.weights().end());
-    if (i % 4 == 0) v[2] = std::nextafter(v[2], 2 * v[2]); // by one unit in the last place
-    compare<Traits>(parts.first, Curve(right.begin(), right.end(), v.begin(), v.end()), n);
-  }
-  BOOST_CHECK_EQUAL(n.g1, 40);
-  BOOST_CHECK_EQUAL(n.g2, 30);
-}
-
 // The test takes lines, for which only the ratio of two weights counts, on domains of such lengths,
 // and a degree for which no factor is exact.
 BOOST_AUTO_TEST_CASE(weights_and_domains_beyond_all_filters) {

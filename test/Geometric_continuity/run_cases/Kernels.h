@@ -6,6 +6,7 @@
 
 #include "Case.h"
 
+#include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity.h>
 #include <CGAL/number_utils.h>
 
@@ -33,6 +34,19 @@ template <class FT> FT from_rational(const Exact_rational& x) {
     return CGAL::to_double(x);
   else
     return FT(x);
+}
+
+inline Exact_rational denominator(const Exact_rational& x) {
+  CGAL::Fraction_traits<Exact_rational>::Numerator_type p;
+  CGAL::Fraction_traits<Exact_rational>::Denominator_type q;
+  CGAL::Fraction_traits<Exact_rational>::Decompose()(x, p, q);
+  return Exact_rational(q);
+}
+
+// f(value) for the value of this name. Returns whether there is one.
+template <class Function, class... Value>
+bool with_choice(const std::string& name, Function f, const std::pair<const char*, Value>&... choice) {
+  return ((name == choice.first && (f(choice.second), true)) || ...);
 }
 
 // Input of a case in the types of a traits class.

@@ -42,6 +42,12 @@ public:
   }
   template <class Function> void predicate(const std::string& path, Function f) { add(path, Source::predicate, f); }
   template <class Function> void consequence(const std::string& path, Function f) { add(path, Source::consequence, f); }
+  template <class Function> void add(const std::string& path, Source s, Function f) {
+    try {
+      put(path, s, f());
+    } catch (const CGAL::Uncertain_conversion_exception&) {
+    }
+  }
 
 private:
   // leaves of a value by its type: numbers, flags, names, optional values (null) and ranges
@@ -71,11 +77,5 @@ private:
     Leaf& l = leaves_[path];
     l.source = s;
     return l;
-  }
-  template <class Function> void add(const std::string& path, Source s, Function f) {
-    try {
-      put(path, s, f());
-    } catch (const CGAL::Uncertain_conversion_exception&) {
-    }
   }
 };

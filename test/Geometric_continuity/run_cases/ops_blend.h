@@ -14,12 +14,7 @@
 
 template <class Left, class Right>
 void report_blend_join(Report& report, const std::string& path, const Left& left, const Right& right, int order) {
-  const auto join = [&] { return GC::continuity(left, right, order); };
-  report.consequence(path + ".c_order", [&] { return join().c_order; });
-  report.consequence(path + ".g_order", [&] { return join().g_order; });
-  report.consequence(path + ".f_order", [&] { return join().f_order; });
-  report.consequence(path + ".betas", [&] { return join().betas(); });
-  report.consequence(path + ".torsion_equal", [&] { return join().torsion_equal; });
+  report_orders(report, Source::consequence, path, [&] { return GC::continuity(left, right, order); });
 }
 
 template <class Traits, class Strategy>
@@ -34,8 +29,8 @@ void run_quintic(const Input<Traits>& in, Report& report, const Strategy& strate
   });
   report.construction("energy2", [&] { return gamma.energy(2); });
   report.construction("energy3", [&] { return gamma.energy(3); });
-  report_blend_join(report, "join_start", phi, gamma, 2);
-  report_blend_join(report, "join_end", gamma, psi, 2);
+  report_blend_join(report, "join_start.", phi, gamma, 2);
+  report_blend_join(report, "join_end.", gamma, psi, 2);
   report.construction("kappa_sq_start", [&] { return start_invariants(gamma).curvature_squared; });
   report.construction("kappa_sq_end", [&] { return end_invariants(gamma).curvature_squared; });
 }
@@ -56,8 +51,8 @@ void run_septic(const Input<Traits>& in, Report& report, const Strategy& strateg
   report_end_parameters(report, "end", gamma.parameters.end);
   report.construction("energy3", [&] { return gamma.energy(3); });
   report.construction("energy4", [&] { return gamma.energy(4); });
-  report_blend_join(report, "join_start", phi, gamma, 3);
-  report_blend_join(report, "join_end", gamma, psi, 3);
+  report_blend_join(report, "join_start.", phi, gamma, 3);
+  report_blend_join(report, "join_end.", gamma, psi, 3);
   report.construction("tau_start", [&] { return torsion_if_defined(gamma.start_jet(3)); });
   report.construction("tau_end", [&] { return torsion_if_defined(gamma.end_jet(3)); });
 }
@@ -67,43 +62,28 @@ template <class Traits> bool run_blends(const Case& c, Report& report) {
   typedef typename Traits::FT FT;
   const Input<Traits> in{c};
   const std::string& strategy = c.text("strategy");
+  const auto given = [&](const char* path) {
+    return c.has(path + std::string("#")) ? in.numbers(path) : std::vector<FT>(3, FT(0));
+  };
+  bool known = false;
   if (c.op == "quintic_blend") {
-    if (strategy == "c2")
-      run_quintic(in, report, GC::Matching_second_derivative());
-    else if (strategy == "normal")
-      run_quintic(in, report, GC::Normal_offset());
-    else if (strategy == "min_second")
-      run_quintic(in, report, GC::Minimal_second_derivative());
-    else if (strategy == "near_line")
-      run_quintic(in, report, GC::Near_line());
-    else if (strategy == "energy2")
-      run_quintic(in, report, GC::Minimal_energy<2>());
-    else if (strategy == "energy3")
-      run_quintic(in, report, GC::Minimal_energy<3>());
-    else if (strategy == "free") {
-      const std::vector<FT> s = in.numbers("s");
-      run_quintic(in, report, GC::Given_parameters<FT>{s.at(0), s.at(1)});
-    } else
-      throw std::runtime_error("unknown strategy " + strategy);
+    const std::vector<FT> s = given("s");
+    known = with_choice(
+        strategy, [&](const auto& chosen) { run_quintic(in, report, chosen); },
+        std::pair("c2", GC::Matching_second_derivative()), std::pair("normal", GC::Normal_offset()),
+        std::pair("min_second", GC::Minimal_second_derivative()), std::pair("near_line", GC::Near_line()),
+        std::pair("energy2", GC::Minimal_energy<2>()), std::pair("energy3", GC::Minimal_energy<3>()),
+        std::pair("free", GC::Given_parameters<FT>{s.at(0), s.at(1)}));
   } else if (c.op == "septic_blend") {
-    if (strategy == "c3")
-      run_septic(in, report, GC::Matching_third_derivative());
-    else if (strategy == "seq_g3")
-      run_septic(in, report, GC::Sequential_g3());
-    else if (strategy == "seq_f3")
-      run_septic(in, report, GC::Sequential_f3());
-    else if (strategy == "joint_g3")
-      run_septic(in, report, GC::Joint_g3());
-    else if (strategy == "energy3_g3")
-      run_septic(in, report, GC::Minimal_energy_g3<3>());
-    else if (strategy == "energy4_g3")
-      run_septic(in, report, GC::Minimal_energy_g3<4>());
-    else if (strategy == "free") {
-      const std::vector<FT> s = in.numbers("start"), e = in.numbers("end");
-      run_septic(in, report, GC::Given_end_parameters<FT>{{s.at(0), s.at(1), s.at(2)}, {e.at(0), e.at(1), e.at(2)}});
-    } else
-      throw std::runtime_error("unknown strategy " + strategy);
+    const std::vector<FT> s = given("start"), e = given("end");
+    known = with_choice(
+        strategy, [&](const auto& chosen) { run_septic(in, report, chosen); },
+        std::pair("c3", GC::Matching_third_derivative()), std::pair("seq_g3", GC::Sequential_g3()),
+        std::pair("seq_f3", GC::Sequential_f3()), std::pair("joint_g3", GC::Joint_g3()),
+        std::pair("energy3_g3", GC::Minimal_energy_g3<3>()), std::pair("energy4_g3", GC::Minimal_energy_g3<4>()),
+        std::pair("free", GC::Given_end_parameters<FT>{{s.at(0), s.at(1), s.at(2)}, {e.at(0), e.at(1), e.at(2)}}));
   } else
     return false;
+  if (!known) throw std::runtime_error("unknown strategy " + strategy);
   return true;
 }

@@ -23,7 +23,7 @@ template <class Traits> struct Spline_input {
       for (const auto& [path, value] : c.in)
         if (path == "u" || path.find("knots.") != std::string::npos) {
           const Exact_rational scaled = c.number(path) * scale;
-          scale *= Exact_rational(denominator(scaled));
+          scale *= denominator(scaled);
         }
   }
 
@@ -57,14 +57,6 @@ template <class Traits> struct Spline_input {
     std::vector<FT> coefficients;
     for (int i = 0; i < curve.number_of_points(); ++i) coefficients.push_back(curve.coordinates(i)[0]);
     return GC::Bspline_function<FT>(curve.knots(), coefficients);
-  }
-
-  static Exact_rational denominator(const Exact_rational& x) {
-    typedef CGAL::Fraction_traits<Exact_rational> Fraction;
-    typename Fraction::Numerator_type p;
-    typename Fraction::Denominator_type q;
-    typename Fraction::Decompose()(x, p, q);
-    return Exact_rational(q);
   }
 };
 

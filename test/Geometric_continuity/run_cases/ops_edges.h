@@ -7,7 +7,6 @@
 #include "Kernels.h"
 #include "Report.h"
 
-#include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 
 // Patches of a case. Rounded kernels take all coordinates times a common denominator: whole
@@ -22,12 +21,7 @@ template <class Traits> struct Patch_input {
   explicit Patch_input(const Case& c) : c(c) {
     if constexpr (std::is_floating_point_v<FT> || std::is_same_v<FT, CGAL::Interval_nt<>>)
       for (const auto& [path, value] : c.in)
-        if (path.back() != '#') {
-          CGAL::Fraction_traits<Exact_rational>::Numerator_type n;
-          CGAL::Fraction_traits<Exact_rational>::Denominator_type d;
-          CGAL::Fraction_traits<Exact_rational>::Decompose()(Exact_rational(c.number(path) * scale), n, d);
-          scale *= Exact_rational(d);
-        }
+        if (path.back() != '#') scale *= denominator(Exact_rational(c.number(path) * scale));
   }
 
   GC::Bezier_patch<Traits> patch(const std::string& path) const {

@@ -6,18 +6,14 @@
 
 #include "Kernels.h"
 #include "Report.h"
+#include "ops_local.h"
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 
 #include <algorithm>
 
 template <class Join> void report_errata_join(Report& report, const std::string& prefix, const Join& join) {
-  report.predicate(prefix + "c_order", [&] { return join.c_order; });
-  report.predicate(prefix + "g_order", [&] { return join.g_order; });
-  report.predicate(prefix + "f_order", [&] { return join.f_order; });
-  report.predicate(prefix + "curvature_equal", [&] { return join.curvature_equal; });
-  report.predicate(prefix + "curvature_vector_equal", [&] { return join.curvature_vector_equal; });
-  report.predicate(prefix + "torsion_equal", [&] { return join.torsion_equal; });
+  report_orders(report, Source::predicate, prefix, [&] { return join; });
 }
 
 // Topic errata: the printed formulas and the corrected ones.

@@ -6,6 +6,7 @@
 
 #include "Kernels.h"
 #include "Report.h"
+#include "ops_local.h"
 
 #include <CGAL/Geometric_continuity/extensions/alternatives.h>
 #include <CGAL/Geometric_continuity/extensions/extend.h>
@@ -57,13 +58,9 @@ template <class Traits> void run_next_points(const Input<Traits>& in, Report& re
   // on unit intervals, as far as the chosen points determine the derivatives
   const GC::Bezier_curve<Traits> right =
       GC::extend(left, static_cast<GC::Frenet_order>(k), parameters).with_domain(FT(0), FT(1));
-  const auto join = [&] { return GC::continuity(left.end_jet(k), right.start_jet(k)); };
   report.predicate("join_note", [] { return std::string("on unit parameter intervals"); });
-  report.consequence("join.c_order", [&] { return join().c_order; });
-  report.consequence("join.g_order", [&] { return join().g_order; });
-  report.consequence("join.f_order", [&] { return join().f_order; });
-  report.consequence("join.curvature_vector_equal", [&] { return join().curvature_vector_equal; });
-  report.consequence("join.torsion_equal", [&] { return join().torsion_equal; });
+  report_orders(report, Source::consequence, "join.",
+                [&] { return GC::continuity(left.end_jet(k), right.start_jet(k)); });
 }
 
 // Topic hagen, the operations on points.

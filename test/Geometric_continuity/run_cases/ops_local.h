@@ -61,21 +61,27 @@ template <class Traits> bool run_invariants(const Case& c, Report& report) {
   return true;
 }
 
+// What join() returns about a join, as decisions on the input or on what was computed from it.
+template <class Function>
+void report_orders(Report& report, Source source, const std::string& prefix, const Function& join) {
+  report.add(prefix + "c_order", source, [&] { return join().c_order; });
+  report.add(prefix + "g_order", source, [&] { return join().g_order; });
+  report.add(prefix + "f_order", source, [&] { return join().f_order; });
+  report.add(prefix + "betas", source, [&] { return join().betas(); });
+  report.add(prefix + "curvature_equal", source, [&] { return join().curvature_equal; });
+  report.add(prefix + "curvature_vector_equal", source, [&] { return join().curvature_vector_equal; });
+  report.add(prefix + "torsion_equal", source, [&] { return join().torsion_equal; });
+}
+
 template <class Jet, class Join> void report_join(Report& report, const Jet& left, const Jet& right, const Join& join) {
   // the invariants of both sides are listed for a regular join only
   report.construction("kappa2_left", [&] { return join.regular ? curvature_if_defined(left) : std::nullopt; });
   report.construction("kappa2_right", [&] { return join.regular ? curvature_if_defined(right) : std::nullopt; });
   report.construction("tau_left", [&] { return join.regular ? torsion_if_defined(left) : std::nullopt; });
   report.construction("tau_right", [&] { return join.regular ? torsion_if_defined(right) : std::nullopt; });
-  report.predicate("c_order", [&] { return join.c_order; });
-  report.predicate("g_order", [&] { return join.g_order; });
-  report.predicate("f_order", [&] { return join.f_order; });
-  report.predicate("betas", [&] { return join.betas(); });
   report.predicate("regular", [&] { return join.regular; });
   report.predicate("tangent_continuous", [&] { return join.tangent_equal; });
-  report.predicate("curvature_equal", [&] { return join.curvature_equal; });
-  report.predicate("curvature_vector_equal", [&] { return join.curvature_vector_equal; });
-  report.predicate("torsion_equal", [&] { return join.torsion_equal; });
+  report_orders(report, Source::predicate, "", [&] { return join; });
 }
 
 // Topic joins.

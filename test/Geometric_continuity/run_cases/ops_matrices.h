@@ -11,17 +11,9 @@
 
 // f(basis) for the basis of this name
 template <class Function> bool with_basis(const std::string& name, Function f) {
-  if (name == "hermite")
-    f(GC::Hermite_basis());
-  else if (name == "bezier")
-    f(GC::Bezier_basis());
-  else if (name == "catmull_rom")
-    f(GC::Catmull_rom_basis());
-  else if (name == "bspline")
-    f(GC::Uniform_bspline_basis());
-  else
-    return false;
-  return true;
+  return with_choice(name, f, std::pair("hermite", GC::Hermite_basis()), std::pair("bezier", GC::Bezier_basis()),
+                     std::pair("catmull_rom", GC::Catmull_rom_basis()),
+                     std::pair("bspline", GC::Uniform_bspline_basis()));
 }
 
 template <class Traits> void read_geometry(const Input<Traits>& in, std::array<typename Traits::Point, 4>& geometry) {

@@ -7,7 +7,6 @@
 #include "Kernels.h"
 #include "Report.h"
 
-#include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -25,12 +24,8 @@ public:
 
   explicit Rational_patch_input(const Case& c) : c(c) {
     if constexpr (std::is_floating_point_v<FT>) {
-      for_each_number([&](const Exact_rational& x, Exact_rational& scale) {
-        CGAL::Fraction_traits<Exact_rational>::Numerator_type n;
-        CGAL::Fraction_traits<Exact_rational>::Denominator_type d;
-        CGAL::Fraction_traits<Exact_rational>::Decompose()(Exact_rational(x * scale), n, d);
-        scale *= Exact_rational(d);
-      });
+      for_each_number(
+          [&](const Exact_rational& x, Exact_rational& scale) { scale *= denominator(Exact_rational(x * scale)); });
       for_each_number([&](const Exact_rational& x, const Exact_rational& scale) {
         const Exact_rational scaled = x * scale;
         representable = representable && Exact_rational(CGAL::to_double(scaled)) == scaled;

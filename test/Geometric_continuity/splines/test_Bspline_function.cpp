@@ -32,26 +32,6 @@ TEST_FOR_EACH(basis_and_values_are_those_of_the_recursion, K, Kernels) {
   });
 }
 
-// (u - y)^p = sum_i (u_{i+1} - y) ... (u_{i+p} - y) N_i(u)
-TEST_FOR_EACH(marsden_identity, K, Kernels) {
-  repeat<FT>(30, [](Random<FT>& random) {
-    const int p = random.integer(0, 5);
-    const GC::Knot_vector<FT> knots = random.knots(p, p + 1);
-    const FT y = random.number();
-    std::vector<FT> c;
-    for (int i = 0; i < knots.number_of_coefficients(); ++i) {
-      FT product(1);
-      for (int j = 1; j <= p; ++j) product *= knots[i + j] - y;
-      c.push_back(product);
-    }
-    for (const FT& u : parameters(knots, random)) {
-      FT power(1);
-      for (int j = 0; j < p; ++j) power *= u - y;
-      BOOST_CHECK(close<FT>(bspline_value(knots, c, u), power, largest(c), value_roundings(p) + 6 * p));
-    }
-  });
-}
-
 TEST_FOR_EACH(greville_abscissae_reproduce_the_parameter, K, Kernels) {
   repeat<FT>(20, [](Random<FT>& random) {
     const int p = random.integer(1, 5);

@@ -8,23 +8,7 @@
 // of the normals is arctan |s(x)|. The slope s is a quadratic spline, in C1. It vanishes where
 // OpenCASCADE takes its 21 samples, at x = 1 + 4.9 i, but not between them.
 
-#include <BRepBuilderAPI_MakeFace.hxx>
-#include <BRepBuilderAPI_Sewing.hxx>
-#include <Geom_BSplineSurface.hxx>
-#include <Message.hxx>
-#include <Message_Messenger.hxx>
-#include <STEPControl_Writer.hxx>
-#include <TColStd_Array1OfInteger.hxx>
-#include <TColStd_Array1OfReal.hxx>
-#include <TColgp_Array2OfPnt.hxx>
-#include <TopoDS_Face.hxx>
-#include <gp_Pln.hxx>
-
-#include <cstddef>
-#include <cstdlib>
-#include <iostream>
-#include <string>
-#include <vector>
+#include "write_model.h"
 
 namespace {
 
@@ -57,12 +41,8 @@ void write(const std::string& file, const std::vector<double>& knots, const std:
   sewing.Add(BRepBuilderAPI_MakeFace(gp_Pln(), 0, length, -width, 0).Face());
   sewing.Add(BRepBuilderAPI_MakeFace(twisted_strip(knots, slopes), 1e-7).Face());
   sewing.Perform();
-  STEPControl_Writer writer;
-  if (sewing.NbContigousEdges() == 1 && writer.Transfer(sewing.SewedShape(), STEPControl_AsIs) == IFSelect_RetDone &&
-      writer.Write(file.c_str()) == IFSelect_RetDone)
-    return;
-  std::cerr << "make_gallery: " << file << '\n';
-  std::exit(EXIT_FAILURE);
+  require(sewing.NbContigousEdges() == 1, file);
+  write(sewing.SewedShape(), file);
 }
 
 } // namespace

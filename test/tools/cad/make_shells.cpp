@@ -16,24 +16,13 @@
 
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
-#include <Geom_Curve.hxx>
-#include <Geom_Surface.hxx>
-#include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
-#include <TopoDS_Face.hxx>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <fstream>
 #include <functional>
 #include <set>
 #include <stdexcept>
-#include <string>
 #include <variant>
-#include <vector>
 
 namespace {
 

@@ -12,16 +12,11 @@
 #define BOOST_TEST_MODULE filtered_joins
 
 #include "joins/internal/join_stages.h"
-#include "support/random.h"
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Geometric_continuity/joins/join_predicates.h>
 #include <boost/multiprecision/cpp_int.hpp>
-
-using GC::internal::Join_answer;
-using GC::internal::Join_question;
-using GC::internal::Stage;
 
 typedef GC::Traits_2<CGAL::Exact_predicates_inexact_constructions_kernel> Plane;
 // the predicates are exact although the kernel's are not
@@ -29,10 +24,6 @@ typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Space;
 typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact_space;
 template <class Traits> using Curve = GC::Bezier_curve<Traits>;
 template <class Traits> constexpr int dimension = GC::dimension_v<Traits>;
-
-const unsigned combinations[] = {stage(Stage::floating_point),
-                                 stage(Stage::floating_point) | stage(Stage::fixed_integer),
-                                 (1u << number_of_stages) - 1};
 
 // ---------------------------------------------------------------- the reference
 
@@ -42,65 +33,6 @@ template <class Traits>
 GC::Join_continuity<Q> reference(const Curve<Traits>& left, const Curve<Traits>& right, int max_order = 3) {
   const Exact_jet<Traits> x = left.template end_jet_over<Q>(3), y = right.template start_jet_over<Q>(3);
   return GC::internal::Join_decision<Q, dimension<Traits>>(x, y, max_order)();
-}
-
-Join_answer answer(bool b) { return b ? Join_answer::yes : Join_answer::no; }
-Join_answer answer(const std::optional<bool>& b) { return b ? answer(*b) : Join_answer::undefined; }
-
-Join_answer expected(const GC::Join_continuity<Q>& join, Join_question kind) {
-  switch (kind) {
-  case Join_question::curvature_vector: return answer(join.curvature_vector_equal);
-  case Join_question::torsion: return answer(join.torsion_equal);
-  case Join_question::f3: return answer(join.f_order >= 3);
-  case Join_question::g1:
-  case Join_question::g2:
-  case Join_question::g3:
-    return answer(join.g_order >= 1 + static_cast<int>(kind) - static_cast<int>(Join_question::g1));
-  default: return answer(join.c_order >= static_cast<int>(kind));
-  }
-}
-
-struct Counter {
-  std::array<std::array<long, 4>, 10> answers{};
-  std::array<std::array<long, number_of_stages>, 10> stages{};
-  long mismatches = 0;
-  long whole = 0; // decisions of everything
-};
-
-template <Join_question kind, class Traits>
-void check_kind(const Curve<Traits>& left, const Curve<Traits>& right, const GC::Join_continuity<Q>& join,
-                Counter& counter) {
-  const auto x = GC::internal::left_end(left);
-  const auto y = GC::internal::right_end(right);
-  const bool decided_before = GC::internal::requires_coincident_ends(kind) && !GC::internal::ends_meet(x, y);
-  const Join_answer truth = expected(join, kind);
-  ++counter.answers[static_cast<int>(kind)][static_cast<int>(truth)];
-  bool right_answers = true;
-  const auto count = [&](const Stages& stages) {
-    for (int s = 0; s < number_of_stages; ++s) counter.stages[static_cast<int>(kind)][s] += stages.count[s];
-  };
-  if constexpr (kind != Join_question::c0 && !GC::internal::planar_by_definition<kind, dimension<Traits>>)
-    for (const unsigned used : combinations) { // right or undecided
-      if (decided_before) break;
-      Stages some{used};
-      const Join_answer partial = decide_by_ladder<kind, dimension<Traits>, false>(x, y, some);
-      right_answers = right_answers && (partial == truth || partial == Join_answer::unknown);
-      count(some);
-    }
-  if constexpr (kind != Join_question::c0)
-    for (const unsigned used : {0u, stage(Stage::residue)}) { // without the ladder
-      if (decided_before) break;
-      Stages last{used};
-      right_answers = right_answers && decide_all_the_way<kind, dimension<Traits>, false>(x, y, last) == truth;
-      count(last);
-    }
-  Stages all{(1u << number_of_stages) - 1};
-  right_answers = right_answers && GC::internal::decide_join<kind>(left, right, all) == truth;
-  count(all);
-  if (!right_answers && counter.mismatches++ < 5)
-    BOOST_ERROR("kind " << static_cast<int>(kind) << ", expected " << static_cast<int>(truth) << "\n"
-                        << left << "\n"
-                        << right);
 }
 
 bool same(const GC::Join_continuity<Q>& x, const GC::Join_continuity<Q>& y) {
@@ -115,7 +47,7 @@ template <class Traits>
 void check_all(const Curve<Traits>& left, const Curve<Traits>& right, int max_order, Counter& counter) {
   const GC::Join_continuity<Q> truth = reference(left, right, max_order);
   GC::Join_continuity<Q> join;
-  ++counter.whole;
+  ++counter.joins;
   const GC::internal::Double_ends<dimension<Traits>> ends(GC::internal::left_end(left), GC::internal::right_end(right));
   GC::internal::decide_all_on_doubles(ends, max_order, join, GC::internal::Join_asked::all);
   bool right_answers = same(join, truth);
@@ -125,37 +57,25 @@ void check_all(const Curve<Traits>& left, const Curve<Traits>& right, int max_or
     BOOST_ERROR("order " << max_order << ", expected " << truth << ", not " << join << "\n" << left << "\n" << right);
 }
 
+template <Join_question... questions, class Function> void for_each_question(const Function& f) {
+  (f(std::integral_constant<Join_question, questions>()), ...);
+}
+template <class Function> void for_all_questions(const Function& f) {
+  for_each_question<Join_question::c0, Join_question::c1, Join_question::c2, Join_question::c3, Join_question::g1,
+                    Join_question::g2, Join_question::g3, Join_question::f3, Join_question::curvature_vector,
+                    Join_question::torsion>(f);
+}
+
 template <class Traits> void check(const Curve<Traits>& left, const Curve<Traits>& right, Counter& counter) {
   check_all(left, right, 3, counter);
-  check_all(left, right, static_cast<int>(counter.whole / 2 % 3), counter);
+  check_all(left, right, static_cast<int>(counter.joins / 2 % 3), counter);
   const GC::Join_continuity<Q> join = reference(left, right);
-  check_kind<Join_question::c0>(left, right, join, counter);
-  check_kind<Join_question::c1>(left, right, join, counter);
-  check_kind<Join_question::c2>(left, right, join, counter);
-  check_kind<Join_question::c3>(left, right, join, counter);
-  check_kind<Join_question::g1>(left, right, join, counter);
-  check_kind<Join_question::g2>(left, right, join, counter);
-  check_kind<Join_question::g3>(left, right, join, counter);
-  check_kind<Join_question::f3>(left, right, join, counter);
-  check_kind<Join_question::curvature_vector>(left, right, join, counter);
-  check_kind<Join_question::torsion>(left, right, join, counter);
+  for_all_questions([&](auto question) {
+    check_stages<decltype(question)::value, dimension<Traits>, false>(left, right, join, counter);
+  });
 }
 
 // ---------------------------------------------------------------- joins
-
-class Random : public Random_integers<std::mt19937_64> {
-public:
-  // a whole number of at most n bits, and a sign
-  double whole(int n) {
-    const double x = static_cast<double>(engine_() >> (64 - n));
-    return integer(0, 1) ? x : -x;
-  }
-  // any double with an exponent from low to high
-  double any(int low, int high) {
-    const double mantissa = 1 + static_cast<double>(engine_() >> 12) * 0x1p-52;
-    return std::ldexp(integer(0, 1) ? mantissa : -mantissa, integer(low, high));
-  }
-};
 
 template <int N> using Points = std::vector<std::array<double, N>>; // from the join inwards
 
@@ -165,14 +85,8 @@ template <int N> struct Join {
 };
 
 template <class Traits>
-Curve<Traits> curve(Points<dimension<Traits>> x, bool left, const std::pair<double, double>& domain) {
-  if (left) std::reverse(x.begin(), x.end());
-  std::vector<typename Traits::Point> points;
-  for (const auto& c : x)
-    if constexpr (dimension<Traits> == 2)
-      points.emplace_back(c[0], c[1]);
-    else
-      points.emplace_back(c[0], c[1], c[2]);
+Curve<Traits> curve(const Points<dimension<Traits>>& x, bool left, const std::pair<double, double>& domain) {
+  const std::vector<typename Traits::Point> points = points_along<Traits>(x, left);
   return Curve<Traits>(points.begin(), points.end(), domain.first, domain.second);
 }
 

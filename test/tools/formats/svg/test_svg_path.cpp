@@ -722,56 +722,43 @@ BOOST_AUTO_TEST_CASE(jets_at_the_ends_of_segments) {
   BOOST_CHECK(!GC::read_svg_path<Exact_2>("M0 0A5 4 30 0 1 5 5")[0].segments[0].is_known());
 }
 
-namespace {
-
-template <class Function> void check_code(Function f, GC::Error_code code) {
-  try {
-    f();
-    BOOST_ERROR("no error where " << to_string(code) << " is expected");
-  } catch (const GC::Error& e) {
-    BOOST_CHECK_MESSAGE(e.code() == code, e.what() << " where " << to_string(code) << " is expected");
-  }
-}
-
-} // namespace
-
 BOOST_AUTO_TEST_CASE(what_is_no_arc_is_refused) {
   typedef GC::Elliptical_arc<Exact_2> Arc;
   const Point p(0, 0), q(1, 0);
-  check_code([&] { Arc(p, p, {1, 1}); }, GC::Error_code::zero_direction);
-  check_code([&] { Arc(p, q, {0, 1}); }, GC::Error_code::parameter_outside_domain);
-  check_code([&] { Arc(p, q, {1, 0}); }, GC::Error_code::parameter_outside_domain);
-  check_code([&] { Arc(p, q, {1, 2, Q(1000000001)}); }, GC::Error_code::parameter_outside_domain);
+  CHECK_ERROR((Arc(p, p, {1, 1})), zero_direction);
+  CHECK_ERROR((Arc(p, q, {0, 1})), parameter_outside_domain);
+  CHECK_ERROR((Arc(p, q, {1, 0})), parameter_outside_domain);
+  CHECK_ERROR((Arc(p, q, {1, 2, Q(1000000001)})), parameter_outside_domain);
   const Arc unknown(p, q, {1, 2, 30});
-  check_code([&] { unknown.start_jet_over<Q>(1, Q(0)); }, GC::Error_code::parameter_outside_domain);
-  check_code([&] { unknown.end_jet_over<Q>(1, Q(0)); }, GC::Error_code::parameter_outside_domain);
-  check_code([&] { Arc(p, q, {1, 1}).start_jet_over<Q>(-1, Q(0)); }, GC::Error_code::negative_count);
+  CHECK_ERROR((unknown.start_jet_over<Q>(1, Q(0))), parameter_outside_domain);
+  CHECK_ERROR((unknown.end_jet_over<Q>(1, Q(0))), parameter_outside_domain);
+  CHECK_ERROR((Arc(p, q, {1, 1}).start_jet_over<Q>(-1, Q(0))), negative_count);
   const Segment line = GC::svg_line<Exact_2>(0, 0, 1, 1).segments[0];
-  check_code([&] { line.end_jet_over<Q>(-1, Q(0)); }, GC::Error_code::negative_count);
-  check_code([&] { GC::continuity(line, line, -1); }, GC::Error_code::negative_count);
+  CHECK_ERROR((line.end_jet_over<Q>(-1, Q(0))), negative_count);
+  CHECK_ERROR((GC::continuity(line, line, -1)), negative_count);
 }
 
 BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused) {
   typedef GC::Elliptical_arc<Double_2> Arc;
   const Double_2::Point p(0, 0), q(1, 0);
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-    check_code([&] { Arc(p, Double_2::Point(bad, 0), {1, 1}); }, GC::Error_code::not_finite);
-    check_code([&] { Arc(Double_2::Point(0, bad), q, {1, 1}); }, GC::Error_code::not_finite);
-    check_code([&] { Arc(p, q, {bad, 1}); }, GC::Error_code::not_finite);
-    check_code([&] { Arc(p, q, {1, bad}); }, GC::Error_code::not_finite);
-    check_code([&] { Arc(p, q, {1, 2, bad}); }, GC::Error_code::not_finite);
-    check_code([&] { GC::Svg_transform<Double_2>({1, 0, 0, 1, 0, bad}); }, GC::Error_code::not_finite);
-    check_code([&] { GC::svg_line<Double_2>(0, 1, bad, 3); }, GC::Error_code::not_finite);
-    check_code([&] { GC::svg_ellipse<Double_2>(0, 1, bad, 3); }, GC::Error_code::not_finite);
-    check_code([&] { GC::svg_rectangle<Double_2>(0, 1, bad, 3, 0, 0); }, GC::Error_code::not_finite);
-    check_code([&] { GC::svg_rectangle<Double_2>(0, 1, 2, 3, 0, bad); }, GC::Error_code::not_finite);
+    CHECK_ERROR((Arc(p, Double_2::Point(bad, 0), {1, 1})), not_finite);
+    CHECK_ERROR((Arc(Double_2::Point(0, bad), q, {1, 1})), not_finite);
+    CHECK_ERROR((Arc(p, q, {bad, 1})), not_finite);
+    CHECK_ERROR((Arc(p, q, {1, bad})), not_finite);
+    CHECK_ERROR((Arc(p, q, {1, 2, bad})), not_finite);
+    CHECK_ERROR((GC::Svg_transform<Double_2>({1, 0, 0, 1, 0, bad})), not_finite);
+    CHECK_ERROR((GC::svg_line<Double_2>(0, 1, bad, 3)), not_finite);
+    CHECK_ERROR((GC::svg_ellipse<Double_2>(0, 1, bad, 3)), not_finite);
+    CHECK_ERROR((GC::svg_rectangle<Double_2>(0, 1, bad, 3, 0, 0)), not_finite);
+    CHECK_ERROR((GC::svg_rectangle<Double_2>(0, 1, 2, 3, 0, bad)), not_finite);
   }
   // sizes that differ so much that of lambda, 1/lambda, k_x or k_y nothing is left
-  check_code([&] { Arc(p, q, {1e200, 1e200}); }, GC::Error_code::parameter_outside_domain);
-  check_code([&] { Arc(p, q, {1e155, 1e155}); }, GC::Error_code::parameter_outside_domain);
-  check_code([&] { Arc(p, {1, 1}, {1e200, 1e-200}); }, GC::Error_code::parameter_outside_domain);
-  check_code([&] { Arc(p, {1, 1}, {1e-200, 1e200}); }, GC::Error_code::parameter_outside_domain);
-  check_code([&] { GC::parse_svg_transform<Double_2>("scale(1e200)scale(1e200)"); }, GC::Error_code::not_finite);
+  CHECK_ERROR((Arc(p, q, {1e200, 1e200})), parameter_outside_domain);
+  CHECK_ERROR((Arc(p, q, {1e155, 1e155})), parameter_outside_domain);
+  CHECK_ERROR((Arc(p, {1, 1}, {1e200, 1e-200})), parameter_outside_domain);
+  CHECK_ERROR((Arc(p, {1, 1}, {1e-200, 1e200})), parameter_outside_domain);
+  CHECK_ERROR((GC::parse_svg_transform<Double_2>("scale(1e200)scale(1e200)")), not_finite);
   // sums beyond the largest number are found where they stand
   const auto message = [](const char* data) { return error([&] { GC::read_svg_path<Double_2>(data); }); };
   for (const char* data : {"M1e308 0l1e308 0", "M1e308 0h1e308", "M-1e308-1e308Q1e308 0 1e308 1T0 0"})
@@ -926,15 +913,9 @@ BOOST_AUTO_TEST_CASE(transforms_of_css) {
 }
 
 BOOST_AUTO_TEST_CASE(view_boxes) {
-  const auto map = [](const std::string& box, const std::string& ratio, int width, int height) {
-    const Transform m =
-        GC::svg_view_box_map<Exact_2>(GC::parse_svg_view_box<Q>(box), GC::parse_svg_aspect_ratio(ratio), width, height);
-    return text(m(Point(5, 5))) + ' ' + text(m(Point(15, 15)));
-  };
-  BOOST_CHECK_EQUAL(map("5 5 10 10", "xMidYMid", 30, 20), "5,0 25,20");
-  BOOST_CHECK_EQUAL(map("5,5,10,10", "xMaxYMid meet", 30, 20), "10,0 30,20");
-  BOOST_CHECK_EQUAL(map("5 5 10 10", "xMinYMax slice", 30, 20), "0,-10 30,20");
-  BOOST_CHECK_EQUAL(map("5 5 10 10", " none ", 30, 20), "0,0 30,20");
+  const Transform map = GC::svg_view_box_map<Exact_2>(GC::parse_svg_view_box<Q>("5,5,10,10"),
+                                                      GC::parse_svg_aspect_ratio("xMaxYMid meet"), 30, 20);
+  BOOST_CHECK_EQUAL(text(map(Point(5, 5))) + ' ' + text(map(Point(15, 15))), "10,0 30,20");
   for (const char* bad : {"xMidYmid", "xMid", "xMidYMid meet slice", "xMidYMid fit", "", "defer xMidYMid", "XMidYMid"})
     BOOST_CHECK_NE(error([&] { GC::parse_svg_aspect_ratio(bad); }), "no error");
   for (const char* bad : {"", "1 2 3", "1 2 3 4 5", "1 2 3 4,", "1 2 -3 4", "1 2 3 4px"})
