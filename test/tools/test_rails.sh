@@ -269,6 +269,25 @@ sed 's/ radius="500"//' profile.xml >bare.xml && run 1 verify bare.xml && says o
 sed 's/>143.879/>x143.879/' track.xml >bad.xml && refused "bad.xml:5: not a number: 'x143.87912809452'" verify bad.xml
 sed 's/radians/gon/g' track.xml >unit.xml && refused "the unit of angles 'gon'" verify unit.xml
 
+# --max-curvature: a curvature that only rises or falls is largest at an end
+bent() { # CODE BOUND LENGTH CURVE TEXT...
+  ifc bent.ifc "$start #5=$4; $(segment 10 DISCONTINUOUS 2 "$3" 5) $(segment 11 DISCONTINUOUS 2 0. 3) #20=IFCCOMPOSITECURVE((#10,#11),.F.);"
+  run "$1" verify bent.ifc --max-curvature "$2" && says out "${@:5}" && valid bent.ifc --max-curvature "$2"
+}
+bent 0 1/400 100. "IFCCIRCLE(#2,400.)" "#10 (line 9): bend IFCCIRCLE, curvature 0.0025" "every join and every piece of the plan is what is claimed, or bent by at most the curvature 1/400, proved"
+bent 1 0.00249 -100. "IFCCIRCLE(#2,400.)" "not bent by at most the curvature 0.00249" "1 of them" "2 bend (1 bent too much)"
+bent 0 1/400 100. "IFCCLOTHOID(#2,200.)" "curvature 0.0025 at its end"
+bent 0 0.1 10. "IFCSECONDORDERPOLYNOMIALSPIRAL(#2,10.,\$,\$)" "curvature 0.1 at its end"
+bent 1 1 30. "IFCSECONDORDERPOLYNOMIALSPIRAL(#2,10.,-5.,\$)" "not covered: a curvature that does not only rise or only fall"
+bent 0 0.0045 100. "IFCCOSINESPIRAL(#2,400.,500.)" "curvature 0.0045 at its start"
+bent 1 0.0044999 -100. "IFCCOSINESPIRAL(#2,400.,500.)" "curvature 0.0045 at its start" "(1 bent too much)"
+bent 0 1/100 100. "IFCSINESPIRAL(#2,-6283.18530717959,100.,\$)" "curvature 0.01 at its end"
+bent 1 1 100. "IFCSINESPIRAL(#2,-600.,100.,\$)" "does not only rise or only fall"
+bent 0 1 3. "IFCPOLYNOMIALCURVE(#2,(0.,1.),(0.,0.,0.5),\$)" "IFCPOLYNOMIALCURVE, bent by at most the curvature 1"
+bent 1 0.999 -3. "IFCPOLYNOMIALCURVE(#2,(0.,1.),(0.,0.,0.5),\$)" "curvature 1 at u = 0"
+run 0 verify track.xml --min-radius 400 && run 1 verify track.xml --min-radius 400.001 --json && says out '"kind":"bend","curve":"Alignment' '"met":false'
+run 0 verify --allow-uncovered --gap 1 design.ifc --min-radius 100 && says out "design horizontal" "bend CLOTHOID, curvature"
+
 valid plan.ifc && valid design.ifc cosine.ifc backwards.ifc && valid track.xml profile.xml elsewhere.xml wrong.xml
 # numbers beyond those of floating-point numbers
 sed 's/constant="[0-9.]*"/constant="1e400"/' track.xml >huge.xml

@@ -136,8 +136,8 @@ mil-std-31000a 0.01,2deg.
 than K, one over a length in the units of the coordinates, and --min-radius R
 that its radius of curvature is nowhere less than R, which is K = 1/R. This is
 decided exactly, for the curves between the joins, also of fonts, in units of
-the font, and of the reference lines of roads; the bound may be reached. It is
-not for surfaces and CAD models.
+the font, and of the plan of roads and alignments; the bound may be reached. It
+is not for surfaces and CAD models.
 Corners at the joins are those that --require G1 asks for. Where a curve exceeds
 the bound, the report names the place where it is bent most.
 
@@ -374,7 +374,8 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
   }
   line.refuse({"glyphs", "worst", "max-kink", "off-by"}, "only for fonts");
   const GC::Work_scope each(line.work_limit());
-  if (are_cad_files(files)) refuse_bound("not for CAD models: it bounds curves of .g2, drawings, fonts and roads");
+  if (are_cad_files(files))
+    refuse_bound("not for CAD models: it bounds curves of .g2, drawings, fonts, roads and alignments");
   if (are_cad_files(files))
     return verify_cad(files, mode, cad_demand(line, required),
                       {Cad_drawing::none, line.length("sew"), line.seconds("time-limit", 60)});
@@ -392,8 +393,9 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
   if (rails != 0) {
     if (rails != static_cast<std::ptrdiff_t>(files.size()))
       throw std::invalid_argument("alignments (.ifc, LandXML) and other files cannot be verified together");
-    refuse_bound("not for alignments: of roads it bounds the reference lines of OpenDRIVE");
-    return verify_rails(files, mode, rail_demand(line, required));
+    Rail_demand demand = rail_demand(line, required);
+    demand.bound = bound;
+    return verify_rails(files, mode, demand);
   }
   line.refuse({"gap", "kink", "curvature"}, "only for road networks and alignments");
   const auto drawings = std::count_if(files.begin(), files.end(), is_drawing_file);

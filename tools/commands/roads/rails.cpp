@@ -5,6 +5,7 @@
 #include "commands/roads/rails.h"
 
 #include "commands/roads/alignment_words.h"
+#include "commands/roads/road_curvature.h"
 #include "files/input.h"
 #include "formats/ifc/read_ifc.h"
 #include "formats/landxml/read_landxml.h"
@@ -58,7 +59,7 @@ class Rail_report {
   Report report_;
   const bool several_;
   std::string file_;
-  std::size_t files_ = 0, curves_ = 0;
+  std::size_t files_ = 0, curves_ = 0, bent_ = 0; // pieces that are bent too much
   std::map<std::string, std::size_t> kinds_;
   std::map<std::string, std::array<Claimed, 3>> claims_; // of the kinds
   std::set<std::string> values_;                         // the kinds that are numbers, and no joins
@@ -70,6 +71,11 @@ class Rail_report {
     s.required_in_json =
         "\"required\":" + (demand.order ? "\"G" + std::to_string(*demand.order) + '"' : std::string("null"));
     s.proof = "proved";
+    if (demand.bound) {
+      demand_curvature(s, *demand.bound);
+      s.noun = "join";
+      s.every = "every join and every piece of the plan";
+    }
     return s;
   }
   bool is_text() const { return report_.mode().format == Report_format::text; }
@@ -160,6 +166,52 @@ class Rail_report {
     return text;
   }
 
+  // The decision about a check or a piece, in words, as members of a JSON object, and as a claim.
+  struct Told {
+    std::string kind, curve, place;
+    long long line;
+    std::string words, fault, json;
+    Given given;
+    Finding_rule rule;
+    std::optional<Measure> measure;
+  };
+
+  void tell(const Told& t) {
+    const Claim claim = t.given.claim;
+    if (is_text())
+      report_.row("records",
+                  GC::printable((several_ ? file_ + ": " : "") + t.curve + ", " + t.place +
+                                (t.line > 0 ? " (line " + std::to_string(t.line) + ")" : "") + ": " + t.words +
+                                (t.fault.empty() ? "" : " - " + t.fault)) +
+                      '\n',
+                  claim);
+    else
+      report_.row("records",
+                  ",\n {" + (several_ ? "\"file\":" + json_text(file_) + ',' : "") + t.json +
+                      ",\"line\":" + std::to_string(t.line) + ",\"met\":" +
+                      (claim == Claim::met       ? "true"
+                       : claim == Claim::not_met ? "false"
+                                                 : "null") +
+                      '}',
+                  claim);
+    report_.add(file_, t.given, false, [&] {
+      Finding f;
+      f.file = file_;
+      f.line = t.line;
+      f.kind = t.kind;
+      f.place = t.curve + ", " + t.place;
+      f.rule = claim == Claim::undecided     ? Finding_rule::undecided
+               : claim == Claim::not_covered ? Finding_rule::not_verified
+                                             : t.rule;
+      f.message = t.words + (t.fault.empty() ? "" : ", " + t.fault);
+      f.properties = t.json;
+      f.object = t.curve;
+      f.spot = t.kind + ", " + t.place;
+      f.measure = t.measure;
+      return f;
+    });
+  }
+
   void add(const Rail_check& check, const Q& precision) {
     ++kinds_[check.kind];
     if (check.difference) values_.insert(check.kind);
@@ -195,44 +247,40 @@ class Rail_report {
       }
     const std::string verdict = !reason.empty() ? "not covered: " + reason : words(check, d);
     keep_worst(check, d);
-    const std::string prefix = several_ ? file_ + ": " : "";
-    if (is_text())
-      report_.row("records",
-                  GC::printable(prefix + check.curve + ", " + check.place +
-                                (check.line > 0 ? " (line " + std::to_string(check.line) + ")" : "") + ": " +
-                                check.kind + (check.claim.empty() ? "" : ' ' + check.claim) + ", " + verdict +
-                                (fault.empty() ? "" : " - " + fault)) +
-                      '\n',
-                  given.claim);
-    else
-      report_.row("records",
-                  ",\n {" + (several_ ? "\"file\":" + json_text(file_) + ',' : "") + json(check, d) +
-                      (reason.empty() ? "" : ",\"reason\":" + json_text(reason)) +
-                      ",\"line\":" + std::to_string(check.line) + ",\"met\":" +
-                      (given.claim == Claim::met       ? "true"
-                       : given.claim == Claim::not_met ? "false"
-                                                       : "null") +
-                      '}',
-                  given.claim);
-    report_.add(file_, given, false, [&] {
-      Finding f;
-      f.file = file_;
-      f.line = check.line;
-      f.kind = check.kind;
-      f.place = check.curve + ", " + check.place;
-      f.rule = given.claim == Claim::undecided     ? Finding_rule::undecided
-               : given.claim == Claim::not_covered ? Finding_rule::not_verified
-                                                   : rule;
-      f.message = check.kind + (check.claim.empty() ? "" : ' ' + check.claim) + ", " + verdict +
-                  (fault.empty() ? "" : ", " + fault);
-      f.properties = json(check, d);
-      f.object = check.curve;
-      f.spot = check.kind + ", " + check.place;
-      if (d.join && rule == Finding_rule::gap) f.measure = Measure{"gap", d.join->gap};
-      if (d.join && rule == Finding_rule::curvature && d.join->jump)
-        f.measure = Measure{"curvature_jump", *d.join->jump};
-      return f;
-    });
+    std::optional<Measure> size;
+    if (d.join && rule == Finding_rule::gap) size = Measure{"gap", d.join->gap};
+    if (d.join && rule == Finding_rule::curvature && d.join->jump) size = Measure{"curvature_jump", *d.join->jump};
+    tell({check.kind, check.curve, check.place, check.line,
+          check.kind + (check.claim.empty() ? "" : ' ' + check.claim) + ", " + verdict, fault,
+          json(check, d) + (reason.empty() ? "" : ",\"reason\":" + json_text(reason)), given, rule, size});
+  }
+
+  // Decides the bound on the curvature of a piece.
+  void add(const Rail_piece& piece) {
+    ++kinds_["bend"];
+    Given given{Claim::met, "piece of a plan"};
+    Bend found;
+    if (!piece.not_covered.empty())
+      given = {Claim::not_covered, given.noun, piece.not_covered};
+    else {
+      found = bend(*piece.geometry, *demand_.bound);
+      given.claim = found.claim;
+      bent_ += found.claim == Claim::not_met;
+      if (found.claim == Claim::undecided) given.reason = "where it ends is not known well enough";
+      const double bound = CGAL::to_double(demand_.bound->curvature);
+      if (piece.rounded && found.curvature && found.curvature->lower <= bound && bound <= found.curvature->upper)
+        given = {Claim::undecided, given.noun, "the bound lies inside of the bounds"};
+    }
+    const std::string verdict =
+        piece.not_covered.empty() ? found.words(*demand_.bound, "") : "not covered: " + given.reason;
+    std::optional<Measure> size;
+    if (given.claim == Claim::not_met && found.curvature) size = Measure{"curvature", *found.curvature};
+    tell({"bend", piece.curve, piece.place, piece.line, "bend " + piece.shape + ", " + verdict,
+          given.claim == Claim::not_met ? "not " + demand_.bound->words : "",
+          "\"kind\":\"bend\",\"curve\":" + json_text(piece.curve) + ",\"place\":" + json_text(piece.place) +
+              ",\"claim\":null" + ",\"shape\":" + json_text(piece.shape) + ",\"curvature\":" +
+              json_text(found.curvature) + (given.reason.empty() ? "" : ",\"reason\":" + json_text(given.reason)),
+          given, Finding_rule::bend, size});
   }
 
   void keep_worst(const Rail_check& check, const Decided& d) {
@@ -251,6 +299,8 @@ class Rail_report {
     curves_ += rails.curves;
     const Q precision = rails.precision.value_or(Q(Q(1) / 100000));
     for (const Rail_check& check : rails.checks) add(check, precision);
+    if (demand_.bound)
+      for (const Rail_piece& piece : rails.pieces) add(piece);
     for (const std::string& note : rails.notes)
       if (is_text())
         report_.row("notes", GC::printable((several_ ? file_ + ": " : "") + "note: " + note) + '\n', Claim::met);
@@ -284,6 +334,7 @@ class Rail_report {
     const char* separator = ": ";
     for (const auto& [kind, n] : kinds_) {
       os << separator << n << ' ' << kind;
+      if (kind == "bend" && bent_ > 0) os << " (" << bent_ << " bent too much)";
       separator = ", ";
     }
     os << '\n';

@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_ROADS_RAILS_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_ROADS_RAILS_H
 
+#include "commands/chains/curvature_bound.h"
 #include "commands/command_line.h"
 #include "commands/commands.h"
 
@@ -19,6 +20,7 @@ struct Rail_demand {
   std::optional<CGAL::Exact_rational> gap = {}, kink = {};
   CGAL::Exact_rational curvature = CGAL::Exact_rational(CGAL::Exact_rational(1) / 1000000);
   std::optional<int> order = {}; // up to which claims are decided, and which is asked where nothing is claimed
+  std::optional<Curvature_bound> bound = {}; // of pieces in the plan
 };
 
 // Returns whether a file has alignments that verify_rails() reads.

@@ -73,15 +73,10 @@ std::pair<FT, FT> end_of_graph(const std::vector<FT>& p, const FT& length) {
   return {certain, to};
 }
 
-// The decision about a piece: whether it meets the bound, and its largest curvature where that is
-// known, with the place.
-struct Bend {
-  Claim claim = Claim::met;
-  std::optional<GC::Enclosure> curvature = {};
-  std::string at = {};
-};
+} // namespace
 
-Bend bend(const GC::Road_geometry& g, const FT& bound) {
+Bend bend(const GC::Road_geometry& g, const Curvature_bound& given_bound) {
+  const FT bound(given_bound.curvature);
   if (!GC::is_polynomial(g)) {
     const bool is_bent = g.shape != GC::Road_shape::line;
     const FT start = is_bent ? FT(CGAL::abs(g.parameters.front())) : FT(0),
@@ -114,12 +109,15 @@ Bend bend(const GC::Road_geometry& g, const FT& bound) {
           std::string(" at ") + (is_graph ? "u = " : "p = ") + rounded(at.lower / 2 + at.upper / 2, 6)};
 }
 
-} // namespace
+std::string Bend::words(const Curvature_bound& bound, const char* unit) const {
+  if (curvature) return "curvature " + road_words::size(*curvature, unit) + at;
+  return claim == Claim::met ? bound.words : "curvature without a bound, as in a cusp," + at;
+}
 
 Road_claim decide_curvature(const GC::Road& road, const GC::Road_geometry& piece, const Curvature_bound& bound) {
   static constexpr const char* shapes[] = {"line", "arc", "spiral", "poly3", "paramPoly3"};
   const std::string shape = shapes[static_cast<int>(piece.shape)];
-  const Bend found = bend(piece, FT(bound.curvature));
+  const Bend found = bend(piece, bound);
   Road_claim claim;
   claim.kind = "bend";
   claim.road = road.id;
@@ -129,13 +127,7 @@ Road_claim decide_curvature(const GC::Road& road, const GC::Road_geometry& piece
   claim.rule = Finding_rule::bend;
   claim.given = {found.claim, "piece of a reference line",
                  found.claim == Claim::undecided ? "where it ends is not known well enough" : ""};
-  claim.verdict = shape + ", ";
-  if (found.curvature)
-    claim.verdict += "curvature " + road_words::size(*found.curvature, "/m") + found.at;
-  else if (found.claim == Claim::met)
-    claim.verdict += bound.words;
-  else
-    claim.verdict += "curvature without a bound, as in a cusp," + found.at;
+  claim.verdict = shape + ", " + found.words(bound, "/m");
   if (found.claim == Claim::not_met) {
     claim.fault = "not " + bound.words;
     if (found.curvature) claim.measure = Measure{"curvature", *found.curvature};

@@ -106,6 +106,7 @@ struct Segment {
   std::uint64_t id = 0;
   long long line = 0;
   std::string claim; // the Transition
+  std::string shape; // the type of its curve
   std::optional<GC::Alignment_end> start, end;
   std::optional<Q> length; // 0 or more, where it is known
   bool rounded = false;    // directions and curvatures have pi or roots in them
@@ -116,8 +117,40 @@ struct Segment {
     Q length;
   };
   std::optional<Place_on_graph> turned_from;
+  std::optional<GC::Road_geometry> bend; // a piece with the same curvatures
   std::string not_covered;
 };
+
+// A piece whose curvature goes from one number to another, and only rises or falls.
+GC::Road_geometry bend_between(const Q& k0, const Q& k1) {
+  GC::Road_geometry g;
+  g.shape = k0 == k1 ? (k0 == 0 ? GC::Road_shape::line : GC::Road_shape::arc) : GC::Road_shape::spiral;
+  if (k0 != k1)
+    g.parameters = {k0, k1};
+  else if (k0 != 0)
+    g.parameters = {k0};
+  return g;
+}
+
+// Returns whether a curvature only rises or only falls, by the signs of the coefficients of its
+// derivative in Bernstein's form, and by the wave in it.
+bool only_rises_or_falls(const GC::Curvature_law& law) {
+  const std::size_t n = law.polynomial.empty() ? 0 : law.polynomial.size() - 1;
+  if (law.cosine != 0) return n == 0 && law.sine == 0 && law.sine_over_turn == 0;
+  const Q wave = Q(2 * long_pi() * law.sine + law.sine_over_turn);
+  if (wave != 0) return n == 1 && absolute(wave) <= absolute(law.polynomial[1]);
+  bool rises = true, falls = true;
+  for (std::size_t i = 0; i < n; ++i) { // b_i = sum of C(i, j) / C(n - 1, j) (j + 1) p_(j + 1)
+    Q b(0), ratio(1);
+    for (std::size_t j = 0; j <= i; ++j) {
+      b = Q(b + ratio * static_cast<int>(j + 1) * law.polynomial[j + 1]);
+      if (j < i) ratio = Q(ratio * static_cast<int>(i - j) / static_cast<int>(n - 1 - j));
+    }
+    rises = rises && !(b < 0);
+    falls = falls && !(b > 0);
+  }
+  return rises || falls;
+}
 
 class Ifc_reader {
   const Step_file file_;
@@ -228,6 +261,7 @@ class Ifc_reader {
       const Entity& vector = at(file_.reference(a[1], curve), curve);
       const Q magnitude = file_.number(file_.arguments(vector, 2)[1], vector);
       const Q l = measure(length, segment, [&](const Q& x) { return Q(x * magnitude); });
+      s.bend = bend_between(Q(0), Q(0));
       return set_ends(s, GC::Clothoid_segment(p.x, p.y, p.heading, Q(0), Q(0), absolute(l)));
     }
     if (curve.type == "IFCCIRCLE") {
@@ -235,6 +269,7 @@ class Ifc_reader {
       if (!(radius > 0)) file_.refuse(curve, "a radius that is not positive");
       const Q l = measure(length, segment, [&](const Q& x) { return Q(x * radians_ * radius); });
       const Q k = Q((l < 0 ? -1 : 1) / radius);
+      s.bend = bend_between(k, k);
       return set_ends(s, GC::Clothoid_segment(p.x, p.y, p.heading, k, k, absolute(l)));
     }
     const auto same = [](const Q& x) { return x; }; // files give parameters of spirals as lengths
@@ -243,7 +278,20 @@ class Ifc_reader {
     const std::optional<Parent_curvature> k = spiral(curve);
     if (!k) throw Not_covered{"a segment of " + curve.type};
     s.rounded = k->has_waves() && from != 0;
-    set_ends(s, GC::Clothoid_segment(p.x, p.y, p.heading, law(*k, from, l), absolute(l)));
+    const GC::Curvature_law bent = law(*k, from, l);
+    if (l == 0 || only_rises_or_falls(bent)) s.bend = bend_between(bent.at_start(), bent.at_end());
+    set_ends(s, GC::Clothoid_segment(p.x, p.y, p.heading, bent, absolute(l)));
+  }
+
+  // A graph over a distance, or of a length.
+  static GC::Road_geometry bend_of_graph(const GC::Parametric_cubic::Coefficients& v, const Q& size, bool by_length) {
+    GC::Road_geometry g;
+    g.length = size;
+    g.parameters.assign(v.begin(), v.end());
+    g.shape = by_length ? GC::Road_shape::poly3 : GC::Road_shape::param_poly3;
+    g.range = GC::Road_parameter_range::arc_length;
+    if (!by_length) g.parameters.insert(g.parameters.begin(), {Q(0), Q(1), Q(0), Q(0)});
+    return g;
   }
 
   void read_polynomial(Segment& s, const Placement& p, const Step_value& start, const Step_value& length,
@@ -275,6 +323,7 @@ class Ifc_reader {
     const Q forwards(l < 0 ? -1 : 1);
     const GC::Heading frame = p.heading.turned(forwards, Q(-v[1]));
     const GC::Parametric_cubic::Coefficients u = {Q(0), forwards, Q(0), Q(0)}, w = {v[0], v[1], v[2], v[3]};
+    s.bend = bend_of_graph(w, absolute(l), by_length);
     if (!by_length) {
       const GC::Parametric_cubic c(p.x, p.y, frame, u, w, absolute(l));
       s.start = c.start();
@@ -380,6 +429,7 @@ class Ifc_reader {
     try {
       const Placement p = placement(file_.reference(a[1], entity), entity);
       const Entity& curve = at(file_.reference(a[4], entity), entity);
+      s.shape = curve.type;
       if (is_cant)
         read_cant(s, p, a[2], a[3], entity, curve);
       else
@@ -388,6 +438,12 @@ class Ifc_reader {
       s.not_covered = what.reason;
     }
     return s;
+  }
+
+  void add_piece(const std::string& kind, const std::string& curve, const Segment& s) {
+    Rail_piece piece{kind, curve, hash(s.id), s.line, s.shape, s.bend, s.rounded, s.not_covered};
+    if (!s.bend && s.not_covered.empty()) piece.not_covered = "a curvature that does not only rise or only fall";
+    result_.pieces.push_back(std::move(piece));
   }
 
   static void set_rounded(Rail_check& check, const Segment& before, const Segment& next) {
@@ -416,6 +472,7 @@ class Ifc_reader {
     std::optional<Segment> before;
     for (const std::uint64_t segment_id : ids) {
       Segment next = read_segment(segment_id, curve, is_cant);
+      if (kind == "horizontal") add_piece(kind, curve.type + " " + hash(id), next);
       if (before) {
         Rail_check check;
         check.kind = kind;
@@ -527,9 +584,11 @@ class Ifc_reader {
       const GC::Heading heading(Q(number(3) * radians_));
       const Q k0 = curvature(number(4)), k1 = curvature(number(5)), length = number(6);
       const std::string_view type = a[8].text;
+      s.shape = std::string(type);
       if (length < 0) throw Not_covered{"a negative length"};
       if (type == "LINE" || type == "CIRCULARARC" || type == "CLOTHOID") {
         if (k0 != k1 && type != "CLOTHOID") throw Not_covered{"radii that differ, and no transition"};
+        s.bend = bend_between(k0, k1);
         return set_ends(s, GC::Clothoid_segment(p[0], p[1], heading, k0, k1, length));
       }
       if (type == "CUBIC") {
@@ -540,6 +599,7 @@ class Ifc_reader {
                 second = k0 == 0 ? Q(0) : Q(-3 * b * length);
         const GC::Parametric_cubic c(p[0], p[1], heading.turned(Q(1), Q(-slope)), {Q(0), Q(1), Q(0), Q(0)},
                                      {Q(0), slope, second, b}, length);
+        s.bend = bend_of_graph({Q(0), slope, second, b}, length, false);
         s.start = c.start();
         s.end = c.end();
         s.length = length;
@@ -551,7 +611,8 @@ class Ifc_reader {
       if (type == "COSINECURVE") law = Law::cosine_curve();
       if (type == "SINECURVE") law = Law::sine_curve();
       if (type == "VIENNESEBEND") law = Law::viennese_bend();
-      if (type == "HELMERTCURVE") { // two halves: 2 w^2, then 1 - 2 (1 - w)^2
+      if (law || type == "HELMERTCURVE") s.bend = bend_between(k0, k1); // all of them only rise or fall
+      if (type == "HELMERTCURVE") {                                     // two halves: 2 w^2, then 1 - 2 (1 - w)^2
         const Q middle = Q((k0 + k1) / 2), half = Q(length / 2);
         const GC::Clothoid_segment first(p[0], p[1], heading, Law::between(k0, middle, {{Q(0), Q(0), Q(1)}}), half);
         const GC::Clothoid_segment second(Q(0), Q(0), first.end_heading(),
@@ -662,6 +723,7 @@ class Ifc_reader {
         } catch (const Not_covered& what) {
           next.not_covered = what.reason;
         }
+      if (kind == "design horizontal") add_piece(kind, curve, next);
       if (before && kind == "design cant" && next.not_covered.empty() && before->not_covered.empty())
         add_cant(*entity_before, design, before->id, next.id, curve);
       else if (before) {

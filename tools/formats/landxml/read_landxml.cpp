@@ -551,6 +551,23 @@ class Landxml_reader : Xml_reader {
     }
   }
 
+  // The curvatures of all spirals that are read only rise or only fall.
+  void add_piece(const Element& e, std::size_t i, const Piece& p) {
+    Rail_piece piece{"horizontal", "Alignment " + alignment_, name(e, i), e.line, e.type};
+    piece.rounded = p.rounded;
+    const std::optional<Q> k0 = e.type == "Line" ? Q(0) : p.k0, k1 = e.type == "Line" ? Q(0) : p.k1;
+    if (!p.not_covered.empty())
+      piece.not_covered = p.not_covered;
+    else if (!k0 || !k1)
+      piece.not_covered = "an element without a radius";
+    else {
+      piece.geometry.emplace();
+      piece.geometry->shape = GC::Road_shape::spiral;
+      piece.geometry->parameters = {*k0, *k1};
+    }
+    result_.pieces.push_back(std::move(piece));
+  }
+
   void decide(Alignment_text& plan) {
     alignment_ = plan.name;
     elements_ = std::move(plan.elements);
@@ -576,6 +593,7 @@ class Landxml_reader : Xml_reader {
           c.not_covered = "an element without start or end";
         result_.checks.push_back(std::move(c));
       }
+      add_piece(e, i, p);
       check_end(e, i, p);
       check_spiral(e, i, p);
       check_delta(e, i, p);

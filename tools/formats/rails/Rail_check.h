@@ -8,6 +8,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/joins/alignment_join.h>
+#include <CGAL/Geometric_continuity/models/Road_network.h>
 
 #include <CGAL/number_utils.h>
 
@@ -78,10 +79,23 @@ struct Rail_check {
   std::string not_covered = {}; // why nothing is decided; empty where there are ends or a difference
 };
 
+// A piece in the plan, for a bound on its curvature.
+struct Rail_piece {
+  std::string kind, curve, place; // as in Rail_check
+  long long line = 0;
+  std::string shape;
+  // Whose curvatures are those of the piece: a line, an arc, a polynomial, or a spiral where the
+  // curvature only rises or falls.
+  std::optional<GC::Road_geometry> geometry = {};
+  bool rounded = false; // its curvatures are rational numbers close to the true ones
+  std::string not_covered = {};
+};
+
 // The alignments of a file.
 struct Rail_file {
   std::size_t curves = 0; // that have joins
   std::vector<Rail_check> checks;
+  std::vector<Rail_piece> pieces;
   std::vector<std::string> notes;                     // in words
   std::optional<CGAL::Exact_rational> precision = {}; // that the file gives: a tolerance of positions
 };
