@@ -30,14 +30,6 @@ template <class Traits> void check_refused(const GC::Tessellation<Traits>& t, GC
   }
 }
 
-BOOST_AUTO_TEST_CASE(each_format_has_all_coordinates) {
-  for (const GC::Mesh_format format : formats) {
-    std::ostringstream os;
-    GC::write_mesh(os, triangle(), format);
-    BOOST_CHECK(contains(os.str(), "0 1 0.10000000000000001"));
-  }
-}
-
 BOOST_AUTO_TEST_CASE(triangles_without_points_are_refused) {
   Tessellation t = triangle();
   t.triangles.push_back({1, 2, 3});

@@ -243,26 +243,6 @@ BOOST_AUTO_TEST_CASE(offset_curves) {
   check_is(e, 0, 0, 0);
 }
 
-BOOST_AUTO_TEST_CASE(placements) {
-  // a rotation by 3-4-5 about z with a shift, and a mirror at x = 0
-  const GC::Cad_placement turned{{{0.6, -0.8, 0, 5}, {0.8, 0.6, 0, -2}, {0, 0, 1, 9}}};
-  auto [a, b] = fillet(2);
-  a.placement = b.placement = turned;
-  GC::Edge_enclosure e = GC::edge_enclosure(a, b, -1, 5);
-  check_is(e, 0, 0, 1);
-  // a half of a shape that is mirrored to the other half: the planes and cylinders continue each
-  // other
-  auto [c, d] = fillet(2);
-  GC::Edge_side image = d;
-  image.placement = mirrored;
-  e = GC::edge_enclosure(d, image, -1, 5);
-  check_is(e, 0, 0, 0);
-  e = GC::edge_enclosure(c, image, -1, 5);
-  check_is(e.angle->value, 0, 1e-8);
-  check_is(e.curvature_jump->value, 1, 0);
-  check_samples(c, image, -1, 5, e, 100);
-}
-
 template <class Random> GC::Cad_spline_surface random_surface(Random& random, bool rational) {
   std::uniform_real_distribution<double> noise(-0.1, 0.1), weight(0.5, 2);
   GC::Cad_spline_surface s{3, 2, clamped(3, {0.25, 0.5, 0.5, 0.875}), clamped(2, {0.375}), {}, {}};

@@ -85,15 +85,12 @@ BOOST_AUTO_TEST_CASE(constructed_edges) {
 BOOST_AUTO_TEST_CASE(planes) {
   for (int x = 0; x < 3; ++x) {
     const auto patch = [&](int u, int v) {
-      std::vector<std::vector<Kernel::Point_3>> net(2);
-      for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j) {
-          Q p[3] = {Q(0), Q(0), Q(0)};
-          p[x] = Q(i * u);
-          p[(x + 1) % 3] = Q(j * v);
-          net[i].push_back({p[0], p[1], p[2]});
-        }
-      return Patch<Kernel>(net);
+      return Patch<Kernel>(net_of(2, 2, [&](int i, int j) {
+        Q p[3] = {Q(0), Q(0), Q(0)};
+        p[x] = Q(i * u);
+        p[(x + 1) % 3] = Q(j * v);
+        return Kernel::Point_3(p[0], p[1], p[2]);
+      }));
     };
     const Patch<Kernel> a = patch(1, 1), b = patch(1, -2), line = patch(1, 0);
     const auto verdict = GC::edge_continuity(a, v0, b, v0);
@@ -116,10 +113,7 @@ BOOST_AUTO_TEST_CASE(knot_lines) {
   typedef Kernel::Point_3 Point;
   const GC::Knot_vector<Q> u(1, {Q(0), Q(0), Q(1), Q(2), Q(2)});
   const auto surface = [&](const Q& z, const GC::Knot_vector<Q>& v, int points) {
-    std::vector<std::vector<Point>> net(3);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < points; ++j) net[i].push_back(Point(Q(i), Q(j), j < 2 ? Q(0) : z));
-    return Surface(net, u, v);
+    return Surface(net_of(3, points, [&](int i, int j) { return Point(Q(i), Q(j), j < 2 ? Q(0) : z); }), u, v);
   };
   const auto certificates = [&](const Surface& s) {
     for (const auto& line : GC::knot_line_continuity(s))

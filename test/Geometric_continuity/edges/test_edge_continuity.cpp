@@ -252,11 +252,7 @@ TEST_FOR_EACH(one_unit_in_the_last_place, K, All_kernels) {
   BOOST_REQUIRE_EQUAL(GC::edge_continuity(p[0], v0, p[1], v0).g_order, 2);
   for (int layer = 0; layer < 3; ++layer)
     for (int i = 0; i <= p[1].degree_u(); ++i) {
-      std::vector<std::vector<typename K::Point_3>> net;
-      for (int k = 0; k <= p[1].degree_u(); ++k) {
-        net.emplace_back();
-        for (int j = 0; j <= 2; ++j) net.back().push_back(p[1].control_point(k, j));
-      }
+      auto net = net_of(p[1].degree_u() + 1, 3, [&](int k, int j) { return p[1].control_point(k, j); });
       typename K::Point_3& b = net[i][layer];
       FT z = b.z();
       if constexpr (is_exact<FT>)
@@ -416,8 +412,7 @@ BOOST_AUTO_TEST_CASE(angles_of_measures) {
   BOOST_CHECK(Deviation::angle(Q(2)).lower <= pi && pi < Deviation::angle(Q(2)).upper);
   BOOST_CHECK(Deviation::angle(Q(1)).lower <= pi / 2 && pi / 2 < Deviation::angle(Q(1)).upper);
   for (const Q& outside : {Q(Q(-1) / 8), Q(Q(17) / 8)})
-    BOOST_CHECK_EXCEPTION((void)Deviation::angle(outside), GC::Error,
-                          [](const GC::Error& e) { return e.code() == GC::Error_code::parameter_outside_domain; });
+    CHECK_ERROR(Deviation::angle(outside), parameter_outside_domain);
   // tiny angles keep their accuracy
   const GC::Enclosure tiny = Deviation::angle(Q(Q(1) / Q(1e40)));
   BOOST_CHECK_CLOSE(tiny.lower, 1e-20, 1e-13);

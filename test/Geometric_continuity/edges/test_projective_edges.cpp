@@ -15,16 +15,13 @@ template <class K> using Rational_patch = GC::Rational_bezier_patch<GC::Traits_3
 // origin.
 template <class K, class FT = typename K::FT> Rational_patch<K> projected(const Patch<K>& s) {
   typedef typename Rational_patch<K>::Homogeneous Homogeneous;
-  std::vector<std::vector<typename Homogeneous::Point>> net(s.degree_u() + 1);
-  for (int i = 0; i <= s.degree_u(); ++i)
-    for (int j = 0; j <= s.degree_v(); ++j) {
-      const auto x = s.coordinates(i, j);
-      typename Homogeneous::Point p(4);
-      for (int k = 0; k < 3; ++k) p[k] = x[k];
-      p[3] = FT(1) + (x[0] + FT(2) * x[1] + FT(3) * x[2]) / FT(1000);
-      net[i].push_back(p);
-    }
-  return Rational_patch<K>(Homogeneous(net));
+  return Rational_patch<K>(Homogeneous(net_of(s.degree_u() + 1, s.degree_v() + 1, [&](int i, int j) {
+    const auto x = s.coordinates(i, j);
+    typename Homogeneous::Point p(4);
+    for (int k = 0; k < 3; ++k) p[k] = x[k];
+    p[3] = FT(1) + (x[0] + FT(2) * x[1] + FT(3) * x[2]) / FT(1000);
+    return p;
+  })));
 }
 
 typedef std::tuple<CGAL::Simple_cartesian<Q>, CGAL::Epeck> Exact_kernels;

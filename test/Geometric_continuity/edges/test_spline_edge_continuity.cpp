@@ -228,13 +228,12 @@ BOOST_AUTO_TEST_CASE(numbers_are_taken_as_they_are) {
   const Surface<K> low = in<K>(spline(wave, knots(0, 4, {1}), knots(0, 1))),
                    high = in<K>(spline(wave, knots(0, 4, {1}), knots(1, 2)));
   const auto moved = [&](int i, int j) {
-    std::vector<std::vector<K::Point_3>> net(high.number_of_points_u());
-    for (int k = 0; k < high.number_of_points_u(); ++k)
-      for (int l = 0; l < high.number_of_points_v(); ++l) {
-        const K::Point_3& p = high.control_point(k, l);
-        net[k].emplace_back(p.x(), p.y(), k == i && l == j ? std::nextafter(p.z(), 1e9) : p.z());
-      }
-    return Surface<K>(net, high.knots_u(), high.knots_v());
+    const auto point = [&](int k, int l) {
+      const K::Point_3& p = high.control_point(k, l);
+      return K::Point_3(p.x(), p.y(), k == i && l == j ? std::nextafter(p.z(), 1e9) : p.z());
+    };
+    return Surface<K>(net_of(high.number_of_points_u(), high.number_of_points_v(), point), high.knots_u(),
+                      high.knots_v());
   };
   BOOST_CHECK_EQUAL(edge_continuity(low, v1, high, v0).g_order, 2);
   // different on the last span
@@ -242,15 +241,11 @@ BOOST_AUTO_TEST_CASE(numbers_are_taken_as_they_are) {
   BOOST_CHECK_EQUAL(spans(edge_continuity(low, v1, moved(4, 1), v0)), "0 G2 1 G0 4");
   BOOST_CHECK_EQUAL(spans(edge_continuity(low, v1, moved(4, 2), v0)), "0 G2 1 G1 4");
   // a knot that is one unit in the last place away
-  const Surface<K> near(std::vector<std::vector<K::Point_3>>{{K::Point_3(0, 0, 0), K::Point_3(0, 1, 0)},
-                                                             {K::Point_3(1, 0, 0), K::Point_3(1, 1, 0)},
-                                                             {K::Point_3(2, 0, 1), K::Point_3(2, 1, 1)}},
-                        GC::Knot_vector<double>(1, {0, 0, std::nextafter(0.1, 1.0), 1, 1}),
-                        GC::Knot_vector<double>(1, {0, 0, 1, 1}));
-  const Surface<K> exact({{K::Point_3(0, 0, 0), K::Point_3(0, 1, 0)},
-                          {K::Point_3(1, 0, 0), K::Point_3(1, 1, 0)},
-                          {K::Point_3(2, 0, 1), K::Point_3(2, 1, 1)}},
-                         GC::Knot_vector<double>(1, {0, 0, 0.1, 1, 1}), GC::Knot_vector<double>(1, {0, 0, 1, 1}));
+  const auto with_knot = [](double t) {
+    return Surface<K>(net_of(3, 2, [](int i, int j) { return K::Point_3(i, j, i == 2); }),
+                      GC::Knot_vector<double>(1, {0, 0, t, 1, 1}), GC::Knot_vector<double>(1, {0, 0, 1, 1}));
+  };
+  const Surface<K> exact = with_knot(0.1), near = with_knot(std::nextafter(0.1, 1.0));
   BOOST_CHECK(edge_continuity(exact, v0, exact, v0).whole_a);
   BOOST_CHECK(!edge_continuity(near, v0, exact, v0).whole_a);
 }

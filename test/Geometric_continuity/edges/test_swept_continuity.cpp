@@ -16,89 +16,63 @@ template <class FT> bool is_at(const GC::Sweep_defect<FT>& p, const FT& begin, c
   return p.begin == begin && p.end == end;
 }
 
+// The one defect at a parameter, with all that is told about it.
+template <class Surface, class FT> void check_defect(const Surface& s, const FT& at, const std::string& expected) {
+  const auto d = sweep_defects(s);
+  BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
+  const auto& p = d.points[0];
+  BOOST_CHECK(is_at(p, at, at) && !d.degenerate);
+  BOOST_CHECK_EQUAL(text(p.multiplicity, p.on_axis ? ", on axis" : "", p.zero_tangent ? ", zero tangent" : "",
+                         p.smooth_pole ? ", smooth pole" : "", p.normal_flips ? ", flips" : ""),
+                    expected);
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(defects_of_revolution, Traits, Deciding_kernels) {
   typedef GC::Bezier_curve<Traits> C;
   typedef GC::Edge_field<Traits> Field;
-  const typename Traits::Point a(0, 0, 0);
-  const typename Traits::Vector w(0, 0, 2);
   const auto revolve = [&](std::initializer_list<std::array<int, 3>> rows) {
-    return GC::Revolution_surface_3<C>(int_curve<Traits>(rows), a, w);
+    return GC::Revolution_surface_3<C>(int_curve<Traits>(rows), typename Traits::Point(0, 0, 0),
+                                       typename Traits::Vector(0, 0, 2));
   };
-  const Field third = Field(Field(1) / Field(3)), half = Field(Field(1) / Field(2));
+  const Field third = Field(Field(1) / Field(3)), half = Field(Field(1) / Field(2)), one(1);
 
   // a cone through its tip, in the plane x = y: r = 1 - 3t
   auto s = revolve({{1, 1, 0}, {-2, -2, 5}});
-  auto d = sweep_defects(s);
-  BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
-  BOOST_CHECK(is_at(d.points[0], third, third) && d.points[0].on_axis && !d.points[0].zero_tangent &&
-              !d.points[0].smooth_pole && d.points[0].multiplicity == 1 && d.points[0].normal_flips && !d.degenerate);
+  check_defect(s, third, "1, on axis, flips");
   BOOST_CHECK(sign_pattern(*signed_radius(s)) == Sign_pattern::mixed);
   BOOST_CHECK((*signed_radius(s))(third) == Field(0));
   // on either side of the tip the normal is opposite
   if constexpr (std::is_same_v<Traits, Exact>) BOOST_CHECK(s.normal(Q(0), Q(1)) * s.normal(Q(1), Q(1)) < 0);
-
   // the tip at the end: nothing flips
-  d = sweep_defects(revolve({{3, 0, 0}, {0, 0, 5}}));
-  BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
-  BOOST_CHECK(is_at(d.points[0], Field(1), Field(1)) && d.points[0].on_axis && !d.points[0].normal_flips);
-
-  // ends on the axis at a right angle, in a plane and not; a disc
-  for (const auto& dome : {revolve({{3, 0, 0}, {3, 0, 3}, {0, 0, 3}}), revolve({{1, 2, 0}, {1, 1, 3}, {0, 0, 3}}),
-                           revolve({{1, 0, 3}, {0, 0, 3}})}) {
-    d = sweep_defects(dome);
-    BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
-    BOOST_CHECK(is_at(d.points[0], Field(1), Field(1)) && d.points[0].on_axis && d.points[0].smooth_pole);
-  }
-  d = sweep_defects(revolve({{3, 0, 0}, {0, 0, 3}, {0, 0, 3}})); // on the axis without a tangent
-  BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
-  BOOST_CHECK(d.points[0].on_axis && d.points[0].zero_tangent && !d.points[0].smooth_pole);
-
+  check_defect(revolve({{3, 0, 0}, {0, 0, 5}}), one, "1, on axis");
+  // ends on the axis at a right angle, in a plane and not; a disc; on the axis without a tangent
+  check_defect(revolve({{3, 0, 0}, {3, 0, 3}, {0, 0, 3}}), one, "1, on axis, smooth pole");
+  check_defect(revolve({{1, 2, 0}, {1, 1, 3}, {0, 0, 3}}), one, "1, on axis, smooth pole");
+  check_defect(revolve({{1, 0, 3}, {0, 0, 3}}), one, "1, on axis, smooth pole");
+  check_defect(revolve({{3, 0, 0}, {0, 0, 3}, {0, 0, 3}}), one, "3, on axis, zero tangent");
   // a vase, no defect
   s = revolve({{2, 0, 0}, {5, 0, 1}, {1, 0, 3}, {2, 0, 4}});
-  d = sweep_defects(s);
-  BOOST_CHECK(!d.degenerate && d.points.empty());
+  BOOST_CHECK(!sweep_defects(s).degenerate && sweep_defects(s).points.empty());
   BOOST_CHECK(sign_pattern(*signed_radius(s)) == Sign_pattern::positive);
-
   // r = (1 - 2t)^2 touches the axis: r' vanishes there, c' does not, and the normal keeps its side
   s = revolve({{0, 1, 0}, {0, -1, 1}, {0, 1, 2}});
-  d = sweep_defects(s);
-  BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
-  BOOST_CHECK(is_at(d.points[0], half, half) && d.points[0].on_axis && d.points[0].multiplicity == 2 &&
-              !d.points[0].normal_flips);
+  check_defect(s, half, "2, on axis");
   BOOST_CHECK(sign_pattern(*signed_radius(s)) == Sign_pattern::nonnegative);
-
   // a skew line through the axis at its middle is no line in a plane through it, unless it meets
   // it: here it does
-  d = sweep_defects(revolve({{1, 2, 0}, {-1, -2, 3}}));
-  BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
-  BOOST_CHECK(is_at(d.points[0], half, half));
+  check_defect(revolve({{1, 2, 0}, {-1, -2, 3}}), half, "1, on axis, flips");
   // a skew line makes a hyperboloid: no defect, no signed radius
   s = revolve({{1, 2, 0}, {1, -2, 3}});
   BOOST_CHECK(sweep_defects(s).points.empty() && !signed_radius(s));
-
   // a profile that is not planar and crosses the axis: x = 1 - 2t, y = (1 - 2t)^2
   s = revolve({{1, 1, 0}, {0, -1, 1}, {-1, 1, 2}});
-  d = sweep_defects(s);
-  BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
-  BOOST_CHECK(is_at(d.points[0], half, half) && d.points[0].on_axis && d.points[0].normal_flips);
+  check_defect(s, half, "1, on axis, flips");
   BOOST_CHECK(!signed_radius(s));
-
   // tangent to a parallel: z = (1 - 2t)^2, (x, y) runs along (1, 1 - 2t)
-  d = sweep_defects(revolve({{1, 1, 1}, {1, 0, -1}, {1, -1, 1}}));
-  BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
-  BOOST_CHECK(is_at(d.points[0], half, half) && !d.points[0].on_axis && !d.points[0].zero_tangent &&
-              d.points[0].normal_flips);
-
-  // a cusp off the axis, one on it
-  d = sweep_defects(revolve({{2, 0, 0}, {3, 0, 4}, {2, 0, 0}}));
-  BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
-  BOOST_CHECK(is_at(d.points[0], half, half) && !d.points[0].on_axis && d.points[0].zero_tangent &&
-              d.points[0].normal_flips);
-  d = sweep_defects(revolve({{1, 0, 1}, {-1, 0, -1}, {1, 0, 1}})); // (1 - 2t)^2 (1, 0, 1)
-  BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
-  BOOST_CHECK(d.points[0].on_axis && d.points[0].zero_tangent && d.points[0].multiplicity == 3 &&
-              d.points[0].normal_flips);
-
+  check_defect(revolve({{1, 1, 1}, {1, 0, -1}, {1, -1, 1}}), half, "1, flips");
+  // a cusp off the axis, one on it: (1 - 2t)^2 (1, 0, 1)
+  check_defect(revolve({{2, 0, 0}, {3, 0, 4}, {2, 0, 0}}), half, "1, zero tangent, flips");
+  check_defect(revolve({{1, 0, 1}, {-1, 0, -1}, {1, 0, 1}}), half, "3, on axis, zero tangent, flips");
   // nothing but defects: on the axis, a point off it
   for (const auto& profile :
        {revolve({{0, 0, 1}, {0, 0, 3}, {0, 0, 4}}), revolve({{1, 2, 3}}), revolve({{1, 2, 3}, {1, 2, 3}})}) {
@@ -112,27 +86,21 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(defects_of_extrusion, Traits, Deciding_kernels) {
   typedef GC::Bezier_curve<Traits> C;
   typedef GC::Edge_field<Traits> Field;
   const auto extrude = [&](std::initializer_list<std::array<int, 3>> rows) {
-    return sweep_defects(GC::Extrusion_surface_3<C>(int_curve<Traits>(rows), typename Traits::Vector(0, 0, 3)));
+    return GC::Extrusion_surface_3<C>(int_curve<Traits>(rows), typename Traits::Vector(0, 0, 3));
   };
   const Field half = Field(Field(1) / Field(2));
-  BOOST_CHECK(extrude({{0, 0, 0}, {1, 2, 3}, {4, 0, 0}}).points.empty());
-  // x = (1 - 2t)^2: folds at 1/2, where c' = (0, 0, c) is parallel to w
-  auto d = extrude({{1, 0, 0}, {-1, 0, 1}, {1, 0, 2}});
-  BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
-  BOOST_CHECK(is_at(d.points[0], half, half) && !d.points[0].on_axis && !d.points[0].zero_tangent &&
-              d.points[0].normal_flips);
-  // x = (1 - 2t)^3: parallel to w, but no fold
-  d = extrude({{1, 0, 0}, {-1, 0, 1}, {1, 0, 2}, {-1, 0, 3}});
-  BOOST_REQUIRE_EQUAL(d.points.size(), 1u);
-  BOOST_CHECK(d.points[0].multiplicity == 2 && !d.points[0].normal_flips);
+  BOOST_CHECK(sweep_defects(extrude({{0, 0, 0}, {1, 2, 3}, {4, 0, 0}})).points.empty());
+  // x = (1 - 2t)^2: folds at 1/2, where c' = (0, 0, c) is parallel to w; x = (1 - 2t)^3: no fold
+  check_defect(extrude({{1, 0, 0}, {-1, 0, 1}, {1, 0, 2}}), half, "1, flips");
+  check_defect(extrude({{1, 0, 0}, {-1, 0, 1}, {1, 0, 2}, {-1, 0, 3}}), half, "2");
   // both ends, and a zero tangent
-  d = extrude({{1, 0, 0}, {1, 0, 1}, {2, 0, 5}, {2, 0, 5}});
+  const auto d = sweep_defects(extrude({{1, 0, 0}, {1, 0, 1}, {2, 0, 5}, {2, 0, 5}}));
   BOOST_REQUIRE_EQUAL(d.points.size(), 2u);
   BOOST_CHECK(is_at(d.points[0], Field(0), Field(0)) && !d.points[0].zero_tangent && !d.points[0].normal_flips);
   BOOST_CHECK(is_at(d.points[1], Field(1), Field(1)) && d.points[1].zero_tangent && !d.points[1].normal_flips);
   // nothing but defects: along w, a point
-  BOOST_CHECK(extrude({{1, 1, 0}, {1, 1, 4}, {1, 1, 2}}).degenerate);
-  BOOST_CHECK(extrude({{1, 1, 0}}).degenerate);
+  BOOST_CHECK(sweep_defects(extrude({{1, 1, 0}, {1, 1, 4}, {1, 1, 2}})).degenerate);
+  BOOST_CHECK(sweep_defects(extrude({{1, 1, 0}})).degenerate);
 }
 
 BOOST_AUTO_TEST_CASE(defects_of_random_profiles) {

@@ -13,14 +13,12 @@
 // A biquadratic patch over the square [x, x+1] x [y, y+1], with the control points (x + i/2, y +
 // j/2, h(2x+i, 2y+j)).
 template <class Height> Net height_net(int x, int y, Height h) {
-  Net net(3, std::vector<Column>(3));
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      net[i][j] = {Q(Q(2 * x + i) / Q(2)), Q(Q(2 * y + j) / Q(2)), Q(h(2 * x + i, 2 * y + j))};
-  return net;
+  return net_of(3, 3, [&](int i, int j) {
+    return Column{Q(Q(2 * x + i) / Q(2)), Q(Q(2 * y + j) / Q(2)), Q(h(2 * x + i, 2 * y + j))};
+  });
 }
 
-template <class Model, class... Arguments>
+template <class Model>
 const typename decltype(Model::edges)::value_type* find_edge(const Model& model, std::size_t patch, Patch_edge edge) {
   for (const auto& e : model.edges)
     if ((e.patch_a == patch && e.edge_a == edge) || (e.patch_b == patch && e.edge_b == edge)) return &e;
@@ -114,10 +112,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(model_with_poles, K, All_kernels) {
   BOOST_CHECK(meridian.vanishing && meridian.vanishing->first == 0 && meridian.vanishing->second == 0);
 
   // one patch that closes up along a meridian
-  Net tube(5, std::vector<Column>(2));
   const int ring[5][2] = {{1, 0}, {1, 4}, {-4, 0}, {1, -4}, {1, 0}};
-  for (int i = 0; i < 5; ++i)
-    for (int j = 0; j < 2; ++j) tube[i][j] = {Q(ring[i][0]), Q(ring[i][1]), Q(j)};
+  const Net tube = net_of(5, 2, [&](int i, int j) { return Column{Q(ring[i][0]), Q(ring[i][1]), Q(j)}; });
   const auto closed = GC::model_continuity(patches<K>({tube}));
   BOOST_CHECK_EQUAL(text(*find_edge(closed, 0, u0)), "0 u0 - 0 u1: G2");
   BOOST_CHECK_EQUAL(text(closed.summary), "1 G2, 0 G1, 0 G0, 2 boundary, 0 collapsed");
@@ -129,9 +125,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(model_with_poles, K, All_kernels) {
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(non_manifold_model, K, All_kernels) {
   const auto flat = [](int, int) { return 0; };
-  Net wall(3, std::vector<Column>(2)); // upright on the edge x = 1 of the first two
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 2; ++j) wall[i][j] = {Q(1), Q(Q(2 - i) / Q(2)), Q(j)};
+  // upright on the edge x = 1 of the first two
+  const Net wall = net_of(3, 2, [](int i, int j) { return Column{Q(1), Q(Q(2 - i) / Q(2)), Q(j)}; });
   const std::vector<Patch<K>> p = patches<K>({height_net(0, 0, flat), height_net(1, 0, flat), wall});
   const auto model = GC::model_continuity(p);
   BOOST_CHECK_EQUAL(text(model.summary), "1 G2, 0 G1, 1 G0 (1 creases), 9 boundary, 0 collapsed, 2 non-manifold");

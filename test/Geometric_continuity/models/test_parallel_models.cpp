@@ -6,6 +6,7 @@
 // decimals, and the same model in whole numbers that are doubles, are decided alike, edge by edge.
 
 #include "support/limited.h"
+#include "support/net_of.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/models/model_continuity.h>
@@ -62,80 +63,68 @@ template <class Traits> typename Traits::Point point(const std::vector<int>& x) 
 }
 
 // The patch (i, j), possibly turned.
-template <class Traits> std::vector<std::vector<typename Traits::Point>> net(const Grid_of_points& grid, int i, int j) {
-  std::vector<std::vector<typename Traits::Point>> points(4);
-  for (int k = 0; k < 4; ++k)
-    for (int l = 0; l < 4; ++l) {
-      const int turn = (i + 2 * j) % 3, a = turn == 1 ? 3 - k : k, b = turn == 2 ? 3 - l : l;
-      points[k].push_back(point<Traits>(grid.p[3 * i + a][3 * j + b]));
-    }
-  return points;
+template <class Traits> auto net(const Grid_of_points& grid, int i, int j) {
+  return net_of(4, 4, [&](int k, int l) {
+    const int turn = (i + 2 * j) % 3, a = turn == 1 ? 3 - k : k, b = turn == 2 ? 3 - l : l;
+    return point<Traits>(grid.p[3 * i + a][3 * j + b]);
+  });
 }
 
-template <class Traits, class FT = typename Traits::FT> GC::Knot_vector<typename Traits::FT> unit_knots() {
-  return GC::Knot_vector<FT>(3, FT(0), FT(1));
+template <class FT> GC::Knot_vector<FT> unit_knots() { return GC::Knot_vector<FT>(3, FT(0), FT(1)); }
+
+// The surfaces that f(i, j) makes of each patch, or of each so many in a row.
+template <class F> auto surfaces(const Grid_of_points& grid, F f, int length = 1) {
+  std::vector<decltype(f(0, 0))> result;
+  for (int i = 0; i + length <= grid.n; i += length)
+    for (int j = 0; j < grid.n; ++j) result.push_back(f(i, j));
+  return result;
 }
 
 struct Patches {
   template <class Traits> static auto model(const Grid_of_points& grid, Random&) {
-    std::vector<GC::Bezier_patch<Traits>> patches;
-    for (int i = 0; i < grid.n; ++i)
-      for (int j = 0; j < grid.n; ++j) patches.emplace_back(net<Traits>(grid, i, j));
-    return patches;
+    return surfaces(grid, [&](int i, int j) { return GC::Bezier_patch<Traits>(net<Traits>(grid, i, j)); });
   }
 };
 struct Surfaces_without_inner_knots {
-  template <class Traits> static auto model(const Grid_of_points& grid, Random&) {
-    std::vector<GC::Bspline_surface<Traits>> surfaces;
-    for (int i = 0; i < grid.n; ++i)
-      for (int j = 0; j < grid.n; ++j)
-        surfaces.emplace_back(net<Traits>(grid, i, j), unit_knots<Traits>(), unit_knots<Traits>());
-    return surfaces;
+  template <class Traits, class FT = typename Traits::FT> static auto model(const Grid_of_points& grid, Random&) {
+    return surfaces(grid, [&](int i, int j) {
+      return GC::Bspline_surface<Traits>(net<Traits>(grid, i, j), unit_knots<FT>(), unit_knots<FT>());
+    });
   }
 };
 // Strips of several patches, over triple knots.
 struct Surfaces_with_inner_knots {
-  template <class Traits> static auto model(const Grid_of_points& grid, Random&) {
-    typedef typename Traits::FT FT;
+  template <class Traits, class FT = typename Traits::FT> static auto model(const Grid_of_points& grid, Random&) {
     const int length = 2;
-    std::vector<GC::Bspline_surface<Traits>> surfaces;
-    for (int i = 0; i + length <= grid.n; i += length)
-      for (int j = 0; j < grid.n; ++j) {
-        std::vector<std::vector<typename Traits::Point>> points(3 * length + 1);
-        for (int k = 0; k <= 3 * length; ++k)
-          for (int l = 0; l < 4; ++l) points[k].push_back(point<Traits>(grid.p[3 * i + k][3 * j + l]));
-        surfaces.emplace_back(points, GC::Knot_vector<FT>(3, FT(0), FT(length), {{FT(1), 3}}), unit_knots<Traits>());
-      }
-    return surfaces;
+    const auto strip = [&](int i, int j) {
+      return GC::Bspline_surface<Traits>(
+          net_of(3 * length + 1, 4, [&](int k, int l) { return point<Traits>(grid.p[3 * i + k][3 * j + l]); }),
+          GC::Knot_vector<FT>(3, FT(0), FT(length), {{FT(1), 3}}), unit_knots<FT>());
+    };
+    return surfaces(grid, strip, length);
   }
 };
 // All weights of a patch are equal, but not those of two of them.
 struct Rational_patches_with_equal_weights {
-  template <class Traits> static auto model(const Grid_of_points& grid, Random& random) {
-    typedef typename Traits::FT FT;
-    std::vector<GC::Rational_bezier_patch<Traits>> patches;
-    for (int i = 0; i < grid.n; ++i)
-      for (int j = 0; j < grid.n; ++j)
-        patches.emplace_back(net<Traits>(grid, i, j),
-                             std::vector<std::vector<FT>>(4, std::vector<FT>(4, FT(random.integer(1, 9)))));
-    return patches;
+  template <class Traits, class FT = typename Traits::FT>
+  static auto model(const Grid_of_points& grid, Random& random) {
+    return surfaces(grid, [&](int i, int j) {
+      const FT weight(random.integer(1, 9));
+      return GC::Rational_bezier_patch<Traits>(net<Traits>(grid, i, j), net_of(4, 4, [&](int, int) { return weight; }));
+    });
   }
 };
 // Weights that are symmetric in each patch, times a number for each patch; a few differ from those
 // of their neighbours.
 struct Rational_surfaces {
-  template <class Traits> static auto model(const Grid_of_points& grid, Random& random) {
-    typedef typename Traits::FT FT;
-    std::vector<GC::Rational_bspline_surface<Traits>> surfaces;
-    for (int i = 0; i < grid.n; ++i)
-      for (int j = 0; j < grid.n; ++j) {
-        const int factor = random.integer(1, 9), inner = random.integer(0, 9) == 0 ? 3 : 2;
-        std::vector<std::vector<FT>> weights(4, std::vector<FT>(4, FT(factor)));
-        for (int k = 0; k < 4; ++k)
-          for (int l = 0; l < 4; ++l) weights[k][l] *= FT((k % 3 == 0 ? 1 : inner) * (l % 3 == 0 ? 1 : 3));
-        surfaces.emplace_back(net<Traits>(grid, i, j), weights, unit_knots<Traits>(), unit_knots<Traits>());
-      }
-    return surfaces;
+  template <class Traits, class FT = typename Traits::FT>
+  static auto model(const Grid_of_points& grid, Random& random) {
+    return surfaces(grid, [&](int i, int j) {
+      const int factor = random.integer(1, 9), inner = random.integer(0, 9) == 0 ? 3 : 2;
+      const auto weight = [&](int k, int l) { return FT(factor * (k % 3 == 0 ? 1 : inner) * (l % 3 == 0 ? 1 : 3)); };
+      return GC::Rational_bspline_surface<Traits>(net<Traits>(grid, i, j), net_of(4, 4, weight), unit_knots<FT>(),
+                                                  unit_knots<FT>());
+    });
   }
 };
 typedef boost::mpl::list<Patches, Surfaces_without_inner_knots, Surfaces_with_inner_knots,
@@ -220,28 +209,25 @@ BOOST_AUTO_TEST_CASE(splines_over_simple_knots) {
     };
     const Knots all = knots(0, parts * spans);
     const int m = all.number_of_coefficients();
-    std::vector<std::vector<Exact_3::Point>> net(m);
-    for (int i = 0; i < m; ++i)
-      for (int j = 0; j < m; ++j)
-        net[i].push_back({Q(1296 * (100 * i + random.integer(0, 30))), Q(1296 * (100 * j + random.integer(0, 30))),
-                          Q(1296 * random.integer(0, 50))});
-    Surface whole(net, all, all);
+    Surface whole(net_of(m, m,
+                         [&](int i, int j) {
+                           const int x = 100 * i + random.integer(0, 30), y = 100 * j + random.integer(0, 30);
+                           return Exact_3::Point(1296 * x, 1296 * y, 1296 * random.integer(0, 50));
+                         }),
+                  all, all);
     for (int k = 1; k < parts; ++k) whole = whole.insert_u(Q(spans * k), 2).insert_v(Q(spans * k), 2);
     std::vector<Surface> exact;
     std::vector<GC::Bspline_surface<Epick_3>> doubles;
     const int step = spans + 2; // six control points in each direction
     for (int i = 0; i < parts; ++i)
       for (int j = 0; j < parts; ++j) {
-        std::vector<std::vector<Exact_3::Point>> part(step + 1);
         const int kind = (i + 2 * j) % 5;
-        for (int k = 0; k <= step; ++k)
-          for (int l = 0; l <= step; ++l) {
-            Exact_3::Point x = whole.control_point(step * i + k, step * j + l);
-            if (kind == 4 && 0 < k && k < step && 0 < l && l < step) x = Exact_3::Point(x.x(), x.y(), Q(x.z() + 36));
-            // only G1
-            if (kind == 3 && k == 2 && 0 < l && l < step) x = Exact_3::Point(x.x(), x.y(), Q(x.z() + 36));
-            part[k].push_back(x);
-          }
+        const auto part = net_of(step + 1, step + 1, [&](int k, int l) {
+          const Exact_3::Point x = whole.control_point(step * i + k, step * j + l);
+          const bool inside = 0 < l && l < step, lifted = inside && 0 < k && k < step && kind == 4,
+                     only_g1 = inside && k == 2 && kind == 3;
+          return lifted || only_g1 ? Exact_3::Point(x.x(), x.y(), Q(x.z() + 36)) : x;
+        });
         const int factor = kind == 2 ? 2 : 1;
         const auto own_knots = [&](int a) {
           std::vector<Q> u;
@@ -252,19 +238,7 @@ BOOST_AUTO_TEST_CASE(splines_over_simple_knots) {
         if (kind == 1) s = s.reverse_u();
         if (kind == 2) s = s.swap_parameters().reverse_v();
         exact.push_back(s);
-        const auto rounded = [](const Knots& u) {
-          std::vector<double> x;
-          for (const Q& y : u) x.push_back(CGAL::to_double(y));
-          return GC::Knot_vector<double>(u.degree(), x);
-        };
-        std::vector<std::vector<Epick_3::Point>> points(s.number_of_points_u());
-        for (int k = 0; k < s.number_of_points_u(); ++k)
-          for (int l = 0; l < s.number_of_points_v(); ++l) {
-            const Exact_3::Point& x = s.control_point(k, l);
-            BOOST_REQUIRE(Q(CGAL::to_double(x.z())) == x.z());
-            points[k].emplace_back(CGAL::to_double(x.x()), CGAL::to_double(x.y()), CGAL::to_double(x.z()));
-          }
-        doubles.emplace_back(points, rounded(s.knots_u()), rounded(s.knots_v()));
+        doubles.push_back(surface_exactly<Epick_3>(s));
       }
     const GC::Model_continuity<Q> expected = GC::model_continuity(exact);
     BOOST_TEST_MESSAGE(expected.summary);
@@ -278,13 +252,8 @@ BOOST_AUTO_TEST_CASE(splines_over_simple_knots) {
 BOOST_AUTO_TEST_CASE(weights_of_edges) {
   typedef GC::Rational_bezier_patch<Epick_3> Patch;
   const auto patch = [](int side, std::vector<double> weights) {
-    std::vector<std::vector<Epick_3::Point>> points(3);
-    std::vector<std::vector<double>> w;
-    for (int i = 0; i < 3; ++i) {
-      points[i] = {Epick_3::Point(i, 0, i * i), Epick_3::Point(i, side, i)};
-      w.push_back({weights[i], 1});
-    }
-    return Patch(points, w);
+    return Patch(net_of(3, 2, [&](int i, int j) { return Epick_3::Point(i, j * side, j == 0 ? i * i : i); }),
+                 net_of(3, 2, [&](int i, int j) { return j == 0 ? weights[i] : 1; }));
   };
   const auto shared = [&](const std::vector<double>& a, const std::vector<double>& b, bool turned) {
     const Patch p = patch(1, a), q = patch(-1, b);
@@ -306,12 +275,7 @@ BOOST_AUTO_TEST_CASE(errors_on_several_cores) {
   const Grid_of_points grid(8, random);
   const auto model = Patches::model<Exact_3>(grid, random);
   const auto message = [&](auto tag) {
-    try {
-      limited(GC::Work_limit(1), [&] { return GC::model_continuity<decltype(tag)>(model); });
-    } catch (const GC::Error& e) {
-      return std::string(e.what());
-    }
-    return std::string();
+    return error_of([&] { limited(GC::Work_limit(1), [&] { return GC::model_continuity<decltype(tag)>(model); }); });
   };
   const std::string expected = message(CGAL::Sequential_tag());
   BOOST_CHECK(contains(expected, "work_limit"));

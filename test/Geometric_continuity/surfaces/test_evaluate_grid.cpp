@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(spline_grids) {
   for (int i = 0; i < knots_u.number_of_coefficients(); ++i)
     net.push_back(points<Exact>(knots_v.number_of_coefficients()));
   const GC::Bspline_surface<Traits<Exact>> surface(net, knots_u, knots_v);
-  std::vector<Exact> u{0, Exact(1) / 3, 1, Exact(3) / 2, 2, Exact(5) / 2, 3}, v{0, 1, 2, Exact(8) / 3, 3};
+  const std::vector<Exact> u{0, Exact(1) / 3, 1, Exact(3) / 2, 2, Exact(5) / 2, 3}, v{0, 1, 2, Exact(8) / 3, 3};
   GC::Surface_grid<Exact> grid;
   GC::evaluate_grid<GC::Grid_normals::unnormalised>(surface, u, v, grid);
   for (std::size_t i = 0; i < u.size(); ++i)
@@ -71,8 +71,4 @@ BOOST_AUTO_TEST_CASE(spline_grids) {
         BOOST_CHECK_EQUAL(grid.normals(k)[i * v.size() + j], normal[k]);
       }
     }
-  std::swap(u[1], u[2]);
-  CHECK_ERROR(GC::evaluate_grid<GC::Grid_normals::unnormalised>(surface, u, v, grid), wrong_number_of_points);
-  u = {0, 4};
-  CHECK_ERROR(GC::evaluate_grid<GC::Grid_normals::unnormalised>(surface, u, v, grid), parameter_outside_domain);
 }

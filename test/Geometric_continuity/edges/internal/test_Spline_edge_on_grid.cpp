@@ -21,30 +21,21 @@ BOOST_AUTO_TEST_CASE(parts_of_one_spline) {
   Random random;
   const Knots u(3, Q(0), Q(10), {{Q(1), 1}, {Q(3), 1}, {Q(4), 1}, {Q(6), 1}}), v(3, Q(0), Q(3), {{Q(2), 1}});
   const Q unit(64 * 729 * 125 * 49); // so that all that is cut from the spline is whole
-  std::vector<std::vector<Exact::Point>> net(u.number_of_coefficients());
-  for (int i = 0; i < u.number_of_coefficients(); ++i)
-    for (int j = 0; j < v.number_of_coefficients(); ++j)
-      net[i].push_back({Q(unit * Q(20 * i + random.integer(0, 5))), Q(unit * Q(20 * j + random.integer(0, 5))),
-                        Q(unit * Q(random.integer(0, 9)))});
+  const auto net = net_of(u.number_of_coefficients(), v.number_of_coefficients(), [&](int i, int j) {
+    const int x = 20 * i + random.integer(0, 5), y = 20 * j + random.integer(0, 5);
+    return Exact::Point(Q(unit * Q(x)), Q(unit * Q(y)), Q(unit * Q(random.integer(0, 9))));
+  });
   const Surface whole = Surface(net, u, v).insert_u(Q(4), 2);
   // Control points first, ..., last over knots; one of them may be lifted, and knots be multiplied.
   const auto part = [&](int first, int last, const Knots& knots, int lifted, int factor) {
-    std::vector<std::vector<Filtered::Point>> points;
-    for (int i = first; i <= last; ++i) {
-      points.emplace_back();
-      for (int j = 0; j < v.number_of_coefficients(); ++j) {
-        const Exact::Point& x = whole.control_point(i, j);
-        for (const Q& y : {x.x(), x.y(), x.z()}) BOOST_REQUIRE(Q(CGAL::to_double(y)) == y);
-        points.back().emplace_back(CGAL::to_double(x.x()), CGAL::to_double(x.y()),
-                                   CGAL::to_double(x.z()) + (i == lifted && j == 2));
-      }
-    }
-    const auto rounded = [](const Knots& t, double by) {
-      std::vector<double> result;
-      for (const Q& x : t) result.push_back(by * CGAL::to_double(x));
-      return GC::Knot_vector<double>(t.degree(), result);
+    const auto point = [&](int i, int j) {
+      const Filtered::Point p = point_exactly<Filtered>(whole.control_point(first + i, j));
+      return Filtered::Point(p.x(), p.y(), p.z() + (first + i == lifted && j == 2));
     };
-    return Given(points, rounded(knots, factor), rounded(v, 1));
+    std::vector<Q> scaled;
+    for (const Q& t : knots) scaled.push_back(Q(factor * t));
+    return Given(net_of(last - first + 1, v.number_of_coefficients(), point), knots_exactly<double>(Knots(3, scaled)),
+                 knots_exactly<double>(v));
   };
   const Knots before(3, Q(0), Q(4), {{Q(1), 1}, {Q(3), 1}}), after(3, Q(4), Q(10), {{Q(6), 1}});
   const auto left = [&](int lifted) { return part(0, 5, before, lifted, 1); };
@@ -81,10 +72,9 @@ BOOST_AUTO_TEST_CASE(parts_of_one_spline) {
     // a gap
     BOOST_CHECK(!found(left(-1), u1, b.elevate(0, 1), u0) && !found(left(-1), u1, b.insert_v(1), u0));
     const auto over = [](const Given& s, const GC::Knot_vector<double>& across, const GC::Knot_vector<double>& along) {
-      std::vector<std::vector<Filtered::Point>> points(s.number_of_points_u());
-      for (int i = 0; i < s.number_of_points_u(); ++i)
-        for (int j = 0; j < s.number_of_points_v(); ++j) points[i].push_back(s.control_point(i, j));
-      return Given(points, across, along);
+      return Given(
+          net_of(s.number_of_points_u(), s.number_of_points_v(), [&](int i, int j) { return s.control_point(i, j); }),
+          across, along);
     };
     BOOST_CHECK(!found(left(-1), u1, over(b, b.knots_u(), GC::Knot_vector<double>(3, 0., 3., {{1., 1}})), u0));
     const Given torn = b.insert_v(2, 3), torn_left = left(-1).insert_v(2, 3);
@@ -98,17 +88,15 @@ BOOST_AUTO_TEST_CASE(parts_of_one_spline) {
     BOOST_CHECK(!found(over(b, unclamped, b.knots_v()), u0, left(-1), u1));
     BOOST_CHECK(!found(left(-1), u1, over(b, rounded, b.knots_v()), u0));
     // one point along the edge
-    std::vector<std::vector<Filtered::Point>> row(b.number_of_points_u());
-    for (int i = 0; i < b.number_of_points_u(); ++i) row[i].push_back(b.control_point(i, 0));
-    const Given point(row, b.knots_u(), GC::Knot_vector<double>(0, {0., 1.}));
+    const Given point(net_of(b.number_of_points_u(), 1, [&](int i, int) { return b.control_point(i, 0); }), b.knots_u(),
+                      GC::Knot_vector<double>(0, {0., 1.}));
     BOOST_CHECK(!found(point, u0, point, u1));
     // an edge that is closed may be the same backwards
     const auto closed = [&](const Given& s, int edge) {
-      std::vector<std::vector<Filtered::Point>> points(s.number_of_points_u());
-      for (int i = 0; i < s.number_of_points_u(); ++i)
-        for (int j = 0; j < s.number_of_points_v(); ++j)
-          points[i].push_back(s.control_point(i, i == edge && j + 1 == s.number_of_points_v() ? 0 : j));
-      return Given(points, s.knots_u(), s.knots_v());
+      const int n = s.number_of_points_v();
+      return Given(net_of(s.number_of_points_u(), n,
+                          [&](int i, int j) { return s.control_point(i, i == edge && j + 1 == n ? 0 : j); }),
+                   s.knots_u(), s.knots_v());
     };
     BOOST_CHECK(!found(closed(left(-1), 5), u1, closed(b, 0), u0));
   }

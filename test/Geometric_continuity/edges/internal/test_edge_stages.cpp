@@ -9,6 +9,7 @@
 // Set GEOMETRIC_CONTINUITY_EDGES for the number of edges of each class and
 // GEOMETRIC_CONTINUITY_SEED for other numbers.
 
+#include "support/net_of.h"
 #include "support/random.h"
 
 #include <CGAL/Geometric_continuity/edges/edge_continuity.h>
@@ -74,8 +75,8 @@ int reference(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge edge
   return conditions.g2() ? 2 : conditions.g1() ? 1 : 0;
 }
 
-template <int order>
-void check_order(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge edge_b, int truth, Counter& counter) {
+template <int order, class A, class B>
+void check_order(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, int truth, Counter& counter) {
   ++counter.answers[order][order <= truth];
   bool agree = true;
   for (const unsigned used : combinations) {
@@ -89,6 +90,17 @@ void check_order(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge e
   if (!agree && counter.mismatches++ < 5)
     BOOST_ERROR("order " << order << ", expected " << truth << "\n" << a << "\n" << b);
 }
+template <class A, class B>
+void check_orders(const A& a, Patch_edge edge_a, const B& b, Patch_edge edge_b, int truth, Counter& counter) {
+  check_order<0>(a, edge_a, b, edge_b, truth, counter);
+  check_order<1>(a, edge_a, b, edge_b, truth, counter);
+  check_order<2>(a, edge_a, b, edge_b, truth, counter);
+}
+
+bool agree(const GC::Edge_continuity<Q>& x, const GC::Edge_continuity<Q>& y) {
+  return x.g_order == y.g_order && x.defect == y.defect && x.reversed == y.reversed && x.coplanar == y.coplanar &&
+         x.side == y.side && x.collapsed == y.collapsed && x.normal_vanishes == y.normal_vanishes;
+}
 
 // The report on two patches is the same whether or not numbers of fixed length prove that the edge
 // is smooth.
@@ -99,9 +111,7 @@ void check_report(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge 
   if (truth < 1) return;
   const Report f = GC::edge_continuity(GC::spline_edge_rows(a, edge_a), GC::spline_edge_rows(b, edge_b));
   const auto same = [](const GC::Edge_continuity<Q>& x, const GC::Edge_continuity<Q>& y) {
-    return x.g_order == y.g_order && x.defect == y.defect && x.reversed == y.reversed && x.coplanar == y.coplanar &&
-           x.side == y.side && x.collapsed == y.collapsed && x.normal_vanishes == y.normal_vanishes &&
-           x.vanishing == y.vanishing && x.deviation->lower == y.deviation->lower &&
+    return agree(x, y) && x.vanishing == y.vanishing && x.deviation->lower == y.deviation->lower &&
            x.deviation->upper == y.deviation->upper && x.deviation->begin == y.deviation->begin &&
            x.deviation->end == y.deviation->end;
   };
@@ -119,9 +129,7 @@ void check(const Patch& a, Patch_edge edge_a, const Patch& b, Patch_edge edge_b,
     check_report(moved(a), edge_a, moved(b), edge_b, truth);
   } else if (counter.answers[0][0] + counter.answers[0][1] < 10)
     check_report(a, edge_a, b, edge_b, truth);
-  check_order<0>(a, edge_a, b, edge_b, truth, counter);
-  check_order<1>(a, edge_a, b, edge_b, truth, counter);
-  check_order<2>(a, edge_a, b, edge_b, truth, counter);
+  check_orders(a, edge_a, b, edge_b, truth, counter);
 }
 
 // ---------------------------------------------------------------- edges
@@ -497,8 +505,7 @@ BOOST_AUTO_TEST_CASE(not_finite) {
         {{Epick_3::Point(0, 0, 0), Epick_3::Point(0, 1, z)}, {Epick_3::Point(1, 0, 0), Epick_3::Point(1, 1, 0)}});
   };
   for (double z : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
-    BOOST_CHECK_EXCEPTION((void)GC::is_g1_edge(patch(0), v0, patch(z), v0), GC::Error,
-                          [](const GC::Error& e) { return e.code() == GC::Error_code::not_finite; });
+    CHECK_ERROR(GC::is_g1_edge(patch(0), v0, patch(z), v0), not_finite);
   // the stages of fixed length leave to others what surfaces refuse
   GC::internal::Edge_layers x, y;
   BOOST_REQUIRE((GC::internal::edge_layers(patch(0), v0, patch(1), v0, 2, x, y)));
@@ -565,13 +572,9 @@ typedef GC::Bspline_surface<Exact_3> Rational_spline;
 
 // With coordinates divided by a whole number.
 Rational_patch rational(const Patch& s, int divisor) {
-  std::vector<std::vector<Exact_3::Point>> net(s.degree_u() + 1);
-  for (int i = 0; i <= s.degree_u(); ++i)
-    for (int j = 0; j <= s.degree_v(); ++j) {
-      const Epick_3::Point& p = s.control_point(i, j);
-      net[i].emplace_back(Q(p.x()) / divisor, Q(p.y()) / divisor, Q(p.z()) / divisor);
-    }
-  return Rational_patch(net);
+  return surface_exactly<Exact_3>(s).transform([&](const Exact_3::Point& p) {
+    return Exact_3::Point(Q(p.x() / divisor), Q(p.y() / divisor), Q(p.z() / divisor));
+  });
 }
 
 // Over inner knots that change nothing, here those in the direction of the edge.
@@ -581,29 +584,6 @@ Rational_spline with_knots(const Rational_patch& s, Patch_edge edge, const std::
   return runs_along_u(edge) ? r.insert_v(Q(1) / 2) : r.insert_u(Q(1) / 2);
 }
 
-GC::Bspline_surface<Epick_3> in_double(const Rational_spline& s) {
-  const auto number = [](const Q& x) {
-    BOOST_REQUIRE(Q(CGAL::to_double(x)) == x);
-    return CGAL::to_double(x);
-  };
-  std::vector<double> u, v;
-  for (const Q& t : s.knots_u()) u.push_back(number(t));
-  for (const Q& t : s.knots_v()) v.push_back(number(t));
-  std::vector<std::vector<Epick_3::Point>> net(s.number_of_points_u());
-  for (int i = 0; i < s.number_of_points_u(); ++i)
-    for (int j = 0; j < s.number_of_points_v(); ++j) {
-      const Exact_3::Point& p = s.control_point(i, j);
-      net[i].emplace_back(number(p.x()), number(p.y()), number(p.z()));
-    }
-  return GC::Bspline_surface<Epick_3>(net, GC::Knot_vector<double>(s.degree_u(), u),
-                                      GC::Knot_vector<double>(s.degree_v(), v));
-}
-
-bool agree(const GC::Edge_continuity<Q>& x, const GC::Edge_continuity<Q>& y) {
-  return x.g_order == y.g_order && x.defect == y.defect && x.reversed == y.reversed && x.coplanar == y.coplanar &&
-         x.side == y.side && x.collapsed == y.collapsed && x.normal_vanishes == y.normal_vanishes;
-}
-
 // The report and the predicates on the same edge, in other numbers and over other knots, against
 // `truth`, which the rational road has found: that for rows, which has no stages. A single point is
 // of the order 0 in any parametrisation.
@@ -611,19 +591,7 @@ template <class Surface_a, class Surface_b>
 void check_surfaces(const Surface_a& a, Patch_edge edge_a, const Surface_b& b, Patch_edge edge_b,
                     const GC::Edge_continuity<Q>& truth, Counter& counter) {
   const auto report = GC::edge_continuity(a, edge_a, b, edge_b);
-  const auto check_order = [&](auto order, bool expected) {
-    for (const unsigned used : combinations) {
-      Stages stages{used};
-      counter.mismatches +=
-          GC::internal::edge_has_order<decltype(order)::value>(a, edge_a, b, edge_b, stages) != expected;
-      if (used == all_stages)
-        for (int s = 0; s < GC::internal::number_of_stages; ++s) counter.stages[order][s] += stages.count[s];
-    }
-    ++counter.answers[order][expected];
-  };
-  check_order(std::integral_constant<int, 0>(), 0 <= truth.g_order);
-  check_order(std::integral_constant<int, 1>(), 1 <= truth.g_order);
-  check_order(std::integral_constant<int, 2>(), 2 <= truth.g_order);
+  check_orders(a, edge_a, b, edge_b, truth.g_order, counter);
   if (truth.g_order >= 0 && !truth.collapsed) {
     const bool same = agree(report, truth) && report.whole_a && report.whole_b &&
                       (!truth.deviation || truth.deviation->upper != Q(0) || report.deviation->upper == Q(0));
@@ -657,7 +625,9 @@ BOOST_AUTO_TEST_CASE(rational_numbers_and_spans, *boost::unit_test::label("long"
     if (i % 4 == 0) { // the same splines on doubles, which represent them
       const auto c = placed(e.first, 0, as_given), d = placed(e.second, 0, as_given);
       const GC::Edge_continuity<Q> truth = edge_continuity(rows_of(c.first, v0), rows_of(d.first, v0));
-      const auto spline = [](const Patch& patch) { return in_double(with_knots(rational(patch, 1), v0, {Q(1) / 2})); };
+      const auto spline = [](const Patch& patch) {
+        return surface_exactly<Epick_3>(with_knots(rational(patch, 1), v0, {Q(1) / 2}));
+      };
       check_surfaces(spline(c.first), v0, spline(d.first), v0, truth, doubles);
     }
     // off by one unit of coordinates of 53 bits, without a normal, a single point
@@ -687,17 +657,6 @@ BOOST_AUTO_TEST_CASE(rational_numbers_and_spans, *boost::unit_test::label("long"
       BOOST_CHECK_GT(c.answers[order][0], 0);
     }
   BOOST_CHECK_GT(rough.of(1, Stage::multiprecision), 0);
-}
-
-// Rational numbers have all stages if they are short over one denominator.
-BOOST_AUTO_TEST_CASE(exact_kernels) {
-  typedef GC::Traits_3<CGAL::Simple_cartesian<Q>> Exact;
-  typedef Exact::Point Point;
-  const Q third = Q(1) / 3;
-  const GC::Bezier_patch<Exact> a({{Point(0, 0, 0), Point(0, third, 0)}, {Point(third, 0, 0), Point(third, third, 0)}}),
-      b({{Point(0, third, 0), Point(0, 1, 0)}, {Point(third, third, 0), Point(third, 1, 0)}}),
-      c({{Point(0, third, 0), Point(0, 1, 0)}, {Point(third, third, 0), Point(third, 1, third)}});
-  BOOST_CHECK(GC::is_g2_edge(a, v1, b, v0) && GC::is_g0_edge(a, v1, c, v0) && !GC::is_g1_edge(a, v1, c, v0));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,11 +11,8 @@
 #include <CGAL/Geometric_continuity/surfaces/Rational_surface.h>
 
 template <class Engine> S random_surface(Engine& random, const Knots& u, const Knots& v) {
-  std::vector<std::vector<Exact::Point_3>> net(u.number_of_coefficients());
-  for (auto& row : net)
-    for (int j = 0; j < v.number_of_coefficients(); ++j)
-      row.push_back({int(random() % 7), int(random() % 7), int(random() % 7)});
-  return S(net, u, v);
+  const auto point = [&](int, int) { return Exact::Point_3{int(random() % 7), int(random() % 7), int(random() % 7)}; };
+  return S(net_of(u.number_of_coefficients(), v.number_of_coefficients(), point), u, v);
 }
 
 // Every pair of edges: in one group if and only if they are the same, in the direction that is
@@ -74,12 +71,9 @@ BOOST_AUTO_TEST_CASE(groups_of_edges_that_are_not_clamped) {
 BOOST_AUTO_TEST_CASE(closed_edges) {
   std::mt19937_64 random = seeded();
   for (int i = 0; i < 8; ++i) {
-    std::vector<std::vector<Exact::Point_3>> net(4);
-    for (int k = 0; k < 4; ++k)
-      for (int j = 0; j < 2; ++j)
-        net[k].push_back(k % 3 == 0 ? Exact::Point_3(j, 0, 0)
-                                    : Exact::Point_3{int(random() % 7), int(random() % 7), j});
-    const S s{Patch<Exact>(net)};
+    const S s{Patch<Exact>(net_of(4, 2, [&](int k, int j) {
+      return k % 3 == 0 ? Exact::Point_3(j, 0, 0) : Exact::Point_3{int(random() % 7), int(random() % 7), j};
+    }))};
     const S early = s.insert_u(Q(1) / 4), late = s.insert_u(Q(3) / 4);
     check_groups(std::vector<S>{early, late, early.reverse_u()});
   }
@@ -89,9 +83,7 @@ BOOST_AUTO_TEST_CASE(closed_edges) {
 BOOST_AUTO_TEST_CASE(points_that_are_the_same_backwards) {
   const int x[] = {0, 1, 3, 1, 0};
   const auto spline_with_knot = [&](const Q& t) {
-    std::vector<std::vector<Exact::Point_3>> net(5);
-    for (int i = 0; i < 5; ++i)
-      for (int j = 0; j < 2; ++j) net[i].push_back({x[i], x[i] * x[i] + j, j});
+    const auto net = net_of(5, 2, [&](int i, int j) { return Exact::Point_3(x[i], x[i] * x[i] + j, j); });
     return S(net, Knots(3, Q(0), Q(1), {{t, 1}}), Knots(1, {0, 0, 1, 1}));
   };
   const S early = spline_with_knot(Q(1) / 4), late = spline_with_knot(Q(3) / 4);
