@@ -100,7 +100,7 @@ assert short["joins"] == [j for j in full["joins"] if j["g_order"] < 2] and len(
 del full["joins"], short["joins"]
 assert full == short'
 fi
-# Of more than 1000 rows, those of the lowest order are told, and of one order the first ones.
+# A summary tells 1000 rows at most, those of the lowest order, and of one order the first ones.
 run 1 verify decimal.g2 --require G3 && mv out full.txt
 run 1 verify decimal.g2 --require G3 --summary && grep -E '^[0-9]+ -> ' out >rows.txt
 says out "and 499 more, which a file or a pipe gets without --summary" "1499 of them not G3"

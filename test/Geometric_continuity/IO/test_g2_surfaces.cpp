@@ -170,7 +170,7 @@ BOOST_AUTO_TEST_CASE(no_surface) {
   CHECK_ERROR(GC::read_g2_surfaces<Exact_3>(bad_patches, "f.g2"), cannot_read_file);
 }
 
-// What is the same for curves is tested with them.
+// Curves have the same rules, which are tested with them.
 BOOST_AUTO_TEST_CASE(wrong_headers) {
   check_refused(
       {{"200", "100", 1, "100 (spline curve) where a surface (200) is expected"},

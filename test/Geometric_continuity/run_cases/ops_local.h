@@ -61,7 +61,7 @@ template <class Traits> bool run_invariants(const Case& c, Report& report) {
   return true;
 }
 
-// What join() returns about a join, as decisions on the input or on what was computed from it.
+// Reports the results of join() as decisions on the input or on what was computed from it.
 template <class Function>
 void report_orders(Report& report, Source source, const std::string& prefix, const Function& join) {
   report.add(prefix + "c_order", source, [&] { return join().c_order; });

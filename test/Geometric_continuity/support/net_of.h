@@ -18,7 +18,7 @@ template <class F> auto net_of(int m, int n, F f) {
   return net;
 }
 
-// The same number of another type, which must have it.
+// Returns the number in another type, which must have it.
 template <class To, class From> To exactly(const From& x) {
   if constexpr (std::is_floating_point_v<To> && !std::is_floating_point_v<From>) {
     const To rounded = CGAL::to_double(x);
