@@ -166,6 +166,7 @@ sed '/#93=/s/-0.01,.,/-0.01,1250.070831753711838501,/' clothoids.ifc >radius.ifc
 sed -i 's/1250.070831753711838501,.CL/-1300.,.CL/' radius.ifc && run 1 verify radius.ifc && says out "#93 - #94 (line 11): design vertical, gap 1.997"
 clothoids CIRCULARARC && run 1 verify clothoids.ifc && says out "#92 - #93 (line 10): design vertical, not covered: a vertical arc between equal gradients" "#93 - #94 (line 11): design vertical, not covered: a vertical clothoid between two curves"
 sed 's/,-0.01,-0.03,1250.[0-9]*,.CIRCULARARC./,-0.03,-0.03,$,.CONSTANTGRADIENT./; /#92=/s/CIRCULARARC/CONSTANTGRADIENT/' clothoids.ifc >between.ifc && run 2 verify between.ifc && says out "not covered: a vertical clothoid between two gradients"
+clothoids CONSTANTGRADIENT && sed '/#96=/{s/,100\.,/,0.,/; s/CONSTANTGRADIENT/CLOTHOID/}' clothoids.ifc >last.ifc && run 0 verify --gap 1.E-18 --kink 1.E-18 last.ifc && says out "#95 - #96 (line 13): design vertical, gap 3.715e-21, kink 0 rad, no curvature"
 # steep ones, straight at the start and at the end: the rise is that of mpmath
 steep() { # BEFORE AFTER RISE
   ifc steep.ifc "$start #80=IFCALIGNMENTVERTICAL('',\$,\$,\$,\$,\$,\$); $(nested 81 80 '#82,#83,#84') $(design 82 92) $(design 83 93) $(design 84 94) $(vertical 92 0. 10. 0. 0.5 0.5 \$ "$1")

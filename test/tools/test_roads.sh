@@ -119,6 +119,11 @@ run 2 verify "$S" --lane-borders && says err "only for road networks"
 digits() { decides 1 "$(piece 0 691234.568 5334567.89 -1.234 80 '<spiral curvStart="0" curvEnd="-0.008"/>')$(piece 80 691252.741"$1" 5334490.35 -1.554 40 '<arc curvature="-0.008"/>')" "plan gap"; }
 digits '' && says out "gap 0.004672 m, kink none, curvature equal; 9 digits explain it - not G1" && digits 001 && lacks out "explain"
 run 1 verify roads.xodr --json && says out '"explained_by_digits":{"gap":false,"kink":true}'
+# 17 digits, of which floating-point numbers do not tell that they are enough; one digit is wrong
+for x in 30.086345998524268:true 30.086345998524298:false; do
+  decides 0 "$(piece 0 0 0 1.213270991791975 85.97151986439353 $line)$(piece 85.97151986439353 ${x%:*} 80.535172516428459 1.213270991791975 10 $line)"
+  run 0 verify roads.xodr --json && says out "\"explained_by_digits\":{\"gap\":${x#*:},\"kink\":true}"
+done
 
 # what cannot be read, with its line
 bad() { run 2 verify roads.xodr && says err "roads.xodr:$1: " "$2"; }

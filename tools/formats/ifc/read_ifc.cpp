@@ -558,7 +558,6 @@ class Ifc_reader {
   static void set_clothoid(Segment& s, const Q& x, const Q& height, const Q& g0, const Q& g1, const Q& length,
                            const Q& radius, bool is_straight_at_start) {
     if (g0 == g1) throw Not_covered{"a vertical clothoid between equal gradients"};
-    if (length == 0) throw Not_covered{"a vertical clothoid without a length"};
     const auto is_low = [](const Q& g) { return std::fabs(CGAL::to_double(g)) < 1e9; };
     if (!is_low(g0) || !is_low(g1)) throw Not_covered{"a gradient beyond 10^9"};
     const Vertical_clothoid c(g0, g1, is_straight_at_start, radius == 0 ? std::nullopt : std::optional<Q>(radius),
@@ -643,21 +642,21 @@ class Ifc_reader {
       s.length = length;
       return;
     }
-    if (type == "CLOTHOID")
+    if (type == "CLOTHOID" && length != 0)
       return set_clothoid(s, x, height, g0, g1, length, number(7), is_straight_at_start(before, after));
-    const bool is_parabola = type == "PARABOLICARC";
-    if (!is_parabola && (type != "CONSTANTGRADIENT" || g0 != g1))
+    const bool is_bent = type == "PARABOLICARC" || type == "CLOTHOID"; // a clothoid without a length
+    if (!is_bent && (type != "CONSTANTGRADIENT" || g0 != g1))
       throw Not_covered{"a vertical segment of the type " + std::string(type) +
                         (type == "CONSTANTGRADIENT" ? " with two gradients" : "")};
     if (length == 0) {
       s.start = s.end =
           GC::Alignment_end{GC::Enclosed_point(x, height), GC::Heading(Q(0), Q(1), g0), GC::End_curvature()};
-      if (is_parabola) s.end->curvature = s.start->curvature = std::nullopt;
+      if (is_bent) s.end->curvature = s.start->curvature = std::nullopt;
       s.length = length;
       return;
     }
     const GC::Parametric_cubic c(x, height, GC::Heading(), {Q(0), Q(1), Q(0), Q(0)},
-                                 {Q(0), g0, is_parabola ? Q((g1 - g0) / (2 * length)) : Q(0), Q(0)}, length);
+                                 {Q(0), g0, is_bent ? Q((g1 - g0) / (2 * length)) : Q(0), Q(0)}, length);
     s.start = c.start();
     s.end = c.end();
     s.length = length;

@@ -47,6 +47,7 @@ enum class Road_parameter_range {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A piece of a reference line: it starts at \f$ (x, y) \f$ in direction `heading`, in radians
 /// counter-clockwise, which is the axis \f$ u \f$ of its shape; \f$ v \f$ points to the left.
 struct Road_geometry {
@@ -60,6 +61,7 @@ struct Road_geometry {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A record of a profile: from the length \f$ s \f$ on, the value is
 /// \f$ a + b\,u + c\,u^2 + d\,u^3 \f$ with \f$ u \f$ the length since \f$ s \f$.
 struct Road_cubic {
@@ -69,12 +71,14 @@ struct Road_cubic {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A value and its first and second derivative.
 struct Road_jet {
   Road_number value = 0, slope = 0, second = 0;
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A lane in a section. Lanes left of the reference line have the numbers 1, 2, ... outwards, those
 /// right of it -1, -2, ....
 struct Road_lane {
@@ -88,6 +92,7 @@ struct Road_lane {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// The lanes of a road from \f$ s \f$ to the start of the next section.
 struct Road_section {
   Road_number s;
@@ -101,6 +106,7 @@ struct Road_section {
 enum class Road_end { start, end };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A link names what comes before or after a road.
 struct Road_link {
   /// nothing, a road, a junction, or something else
@@ -114,6 +120,7 @@ struct Road_link {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A road.
 struct Road {
   std::string id = {}, junction = {};
@@ -129,6 +136,7 @@ struct Road {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A connection of a junction: from a road that leads into it to one inside of it, or to one that
 /// leads out of a direct junction.
 struct Road_connection {
@@ -140,6 +148,7 @@ struct Road_connection {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A junction.
 struct Road_junction {
   std::string id = {}, type = {};
@@ -148,6 +157,7 @@ struct Road_junction {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A road network.
 struct Road_network {
   std::vector<Road> roads = {};
@@ -193,6 +203,7 @@ inline Alignment_end alignment_end(const Road_geometry& g, Road_end end) {
 }
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// Two pieces of a reference line that follow each other.
 struct Road_plan_join {
   const Road& road;
@@ -204,6 +215,7 @@ struct Road_plan_join {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// The arc length of a `param_poly3` and the length that is declared.
 struct Road_length_check {
   const Road& road;
@@ -220,6 +232,7 @@ struct Road_length_check {
 enum class Road_profile_kind { elevation, superelevation, lane_offset, width, border };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A place where one record of a profile passes into the next one.
 struct Road_profile_join {
   const Road& road;
@@ -234,6 +247,7 @@ struct Road_profile_join {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A lane that passes into one of the next lane section.
 struct Road_section_join {
   const Road& road;
@@ -253,6 +267,7 @@ struct Road_section_join {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A place at which roads meet: an end, or a place inside of a road from which another one branches
 /// off in a virtual junction.
 struct Road_contact {
@@ -262,6 +277,7 @@ struct Road_contact {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// Two reference lines that are linked. They need not meet: lanes do.
 struct Road_link_join {
   Road_contact from, to;
@@ -273,6 +289,7 @@ struct Road_link_join {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A lane that passes into one of another road.
 struct Road_lane_join {
   Road_contact from, to;
@@ -287,6 +304,7 @@ struct Road_lane_join {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// The border of a lane that passes from one piece into the next one, or into that of another road,
 /// seen from above: a curve of its own. Of one road both contacts are inside of it, at one place.
 struct Road_border_join {
@@ -298,6 +316,7 @@ struct Road_border_join {
 };
 
 /// \ingroup PkgGeometricContinuityAlignments
+/// \headerfile Road_network.h <CGAL/Geometric_continuity/models/Road_network.h>
 /// A remark tells what is worth a word besides.
 struct Road_remark {
   /// The consequence.
