@@ -41,11 +41,9 @@ Differences<Largest, 3> differences(const Difference_bounds& d) {
   return {vector(d.d1), vector(d.d2), vector(d.d3)};
 }
 
-// Checks the exponents of powers of two; `units` are the same factors, all 1.
-template <class Factors>
-void check(const Difference_bounds& a, const Difference_bounds& b, const Factors& w, const Factors& units) {
-  const Difference_bounds ones{1, 1, 1};
-  const Join_filter<Factors> filter{a, b, w}, of_ones{ones, ones, units};
+// Checks the bounds of powers of two.
+template <class Factors> void check(const Difference_bounds& a, const Difference_bounds& b, const Factors& w) {
+  const Join_filter<Factors> filter{a, b, w};
   Values values;
   const Differences<Largest, 3> x = differences(a), y = differences(b);
   const Join_equations<Largest, 3, Factors, Values> equations(x, y, w, values);
@@ -66,9 +64,11 @@ void check(const Difference_bounds& a, const Difference_bounds& b, const Factors
         Join_question::g1,     Join_question::g2, Join_question::g3, Join_question::f3, Join_question::curvature_vector,
         Join_question::torsion};
   }
-  for (const Join_question form : forms)
-    BOOST_CHECK_EQUAL(filter.exponent_of_bound(form) - of_ones.exponent_of_bound(form),
-                      std::ilogb(values.of[static_cast<int>(form)]));
+  const Join_rounding rounding = Rounding_of_differences::value();
+  for (const Join_question form : forms) {
+    const auto k = static_cast<std::size_t>(form);
+    BOOST_CHECK_EQUAL(filter.exponent_of_bound(form), binary_exponent(rounding.error[k] * values.of[k]) + 2);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(largest_products_of_the_bounds) {
@@ -83,11 +83,9 @@ BOOST_AUTO_TEST_CASE(largest_products_of_the_bounds) {
   for (int i = 0; i < 2000; ++i) {
     const Difference_bounds a = bounds(), b = bounds();
     const auto w = [&] { return power(20); };
-    check(a, b, Degree_factors<double>{w(), w(), w(), w(), w()}, Degree_factors<double>{1, 1, 1, 1, 1});
-    check(a, b, Parametric_degree_factors<double>{w(), w(), w(), w(), w(), w()},
-          Parametric_degree_factors<double>{1, 1, 1, 1, 1, 1});
-    typedef Weighted_degree_factors<Join_question::g3, double> Weighted;
-    check(a, b, Weighted{w(), w(), w(), w(), w(), w()}, Weighted{1, 1, 1, 1, 1, 1});
+    check(a, b, Degree_factors<double>{w(), w(), w(), w(), w()});
+    check(a, b, Parametric_degree_factors<double>{w(), w(), w(), w(), w(), w()});
+    check(a, b, Weighted_degree_factors<Join_question::g3, double>{w(), w(), w(), w(), w(), w()});
   }
 }
 
