@@ -395,37 +395,6 @@ BOOST_AUTO_TEST_CASE(planar_curve_in_space) {
   BOOST_CHECK(GC::extend(left, Order::torsion, {FT(1), FT(3), FT(2), FT(-1)}).coordinates(3)[2] == FT(5));
 }
 
-// ---------------------------------------------------------------- the source, corrected
-
-// The printed (3.2.3), b3 = C1 p + C2 r, does not move with the curve; the corrected one moves with
-// it.
-BOOST_AUTO_TEST_CASE(printed_fourth_point) {
-  const Column<Traits3> shift = column<Traits3>(3, {1, -2, 3});
-  const GC::Torsion_parameters<FT> c{FT(2), FT(-1)};
-  const auto result = [&](const Column<Traits3>& by) {
-    const Row rows[] = {{0, 1, 2}, {0, 0, 0}, {1, 0, 0}, {3, 1, 0}};
-    Points<Traits3> points;
-    for (const Row& row : rows) points.push_back(point<Traits3>(column<Traits3>(3, row) + by));
-    const Curve<Traits3> left = curve_on<Traits3>(points, FT(0), FT(1));
-    const Legs<Traits3> legs(left);
-    const Column<Traits3> printed = c.c1 * legs.p + c.c2 * legs.r,
-                          corrected = column<Traits3>(GC::torsion_alternatives(left, FT(3)).point_at(c));
-    BOOST_CHECK(corrected == legs.b0 + legs.s + printed);
-    for (const Column<Traits3>& b3 : {printed, corrected}) {
-      Random random;
-      const Curve<Traits3> right = next(
-          left, FT(1),
-          {GC::tangent_alternative(left).point(), GC::curvature_alternatives(left).point_at(FT(3)), point<Traits3>(b3)},
-          random);
-      if (exact_predicates) BOOST_CHECK_EQUAL(GC::continuity(left, right).f_order, b3 == printed ? 2 : 3);
-    }
-    return std::pair<Column<Traits3>, Column<Traits3>>(printed, corrected);
-  };
-  const auto here = result(Column<Traits3>(3)), there = result(shift);
-  BOOST_CHECK(there.first == here.first);
-  BOOST_CHECK(there.second == here.second + shift);
-}
-
 // The families move with the curve.
 BOOST_AUTO_TEST_CASE(similarity) {
   if (!rational_numbers) return;
@@ -442,69 +411,6 @@ BOOST_AUTO_TEST_CASE(similarity) {
                                       GC::extend_toward(left, order, wished, x.beta).transform(map)));
     }
   });
-}
-
-// Two planar projections with different C0 fit together where the tangent is orthogonal to the axis
-// that they share, and give a join in space that is not curvature-continuous; with the same C0 it
-// is.
-BOOST_AUTO_TEST_CASE(two_projections) {
-  const auto project = [](const Curve<Traits3>& c, int axis) {
-    Points<Traits2> points;
-    for (int i = 0; i <= c.degree(); ++i) {
-      Column<Traits2> x(2);
-      x[0] = c.coordinates(i)[0];
-      x[1] = c.coordinates(i)[axis];
-      points.push_back(point<Traits2>(x));
-    }
-    return curve_on<Traits2>(points, FT(0), FT(1));
-  };
-  // the third point from its two projections, empty where they do not fit together
-  const auto third_point = [&](const Curve<Traits3>& left, const FT& c0_y,
-                               const FT& c0_z) -> std::optional<Point<Traits3>> {
-    const Column<Traits2> y = column<Traits2>(GC::midpoint_construction(project(left, 1)).b2(c0_y)),
-                          z = column<Traits2>(GC::midpoint_construction(project(left, 2)).b2(c0_z));
-    if (y[0] != z[0]) return std::nullopt;
-    Column<Traits3> x(3);
-    x[0] = y[0];
-    x[1] = y[1];
-    x[2] = z[1];
-    return point<Traits3>(x);
-  };
-  const auto right = [](const Curve<Traits3>& left, const Point<Traits3>& b2) {
-    return Curve<Traits3>{left.control_point(2), GC::tangent_alternative(left).point(), b2};
-  };
-  const Curve<Traits3> across = curve<Traits3>(3, {{1, 2, 0}, {0, -1, -1}, {0, 0, 0}}),
-                       along = curve<Traits3>(3, {{1, 2, 0}, {-1, -1, -1}, {0, 0, 0}});
-  const std::optional<Point<Traits3>> different = third_point(across, FT(4), FT(2));
-  BOOST_REQUIRE(different);
-  BOOST_CHECK(column<Traits3>(*different) == column<Traits3>(3, {1, 6, 2}));
-  const Curve<Traits3> wrong = right(across, *different);
-  for (int axis : {1, 2}) check_join(project(across, axis), project(wrong, axis), 2, axis == 1 ? 2 : 1, 2, 2);
-  BOOST_CHECK(!GC::is_curvature_continuous(across, wrong));
-  check_join(across, wrong, 2, 1, 1, 1);
-
-  BOOST_CHECK(!third_point(along, FT(4), FT(2)));
-  for (const Curve<Traits3>& left : {across, along}) {
-    const std::optional<Point<Traits3>> same = third_point(left, FT(3), FT(3));
-    BOOST_REQUIRE(same);
-    BOOST_CHECK(GC::is_curvature_continuous(left, right(left, *same)));
-  }
-}
-
-// Equal magnitudes |[p, r]| = |[p, b2 - b0]| as in the printed (3.1.2) are not enough.
-BOOST_AUTO_TEST_CASE(equal_magnitudes) {
-  const Curve<Traits3> left = curve<Traits3>(3, {{-3, 3, 1}, {-2, 1, 0}, {-1, 0, 0}, {0, 0, 0}}),
-                       right = curve<Traits3>(3, {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 3, -1}});
-  const Legs<Traits3> legs(left);
-  const Column<Traits3> q = right.coordinates(2) - right.coordinates(0);
-  BOOST_CHECK(GC::gram_determinant<FT>(std::vector<Column<Traits3>>{legs.p, legs.r}) ==
-              GC::gram_determinant<FT>(std::vector<Column<Traits3>>{legs.p, q}));
-  const auto join = GC::continuity(left, right);
-  BOOST_CHECK(join.curvature_equal == true);
-  BOOST_CHECK(join.curvature_vector_equal == false);
-  BOOST_CHECK(GC::is_tangent_continuous(left, right));
-  BOOST_CHECK(!GC::is_curvature_continuous(left, right));
-  BOOST_CHECK(!GC::is_torsion_continuous(left, right));
 }
 
 // ---------------------------------------------------------------- polygon tests
