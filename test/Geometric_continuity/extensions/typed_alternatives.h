@@ -413,6 +413,53 @@ BOOST_AUTO_TEST_CASE(similarity) {
   });
 }
 
+// Two planar projections with different C0 fit together where the tangent is orthogonal to the axis
+// that they share, and give a join in space that is not curvature-continuous; with the same C0 it
+// is.
+BOOST_AUTO_TEST_CASE(two_projections) {
+  const auto project = [](const Curve<Traits3>& c, int axis) {
+    Points<Traits2> points;
+    for (int i = 0; i <= c.degree(); ++i) {
+      Column<Traits2> x(2);
+      x[0] = c.coordinates(i)[0];
+      x[1] = c.coordinates(i)[axis];
+      points.push_back(point<Traits2>(x));
+    }
+    return curve_on<Traits2>(points, FT(0), FT(1));
+  };
+  // the third point from its two projections, empty where they do not fit together
+  const auto third_point = [&](const Curve<Traits3>& left, const FT& c0_y,
+                               const FT& c0_z) -> std::optional<Point<Traits3>> {
+    const Column<Traits2> y = column<Traits2>(GC::midpoint_construction(project(left, 1)).b2(c0_y)),
+                          z = column<Traits2>(GC::midpoint_construction(project(left, 2)).b2(c0_z));
+    if (y[0] != z[0]) return std::nullopt;
+    Column<Traits3> x(3);
+    x[0] = y[0];
+    x[1] = y[1];
+    x[2] = z[1];
+    return point<Traits3>(x);
+  };
+  const auto right = [](const Curve<Traits3>& left, const Point<Traits3>& b2) {
+    return Curve<Traits3>{left.control_point(2), GC::tangent_alternative(left).point(), b2};
+  };
+  const Curve<Traits3> across = curve<Traits3>(3, {{1, 2, 0}, {0, -1, -1}, {0, 0, 0}}),
+                       along = curve<Traits3>(3, {{1, 2, 0}, {-1, -1, -1}, {0, 0, 0}});
+  const std::optional<Point<Traits3>> different = third_point(across, FT(4), FT(2));
+  BOOST_REQUIRE(different);
+  BOOST_CHECK(column<Traits3>(*different) == column<Traits3>(3, {1, 6, 2}));
+  const Curve<Traits3> wrong = right(across, *different);
+  for (int axis : {1, 2}) check_join(project(across, axis), project(wrong, axis), 2, axis == 1 ? 2 : 1, 2, 2);
+  BOOST_CHECK(!GC::is_curvature_continuous(across, wrong));
+  check_join(across, wrong, 2, 1, 1, 1);
+
+  BOOST_CHECK(!third_point(along, FT(4), FT(2)));
+  for (const Curve<Traits3>& left : {across, along}) {
+    const std::optional<Point<Traits3>> same = third_point(left, FT(3), FT(3));
+    BOOST_REQUIRE(same);
+    BOOST_CHECK(GC::is_curvature_continuous(left, right(left, *same)));
+  }
+}
+
 // ---------------------------------------------------------------- polygon tests
 
 template <class Traits> void check_polygon_tests(const Curve<Traits>& left, const Curve<Traits>& right) {
