@@ -395,37 +395,6 @@ BOOST_AUTO_TEST_CASE(planar_curve_in_space) {
   BOOST_CHECK(GC::extend(left, Order::torsion, {FT(1), FT(3), FT(2), FT(-1)}).coordinates(3)[2] == FT(5));
 }
 
-// ---------------------------------------------------------------- the source, corrected
-
-// The printed (3.2.3), b3 = C1 p + C2 r, does not move with the curve; the corrected one moves with
-// it.
-BOOST_AUTO_TEST_CASE(printed_fourth_point) {
-  const Column<Traits3> shift = column<Traits3>(3, {1, -2, 3});
-  const GC::Torsion_parameters<FT> c{FT(2), FT(-1)};
-  const auto result = [&](const Column<Traits3>& by) {
-    const Row rows[] = {{0, 1, 2}, {0, 0, 0}, {1, 0, 0}, {3, 1, 0}};
-    Points<Traits3> points;
-    for (const Row& row : rows) points.push_back(point<Traits3>(column<Traits3>(3, row) + by));
-    const Curve<Traits3> left = curve_on<Traits3>(points, FT(0), FT(1));
-    const Legs<Traits3> legs(left);
-    const Column<Traits3> printed = c.c1 * legs.p + c.c2 * legs.r,
-                          corrected = column<Traits3>(GC::torsion_alternatives(left, FT(3)).point_at(c));
-    BOOST_CHECK(corrected == legs.b0 + legs.s + printed);
-    for (const Column<Traits3>& b3 : {printed, corrected}) {
-      Random random;
-      const Curve<Traits3> right = next(
-          left, FT(1),
-          {GC::tangent_alternative(left).point(), GC::curvature_alternatives(left).point_at(FT(3)), point<Traits3>(b3)},
-          random);
-      if (exact_predicates) BOOST_CHECK_EQUAL(GC::continuity(left, right).f_order, b3 == printed ? 2 : 3);
-    }
-    return std::pair<Column<Traits3>, Column<Traits3>>(printed, corrected);
-  };
-  const auto here = result(Column<Traits3>(3)), there = result(shift);
-  BOOST_CHECK(there.first == here.first);
-  BOOST_CHECK(there.second == here.second + shift);
-}
-
 // The families move with the curve.
 BOOST_AUTO_TEST_CASE(similarity) {
   if (!rational_numbers) return;
@@ -489,22 +458,6 @@ BOOST_AUTO_TEST_CASE(two_projections) {
     BOOST_REQUIRE(same);
     BOOST_CHECK(GC::is_curvature_continuous(left, right(left, *same)));
   }
-}
-
-// Equal magnitudes |[p, r]| = |[p, b2 - b0]| as in the printed (3.1.2) are not enough.
-BOOST_AUTO_TEST_CASE(equal_magnitudes) {
-  const Curve<Traits3> left = curve<Traits3>(3, {{-3, 3, 1}, {-2, 1, 0}, {-1, 0, 0}, {0, 0, 0}}),
-                       right = curve<Traits3>(3, {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 3, -1}});
-  const Legs<Traits3> legs(left);
-  const Column<Traits3> q = right.coordinates(2) - right.coordinates(0);
-  BOOST_CHECK(GC::gram_determinant<FT>(std::vector<Column<Traits3>>{legs.p, legs.r}) ==
-              GC::gram_determinant<FT>(std::vector<Column<Traits3>>{legs.p, q}));
-  const auto join = GC::continuity(left, right);
-  BOOST_CHECK(join.curvature_equal == true);
-  BOOST_CHECK(join.curvature_vector_equal == false);
-  BOOST_CHECK(GC::is_tangent_continuous(left, right));
-  BOOST_CHECK(!GC::is_curvature_continuous(left, right));
-  BOOST_CHECK(!GC::is_torsion_continuous(left, right));
 }
 
 // ---------------------------------------------------------------- polygon tests
