@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 // How many pieces `fit` takes near 20 polylines, beside the fewest of a chain with the same joins
-// that is known, and the least number without any condition where they meet: prints the table in the
-// manual, in a minute or two. Usage: compare_fits
+// that is known, and the least number without any condition where they meet: prints the table in
+// the manual, in some minutes. Usage: compare_fits
 
 #include "least_pieces.h"
 
