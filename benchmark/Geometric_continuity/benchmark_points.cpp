@@ -16,7 +16,6 @@
 #include <CGAL/Simple_cartesian.h>
 
 #ifdef GEOMETRIC_CONTINUITY_WITH_EIGEN
-#include "least_pieces.h"
 #include <Eigen/SparseLU>
 #include <unsupported/Eigen/Splines>
 #endif
@@ -279,24 +278,6 @@ void register_fit(int n, double tolerance) {
 #endif
 }
 
-#ifdef GEOMETRIC_CONTINUITY_WITH_EIGEN
-// Prints how many pieces `fit` takes, and the least number without any condition where they meet.
-void print_numbers_of_pieces() {
-  typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Plane;
-  std::cout << "Pieces of `fit`, and the least number of free ones: cubics, quintics\n";
-  for (const Polyline_to_fit& polyline : polylines_to_fit()) {
-    std::vector<Plane::Point> p;
-    for (const auto& [x, y] : polyline.points) p.emplace_back(x, y);
-    std::cout << polyline.name << ", tolerance " << polyline.tolerance;
-    for (const int order : {1, 2})
-      std::cout << (order == 1 ? ": " : ", ")
-                << GC::fit<Plane>(p.begin(), p.end(), polyline.tolerance, GC::Closure::open, order).number_of_segments()
-                << " (" << least_pieces(polyline.points, 2 * order + 1, polyline.tolerance) << ')';
-    std::cout << '\n';
-  }
-}
-#endif
-
 void register_fair(int n) {
   const std::vector<Point> dense = points_of(20 * n);
   const auto p = std::make_shared<std::vector<Point>>();
@@ -311,8 +292,5 @@ int main(int argc, char** argv) {
   for (const int n : {1000, 100000, 1000000}) register_interpolation(n);
   for (const int n : {1000, 100000}) register_fit(n, 0.01);
   register_fair(1000);
-#ifdef GEOMETRIC_CONTINUITY_WITH_EIGEN
-  print_numbers_of_pieces();
-#endif
   return run_benchmarks(argc, argv);
 }

@@ -136,8 +136,12 @@ BOOST_AUTO_TEST_CASE(least_numbers) {
     spiral.emplace_back(r * std::cos(4 * M_PI * t) + .005 * std::cos(angle),
                         r * std::sin(4 * M_PI * t) + .005 * std::sin(angle));
   }
-  BOOST_CHECK_EQUAL(pieces(arc, 2.5e-5, Closure::open, 2), 2);
-  BOOST_CHECK_EQUAL(pieces(spiral, 0.01, Closure::open, 2), 2);
+  for (const auto& [p, tolerance] : {std::pair(arc, 2.5e-5), std::pair(spiral, 0.01)}) {
+    const auto curve = GC::fit<Epick_2>(p.begin(), p.end(), tolerance, Closure::open, 2);
+    BOOST_REQUIRE_EQUAL(curve.number_of_segments(), 2);
+    BOOST_CHECK_LE(curve.distance, tolerance);
+    BOOST_CHECK_GE(GC::continuity(curve.segment(0), curve.segment(1), 2).g_order, 2);
+  }
 }
 
 // Segments that are much shorter than a piece, where the shortest pieces do not succeed: a segment

@@ -238,7 +238,8 @@ private:
     bool found = false;
     for (std::size_t i = 0; i < chains.size() && !found; ++i)
       found = chains[i].improve(patience, [&] { return succeeds(chains[i]); });
-    if (!found && tries > 0) found = has_shorter_chain(row, moves_first, moves_last, succeeds);
+    // where one less counts most: it takes time
+    if (!found && tries > 0 && less <= 3) found = has_shorter_chain(row, moves_first, moves_last, succeeds);
     tries -= static_cast<int>(chains.size()) - 1;
     if (found) row = std::move(spans);
     return found;
