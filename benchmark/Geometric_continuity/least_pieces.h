@@ -62,7 +62,7 @@ inline Bezier_points part(const Bezier_points& b, double u, double v) {
   return result;
 }
 
-// What is made small: excesses above almost the tolerance, and a little of all distances.
+// The search makes this small: excesses above almost the tolerance, and a little of all distances.
 struct Excess {
   static constexpr double part_of_all = 1e-5;
   double aim;
