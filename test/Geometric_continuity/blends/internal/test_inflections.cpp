@@ -22,7 +22,8 @@ BOOST_AUTO_TEST_CASE(graphs_with_known_roots) {
     for (int& x : roots) x = static_cast<int>(engine() % 80) - 8;
     if (n % 4 == 1) roots[1] = roots[0] + (n % 8 < 4 ? 0 : 1);
     Polynomial second({CGAL::Exact_rational(3 * 64 * 64 * 64)});
-    for (const int x : roots) second = second * Polynomial({CGAL::Exact_rational(-x, 64), CGAL::Exact_rational(64 - x, 64)});
+    for (const int x : roots)
+      second = second * Polynomial({CGAL::Exact_rational(-x, 64), CGAL::Exact_rational(64 - x, 64)});
     std::array<double, 6> y{};
     for (int i = 0; i < 4; ++i) y[i + 2] = 2 * y[i + 1] - y[i] + CGAL::to_double(second[i]);
     const double unit = std::ldexp(1., n % 3 == 0 ? 0 : n % 3 == 1 ? 600 : -600);
