@@ -344,6 +344,9 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_C2, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_G1, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_G2, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_G3, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(joint_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(G1_join, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(G2_join, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN
 
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN                                                                            \
@@ -367,6 +370,8 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(surface_continuity, CGAL_GEOMETRIC_CONTINU
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(patch_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_smooth_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(edge_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE
 
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND                                                                            \
@@ -381,7 +386,10 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(hermite_blend, CGAL_GEOMETRIC_CONTINUITY_A
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(quintic_hermite, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(bridge, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(connect_curves, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(match_surfaces, "match(a, Patch_edge::v1, b, Patch_edge::v0) changes b so that "
+                                                      "it continues a")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
     blend_surfaces, "blend(a, Patch_edge::v1, b, Patch_edge::v0) joins two surfaces by a surface that is G2 along both "
                     "edges")
@@ -392,6 +400,7 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fillet, "round_corners(points_or_curves, d
                                               "polyline or a chain, round_corner(a, b, distance) one of them, "
                                               "round_edge() the edge between two surfaces")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_curve, "fit(points, tolerance) fits a smooth curve to a polyline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_spline, "fit(points, tolerance) fits a smooth curve to a polyline")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_polyline, "fit(points, tolerance) fits a smooth curve to a polyline")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate, "fit(points, tolerance) fits a smooth curve to a polyline")
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS                                                                           \
@@ -402,6 +411,9 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_interpolation, CGAL_GEOMETRIC_CONTINU
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_interpolate, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_cubic, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(cubic_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(catmull_rom, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE                                                                            \
   "kink_size(a, b)->angle encloses the angle of a kink in the plane, in radians; deviation(a, b).tangent_angle in "    \
@@ -411,6 +423,32 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(kink_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(kink_angle_in_degrees, CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(join_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE
+template <class Curve, class Number, class = typename Curve::Traits> auto frenet_frame(const Curve&, const Number&) {
+  static_assert(internal::never<Curve>,
+                "frenet_frame(c.jet(u, 2)) is the frame of a curve at u, in space with c.jet(u, 3)");
+  return internal::No_result();
+}
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE                                                                         \
+  "chord_polyline(c, tolerance, out) writes points whose chords are within a tolerance, uniform_polyline(c, n, out) "  \
+  "points at n + 1 parameters"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(sample_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate_by_polyline, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(arc_length, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(inflection_points, "curvature_extrema(c).inflections are those of a curve")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(elevate_degree, "c.elevate() raises the degree by one, c.elevate(times) by more")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(degree_elevate, "c.elevate() raises the degree by one, c.elevate(times) by more")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(to_bezier, "spline.bezier_pieces() are the Bezier curves of a spline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(surface_normal, "s.normal(u, v) is the normal of a surface, s.unit_normal(u, v) "
+                                                      "the one of length 1")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(extend_curve, "extend(c, Frenet_order::curvature, {beta}) is the next segment "
+                                                    "of a curve, whose speed is beta times that of the last one")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(make_clothoid,
+                                      "Clothoid_segment(x, y, heading, k0, k1, length) is a clothoid between "
+                                      "two curvatures")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_deviation,
+                                      "deviation(a, b) measures a join, edge_deviation(a, Patch_edge::v1, "
+                                      "b, Patch_edge::v0) an edge")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(clothoid_blend,
                                       "clothoid_blend({{x, y}, Heading(angle)}, {{x, y}, Heading(angle)}) takes two "
                                       "ends, whose curvature is a third member, 0 if it is left out")
@@ -429,8 +467,14 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(squared_curvature, CGAL_GEOMETRIC_CONTINUI
   "write_g2(os, curve) of CGAL::Geometric_continuity takes an open std::ofstream"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_g2, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_G2, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_curves, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(write_G2, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(write_curves, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(save_g2, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE)
+template <class Traits> auto read_g2_curves(const std::string&) {
+  static_assert(internal::never<Traits>, CGAL_GEOMETRIC_CONTINUITY_ASK_READ);
+  return internal::No_result();
+}
 template <class Object> auto write_g2(const std::string&, const Object&) {
   static_assert(internal::never<Object>, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE);
   return internal::No_result();
