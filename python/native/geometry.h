@@ -6,6 +6,7 @@
 #define GEOMETRIC_CONTINUITY_PYTHON_GEOMETRY_H
 
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 

@@ -8,7 +8,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
 #include <CGAL/Geometric_continuity/edges/edge_deviation.h>
-#include <CGAL/Geometric_continuity/joins/join_result.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <algorithm>

@@ -9,6 +9,7 @@
 #include "reports/Claims.h"
 
 #include <CGAL/Geometric_continuity/cad/cad_edge_continuity.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 

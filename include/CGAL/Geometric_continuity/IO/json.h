@@ -14,6 +14,7 @@
 
 #include <CGAL/Geometric_continuity/IO/internal/utf8.h>
 #include <CGAL/Geometric_continuity/IO/number.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 
 #include <charconv>

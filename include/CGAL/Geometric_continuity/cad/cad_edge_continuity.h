@@ -15,7 +15,7 @@
 #include <CGAL/Geometric_continuity/cad/internal/exact_plane_edge.h>
 #include <CGAL/Geometric_continuity/cad/internal/exact_spline_edge.h>
 #include <CGAL/Geometric_continuity/edges/Edge_rows.h>
-#include <CGAL/Geometric_continuity/joins/join_result.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/Work_limit.h>

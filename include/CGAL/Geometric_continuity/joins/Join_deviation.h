@@ -6,9 +6,9 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_JOIN_DEVIATION_H
 
 #define CGAL_DEPRECATED_HEADER "<CGAL/Geometric_continuity/joins/Join_deviation.h>"
-#define CGAL_REPLACEMENT_HEADER "<CGAL/Geometric_continuity/joins/join_result.h>"
+#define CGAL_REPLACEMENT_HEADER "<CGAL/Geometric_continuity/joins/deviation.h>"
 #include <CGAL/Installation/internal/deprecation_warning.h>
 
-#include <CGAL/Geometric_continuity/joins/join_result.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_JOINS_JOIN_DEVIATION_H
