@@ -210,11 +210,11 @@ private:
   // Edges end at faces, and edges that stay sharp at rounded ones, only where angles are less than
   // 180 degrees.
   void check_corner(int h) const {
-    const Vertex_kind kind = kinds_[source(h)];
+    const Vertex_kind end = kinds_[source(h)];
     const int y = turned(h);
-    if (!corners_[h].is_reflex() || kind == Vertex_kind::corner) return;
-    if (kind == Vertex_kind::mitre && is_rounded(h) && is_rounded(y)) return;
-    if (kind == Vertex_kind::run_out && !is_rounded(h) && !is_rounded(y)) return;
+    if (!corners_[h].is_reflex() || end == Vertex_kind::corner) return;
+    if (end == Vertex_kind::mitre && is_rounded(h) && is_rounded(y)) return;
+    if (end == Vertex_kind::run_out && !is_rounded(h) && !is_rounded(y)) return;
     const int edge = solid.halfedges[is_rounded(h) ? h : y].edge;
     refuse(Error_code::incompatible_corner, edge,
            "its rounding cannot end at the vertex " + solid.point_text(source(h)) +
