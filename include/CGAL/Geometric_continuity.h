@@ -318,11 +318,14 @@ CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(extend)
 #undef CGAL_GEOMETRIC_CONTINUITY_NO_CURVE
 
 // A function that does not exist, with the sentence that is the first error of the compiler where
-// it is called, also with a kernel in angle brackets.
+// it is called, also with a kernel in angle brackets. It is in a namespace of its own, so that a
+// call without a namespace does not find it: people have functions with such names.
 #define CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(name, sentence)                                                          \
+  namespace other_names {                                                                                              \
   template <class Kernel = void, class... Given> auto name(const Given&...) {                                          \
     static_assert(internal::never<Kernel, Given...>, sentence);                                                        \
     return internal::No_result();                                                                                      \
+  }                                                                                                                    \
   }
 
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN                                                                             \
@@ -433,7 +436,6 @@ template <class Curve, class Number, class = typename Curve::Traits> auto frenet
   "points at n + 1 parameters"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(sample_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate_by_polyline, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(arc_length, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(inflection_points, "curvature_extrema(c).inflections are those of a curve")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(elevate_degree, "c.elevate() raises the degree by one, c.elevate(times) by more")
@@ -449,9 +451,12 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(make_clothoid,
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_deviation,
                                       "deviation(a, b) measures a join, edge_deviation(a, Patch_edge::v1, "
                                       "b, Patch_edge::v0) an edge")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(clothoid_blend,
-                                      "clothoid_blend({{x, y}, Heading(angle)}, {{x, y}, Heading(angle)}) takes two "
-                                      "ends, whose curvature is a third member, 0 if it is left out")
+template <class Start, class End, class... Given> auto clothoid_blend(const Start&, const End&, const Given&...) {
+  static_assert(internal::never<Start>,
+                "clothoid_blend({{x, y}, Heading(angle)}, {{x, y}, Heading(angle)}) takes two ends, "
+                "whose curvature is a third member, 0 if it is left out");
+  return internal::No_result();
+}
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE                                                                        \
   "curvature_extrema(c) encloses the extreme curvatures of a curve; curvature_excess(c, bound) finds where it "        \
   "exceeds a bound; curvature(c, u) is the curvature at one parameter"
@@ -485,6 +490,7 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_READ
 #undef CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION
+using namespace other_names;
 
 } // namespace Geometric_continuity
 
