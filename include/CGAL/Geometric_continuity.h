@@ -419,9 +419,8 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(cubic_spline, CGAL_GEOMETRIC_CONTINUITY_AS
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(catmull_rom, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE                                                                            \
-  "kink_size(a, b)->angle encloses the angle of a kink in the plane, in radians; deviation(a, b).tangent_angle in "    \
-  "any "                                                                                                               \
-  "dimension; in_degrees() converts them"
+  "kink_size(a, b)->angle encloses the angle of a kink in the plane, deviation(a, b).tangent_angle in any "            \
+  "dimension, in radians; in_degrees() converts them"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(kink_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(kink_angle_in_degrees, CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(join_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE)
