@@ -33,6 +33,20 @@ lacks out "knot 0.5 of curve 0" && run 1 verify models/knots.brep --require G2 -
 run 0 verify models/wire.brep --require G1 && says out "ends of curve 0 (B-spline curve)"
 run 0 verify models/cubics.brep --require C2 --within 0.001,0.01deg,0.01% && says out "jumps of derivatives 0 % and 0 %" "every join of curves is C2 within the tolerance, proved"
 
+# the curvature of curves: the semicircles have the radius 5, but for rounding
+for file in slot.brep slot.step slot.igs slot_moved.brep; do
+  run 0 verify models/$file --min-radius 5 && says out "every curve is bent by at most the radius 5, proved" && lacks out bent_curves
+  run 1 verify models/$file --max-curvature 0.1999999 --require G1 && says out "2 of them not G1 within the tolerance or a corner, or bent by at most the curvature 0.1999999"
+  holds [ "$(grep -cE '^curve . \(circle.*\): curvature .* /mm, radius .*4\.9999.* mm at t = ' out)" -eq 2 ]
+done
+run 0 verify models/line.brep --max-curvature 0.001 && run 1 verify models/knots.brep --max-curvature 3.99 && says out "curve 0 (B-spline curve): curvature [3.9" "at t = 0.5, (1.5, 1, 0)" "1 of them not bent"
+run 0 verify models/knots.brep --max-curvature 4 && run 2 verify models/slot_and_box.brep --min-radius 5 && says err "has faces"
+run 1 verify models/slot.step --min-radius 6 --format sarif && says out '"ruleId":"bend"' '"startLine":' && run 1 verify models/slot.step --min-radius 6 --json && python3 - out <<'PYTHON' || holds false
+import json, sys
+bent = json.load(open(sys.argv[1]))["bent_curves"]
+assert len(bent) == 2 and all(0.2 - 1e-9 < b["curvature"][0] <= b["curvature"][1] < 0.2 + 1e-9 for b in bent)
+PYTHON
+
 # reports for programs
 run 1 verify models/kinked_wire.brep --require G1 --json && python3 - out <<'PYTHON' || holds false
 import json, sys

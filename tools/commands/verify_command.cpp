@@ -136,8 +136,9 @@ mil-std-31000a 0.01,2deg.
 than K, one over a length in the units of the coordinates, and --min-radius R
 that its radius of curvature is nowhere less than R, which is K = 1/R. This is
 decided exactly, for the curves between the joins, also of fonts, in units of
-the font, and of the plan of roads and alignments; the bound may be reached. It
-is not for surfaces and CAD models.
+the font, and of the plan of roads and alignments; the bound may be reached. Of
+CAD models the curves without faces are enclosed, and may exceed the bound by a
+billionth of it, since their numbers are rounded. It is not for surfaces.
 Corners at the joins are those that --require G1 asks for. Where a curve exceeds
 the bound, the report names the place where it is bent most.
 
@@ -374,11 +375,11 @@ int run_verify(const Command_line& line, std::ostream* certificate) {
   }
   line.refuse({"glyphs", "worst", "max-kink", "off-by"}, "only for fonts");
   const GC::Work_scope each(line.work_limit());
-  if (are_cad_files(files))
-    refuse_bound("not for CAD models: it bounds curves of .g2, drawings, fonts, roads and alignments");
-  if (are_cad_files(files))
-    return verify_cad(files, mode, cad_demand(line, required),
-                      {Cad_drawing::none, line.length("sew"), line.seconds("time-limit", 60)});
+  if (are_cad_files(files)) {
+    Cad_demand demand = cad_demand(line, required);
+    demand.curvature = bound;
+    return verify_cad(files, mode, demand, {Cad_drawing::none, line.length("sew"), line.seconds("time-limit", 60)});
+  }
   line.refuse({"sew", "time-limit"}, "only for CAD models");
   const auto roads = std::count_if(files.begin(), files.end(), is_road_file);
   if (roads != 0) {

@@ -2,14 +2,16 @@
 //
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-// Encloses the joins of edges in space: with gaps, angles and curvatures that are known, and as
-// exact arithmetic measures those of splines.
+// Encloses the joins of edges in space, and the largest curvature of one: with gaps, angles and
+// curvatures that are known, and as exact arithmetic measures those of splines.
 
 #define BOOST_TEST_MODULE wire_enclosure
 
 #include "support/cad_sides.h"
 
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
+#include <CGAL/Geometric_continuity/curves/Rational_curve.h>
+#include <CGAL/Geometric_continuity/curves/fairness.h>
 #include <CGAL/Geometric_continuity/joins/deviation.h>
 
 namespace {
@@ -72,6 +74,76 @@ BOOST_AUTO_TEST_CASE(known_joins) {
   const Conic flat{Conic::Kind::ellipse, {5, 1e9, 0}, {0, -1, 0}, {1, 0, 0}, 1e9, 1e9};
   BOOST_TEST(encloses(*GC::wire_enclosure(end_of(line, 5), end_of(flat, 0)).deviation.curvature_jump, 1e-3));
   BOOST_TEST(encloses(*GC::wire_enclosure(end_of(line, 5), end_of(flat, 0), 1e-9).deviation.curvature_jump, 1, 1e-6));
+}
+
+BOOST_AUTO_TEST_CASE(known_curvatures) {
+  GC::Edge_precision precision;
+  precision.relative = 1e-9;
+  const auto largest = [&](GC::Cad_curve<3> curve, double first, double last,
+                           const GC::Cad_placement& place = unmoved) {
+    return GC::largest_curvature(end_of(std::move(curve), 0, false, place).curve, first, last, precision);
+  };
+  const auto is = [](const GC::Edge_maximum& found, double curvature) {
+    return encloses(found.value, curvature, 2e-9 * curvature);
+  };
+  BOOST_TEST(largest(GC::Cad_line<3>{{1, 2, 3}, {0, 3, 4}}, -5, 5).value.upper < 1e-9);
+  const Conic circle{Conic::Kind::ellipse, {5, 2, 0}, {0, -1, 0}, {1, 0, 0}, 2, 2};
+  BOOST_TEST(is(largest(circle, 0, 6), 0.5));
+  BOOST_TEST(is(largest(circle, 0, 6, {{{3, 0, 0, 1}, {0, 3, 0, 0}, {0, 0, -3, 7}}}), 0.5 / 3));
+  BOOST_TEST(encloses(largest(circle, 1, 1).value, 0.5)); // a point of it
+  // an offset by 1 outwards
+  BOOST_TEST(is(largest(GC::Cad_offset_curve<3>{std::make_shared<const GC::Cad_curve<3>>(circle), 1, {0, 0, 1}}, 0, 6),
+                1. / 3));
+  // a / b^2 on the long axis, elsewhere a b / (a^2 sin^2 + b^2 cos^2)^1.5
+  const Conic ellipse{Conic::Kind::ellipse, {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 4, 2};
+  const GC::Edge_maximum at_axis = largest(ellipse, -1, 2), at_end = largest(ellipse, 1, 2);
+  BOOST_TEST(is(at_axis, 1));
+  BOOST_TEST(std::abs(at_axis.parameter) < 1e-3);
+  BOOST_TEST(std::abs(at_axis.point[0] - 4) < 1e-5);
+  BOOST_TEST(is(at_end, 8 / std::pow(16 * std::pow(std::sin(1), 2) + 4 * std::pow(std::cos(1), 2), 1.5)));
+  BOOST_TEST(at_end.parameter == 1);
+  // y^2 = 4 a x with 1 / (2 a) in the vertex
+  BOOST_TEST(is(largest(Conic{Conic::Kind::parabola, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 0.25, 0}, -3, 9), 2));
+  BOOST_TEST(is(largest(Conic{Conic::Kind::hyperbola, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 2, 3}, -3, 2), 2. / 9));
+  // a line, and behind the knot a parabola that begins with the curvature 1
+  const Spline started{2, {0, 0, 0, 1, 1, 2, 2, 2}, {{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {1.5, 0, 0}, {2, 0.5, 0}}, {}};
+  BOOST_TEST(is(largest(started, 0, 2), 1));
+  BOOST_TEST(largest(started, 0, 2).parameter == 1);
+  BOOST_TEST(largest(started, 0, 1).value.upper < 1e-9);
+  // a cusp, and a tangent that is zero at the end
+  const Spline cusp{3, clamped(3), {{0, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}}, {}};
+  BOOST_TEST(std::isinf(largest(cusp, 0, 1).value.upper));
+  BOOST_TEST(largest(cusp, 0, 1).value.lower > 1e3);
+  const Spline stop{2, clamped(2), {{0, 0, 0}, {1, 1, 0}, {1, 1, 0}}, {}};
+  BOOST_TEST(std::isinf(largest(stop, 0, 1).value.upper));
+  CHECK_ERROR(largest(stop, 0, 1.5), parameter_outside_domain);
+  CHECK_ERROR(largest(circle, 1, 0), empty_domain);
+}
+
+// Random curves, rational ones too: exact arithmetic finds a curvature in each enclosure.
+BOOST_AUTO_TEST_CASE(random_curvatures) {
+  std::mt19937 random = seeded(first_seed());
+  const auto number = [&] { return std::uniform_int_distribution<int>(-20, 20)(random); };
+  for (int i = 0; i < 30; ++i) {
+    const int degree = 3 + i % 3;
+    Spline spline{degree, clamped(degree), {}, {}};
+    std::vector<Exact_3::Point> points;
+    std::vector<Exact_3::FT> weights;
+    for (int j = 0; j <= degree; ++j) {
+      spline.points.push_back({double(number()), double(number()), double(number())});
+      const P3& p = spline.points.back();
+      points.emplace_back(p[0], p[1], p[2]);
+      weights.push_back(i % 2 == 0 ? 1 : 1 + std::abs(number()));
+      spline.weights.push_back(CGAL::to_double(weights.back()));
+    }
+    if (i % 2 == 0) spline.weights.clear();
+    const auto exact = GC::Rational_bezier_curve<Exact_3>(points, weights);
+    const GC::Enclosure known = GC::curvature_extrema(exact).largest(),
+                        found = GC::largest_curvature(end_of(spline, 0).curve, 0, 1).value;
+    BOOST_TEST(found.lower <= known.upper);
+    BOOST_TEST(known.lower <= found.upper);
+    BOOST_TEST(found.upper - found.lower <= 0.0101 * found.upper);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(knots_and_errors) {

@@ -5,6 +5,7 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_CAD_VERDICT_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_CAD_CAD_VERDICT_H
 
+#include "commands/chains/curvature_bound.h"
 #include "formats/cad/Cad_model.h"
 #include "reports/Claims.h"
 
@@ -35,6 +36,7 @@ struct Cad_demand {
   GC::Bound kink;        // the angle that is reached all along a corner, in radians
   // C orders are those of wires
   GC::Continuity_kind kind = GC::Continuity_kind::G;
+  std::optional<Curvature_bound> curvature = {}; // of curves without faces
 
   // Returns what is required, e.g. "G1"; empty if nothing is.
   std::string name() const {
@@ -159,6 +161,14 @@ constexpr const char* beside_another = "it lies beside another boundary edge and
 inline bool is_no_point(const Cad_edge& edge, const Cad_verdict& verdict) {
   return edge.kind == Cad_edge_kind::degenerate && verdict.within[0] != GC::Verdict::proved;
 }
+
+// Decides whether a curve without faces exceeds the bound on the curvature, and encloses its
+// largest curvature, in 1/mm.
+struct Cad_bend {
+  Given given;
+  GC::Edge_maximum curvature;
+};
+Cad_bend cad_bend(const Cad_curve_edge& curve, const Curvature_bound& bound);
 
 // Returns the class of an edge and why it is not decided: with a requirement whether it is met,
 // otherwise whether the orders 0 and 1 are decided. Empty for boundaries and proved points, which

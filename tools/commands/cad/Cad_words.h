@@ -10,6 +10,7 @@
 
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <sstream>
@@ -47,12 +48,15 @@ inline std::string cad_place(std::size_t number, const Cad_edge& edge, const Cad
   return text + " of " + model.instances[model.labels[edge.faces[0]].instance];
 }
 
+// Returns e.g. `curve 0 (circle; #16)`.
+inline std::string cad_place(std::size_t number, const Cad_wires& wires) {
+  const Cad_curve_edge& c = wires.curves[number];
+  return "curve " + std::to_string(number) + " (" + c.kind + (c.id.empty() ? ")" : "; " + c.id + ')');
+}
+
 // Returns e.g. `join of curve 0 (circle; #16) and curve 1 (line; #24)`.
 inline std::string cad_place(const Cad_join& join, const Cad_wires& wires) {
-  const auto curve = [&](std::size_t number) {
-    const Cad_curve_edge& c = wires.curves[number];
-    return "curve " + std::to_string(number) + " (" + c.kind + (c.id.empty() ? ")" : "; " + c.id + ')');
-  };
+  const auto curve = [&](std::size_t number) { return cad_place(number, wires); };
   if (join.is_knot) {
     std::ostringstream os;
     os << "knot " << join.ends[0].parameter << " of " << curve(join.curves[0]);
@@ -178,6 +182,19 @@ inline std::string cad_sentence(const Cad_join_verdict& verdict, const Cad_deman
     os << ", jumps of derivatives " << GC::in_percent(e.derivative_jumps[0]) << " % and "
        << GC::in_percent(e.derivative_jumps[1]) << " %";
   os << " at (" << e.point[0] << ", " << e.point[1] << ", " << e.point[2] << ')';
+  return os.str();
+}
+
+// Returns what is said of the curvature of a curve behind its place.
+inline std::string cad_sentence(const Cad_bend& bend) {
+  if (bend.given.claim == Claim::not_covered) return bend.given.reason;
+  const GC::Edge_maximum& k = bend.curvature;
+  std::ostringstream os;
+  if (std::isfinite(k.value.upper))
+    os << "curvature " << k.value << " /mm, radius " << GC::Enclosure{1 / k.value.upper, 1 / k.value.lower} << " mm";
+  else
+    os << "curvature of at least " << k.value.lower << " /mm";
+  os << " at t = " << k.parameter << ", (" << k.point[0] << ", " << k.point[1] << ", " << k.point[2] << ')';
   return os.str();
 }
 

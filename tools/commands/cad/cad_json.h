@@ -118,6 +118,13 @@ inline void write_members(std::ostream& os, std::size_t number, const Cad_join& 
   os << ']';
 }
 
+// Writes the members of a curve with a bound on its curvature.
+inline void write_members(std::ostream& os, std::size_t number, const Cad_bend& bend) {
+  os << "\"curve\":" << number;
+  write_maximum(os, "curvature", std::optional(bend.curvature), in_length);
+  write_place(os, "curvature", std::optional(bend.curvature));
+}
+
 inline void write_json(std::ostream& os, const Cad_summary& s) {
   os << "{\"faces\":" << s.faces << ",\"inner\":" << s.inner << ",\"seam\":" << s.seams
      << ",\"boundary\":" << s.boundary << ",\"non_manifold\":" << s.non_manifold << ",\"degenerate\":" << s.degenerate

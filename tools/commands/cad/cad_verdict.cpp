@@ -24,9 +24,18 @@ constexpr std::uint64_t steps_of_box = 4000;
 // taken to pass so many.
 constexpr std::size_t most_poles = 16;
 
-// An angle may be smaller than that of a corner by this relative amount, because the numbers in
-// files are rounded.
-constexpr double rounded_angle = 1e-9;
+// An angle may be smaller than that of a corner by this relative amount, and a curvature larger
+// than its bound, because the numbers in files are rounded.
+constexpr double rounded_number = 1e-9;
+
+// Returns the precision of enclosures for which the work suffices.
+GC::Edge_precision precision_of_work() {
+  GC::Edge_precision precision;
+  const std::uint64_t boxes = (std::max)(GC::Work_scope::limit_of_each().steps() / steps_of_box, std::uint64_t(1));
+  precision.most_boxes = static_cast<int>((std::min)(boxes, std::uint64_t(1'000'000)));
+  precision.boxes = (std::min)(precision.boxes, precision.most_boxes);
+  return precision;
+}
 
 GC::Bound times(const GC::Bound& x, double factor) { return GC::Enclosure{x.lower() * factor, x.upper() * factor}; }
 
@@ -36,7 +45,7 @@ class Edge_decision {
   const Cad_demand& demand_;
   std::array<GC::Edge_side, 2> sides_;
   std::array<bool, 2> is_projected_;
-  GC::Edge_precision precision_;
+  GC::Edge_precision precision_ = precision_of_work();
   typedef std::vector<std::pair<double, double>> Ranges;
   Ranges parts_; // of the edge, those that belong to no pole
 
@@ -124,7 +133,7 @@ class Edge_decision {
     else if (is_smooth == GC::Verdict::proved)
       result.shape = Cad_shape::smooth;
     if (result.shape != Cad_shape::undecided || is_smooth != GC::Verdict::refuted || result.in_doubt) return;
-    const GC::Bound least = times(demand_.kink, 1 - rounded_angle);
+    const GC::Bound least = times(demand_.kink, 1 - rounded_number);
     static const GC::Enclosure straight = GC::in_radians(180);
     const GC::Bound folded = GC::Enclosure{straight.lower - demand_.bounds.tangent_angle.upper(),
                                            straight.upper - demand_.bounds.tangent_angle.lower()};
@@ -244,9 +253,6 @@ class Edge_decision {
 public:
   Edge_decision(const Cad_edge& edge, const Cad_demand& demand)
       : edge_(edge), demand_(demand), sides_(*edge.sides), is_projected_(edge.projections) {
-    const std::uint64_t boxes = (std::max)(GC::Work_scope::limit_of_each().steps() / steps_of_box, std::uint64_t(1));
-    precision_.most_boxes = static_cast<int>((std::min)(boxes, std::uint64_t(1'000'000)));
-    precision_.boxes = (std::min)(precision_.boxes, precision_.most_boxes);
     if (edge.kind != Cad_edge_kind::knot_line) return;
     // There are many of these, and most are smooth up to roundings: what nobody asks for is not
     // computed.
@@ -344,7 +350,7 @@ Cad_join_verdict cad_verdict(const Cad_join& join, const Cad_demand& demand) {
     return x ? GC::at_most(*x, bound) : GC::Verdict::undecided;
   };
   const GC::Verdict is_smooth = within(d.tangent_angle, demand.bounds.tangent_angle),
-                    is_kink = within(d.tangent_angle, times(demand.kink, 1 - rounded_angle));
+                    is_kink = within(d.tangent_angle, times(demand.kink, 1 - rounded_number));
   result.within[0] = GC::at_most(d.gap, demand.bounds.gap);
   result.within[1] = result.within[0] && is_smooth;
   result.within[2] = result.within[1] && within(d.curvature_jump, demand.bounds.curvature_jump);
@@ -358,6 +364,24 @@ Cad_join_verdict cad_verdict(const Cad_join& join, const Cad_demand& demand) {
                  : is_kink == GC::Verdict::proved         ? Cad_shape::kink
                  : is_kink == GC::Verdict::refuted        ? Cad_shape::corner
                                                           : Cad_shape::bent;
+  return result;
+}
+
+Cad_bend cad_bend(const Cad_curve_edge& curve, const Curvature_bound& bound) {
+  GC::Edge_precision precision = precision_of_work();
+  precision.relative = rounded_number;
+  precision.flat_curvature = GC::enclosure(bound.curvature).lower; // it is met when that is proved
+  Cad_bend result{{Claim::undecided, "curve", "its largest curvature is not known well enough"}, {}};
+  try {
+    result.curvature = GC::largest_curvature(*curve.space, curve.begin, curve.end, precision);
+  } catch (const GC::Error& e) {
+    result.given = {Claim::not_covered, "curve", e.what()};
+    return result;
+  }
+  const GC::Bound allowed = times(GC::enclosure(bound.curvature), 1 + rounded_number);
+  const GC::Verdict verdict = GC::at_most(result.curvature.value, allowed);
+  if (verdict != GC::Verdict::undecided)
+    result.given = {verdict == GC::Verdict::proved ? Claim::met : Claim::not_met, "curve"};
   return result;
 }
 

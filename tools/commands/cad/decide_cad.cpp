@@ -72,7 +72,7 @@ void move(Cad_verdict& verdict, const GC::Cad_placement& place) {
 }
 
 Decided_cad_file decided(const std::string& file, Cad_model model, const Cad_demand& demand) {
-  Decided_cad_file result{file, std::move(model), {}, {}, 0};
+  Decided_cad_file result{file, std::move(model), {}, {}, {}, 0};
   const std::vector<Cad_edge>& edges = result.model.edges;
   Progress progress("edges");
   const std::vector<std::size_t> first = equal_edges(edges);
@@ -96,6 +96,9 @@ Decided_cad_file decided(const std::string& file, Cad_model model, const Cad_dem
     result.compared += edges[i].sides && first[i] == i;
   }
   for (const Cad_join& join : result.model.wires.joins) result.joins.push_back(cad_verdict(join, demand));
+  const std::vector<Cad_curve_edge>& curves = result.model.wires.curves;
+  for (std::size_t i = 0; demand.curvature && i < curves.size(); ++i)
+    if (curves[i].space) result.bends.emplace_back(i, cad_bend(curves[i], *demand.curvature));
   return result;
 }
 

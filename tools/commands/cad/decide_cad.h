@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 // Returns what is asked within a tolerance as it is written, without a requirement. Throws
@@ -26,6 +27,8 @@ struct Decided_cad_file {
   Cad_model model;
   std::vector<Cad_verdict> verdicts;   // of each edge
   std::vector<Cad_join_verdict> joins; // the verdicts on those of curves without faces
+  // how far each curve is bent, if there is a bound; those that cannot be decided are left out
+  std::vector<std::pair<std::size_t, Cad_bend>> bends;
   // edges with two sides, each as often as it is decided: once for all that are equal
   std::size_t compared = 0;
 };

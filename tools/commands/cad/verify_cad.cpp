@@ -87,10 +87,15 @@ class Cad_report {
   static Report_subject subject(const Cad_demand& demand) {
     Report_subject s{"edge of two sides", "every edge of two sides and every knot line"};
     s.proof = "proved";
-    if (!demand.order) return s;
-    s.required = demand.name() + " within the tolerance";
-    if (*demand.order > 0 && demand.kind == GC::Continuity_kind::G) s.required += " or a corner";
-    s.required_in_json = "\"required\":\"" + demand.name() + '"';
+    if (demand.order) {
+      s.required = demand.name() + " within the tolerance";
+      if (*demand.order > 0 && demand.kind == GC::Continuity_kind::G) s.required += " or a corner";
+      s.required_in_json = "\"required\":\"" + demand.name() + '"';
+    }
+    if (demand.curvature) {
+      s.every = "every join of curves"; // there are no faces
+      demand_curvature(s, *demand.curvature);
+    }
     return s;
   }
 
@@ -206,9 +211,42 @@ class Cad_report {
     });
   }
 
+  // Adds how far a curve without faces is bent.
+  void add_bend(const Decided_cad_file& file, std::size_t number, const Cad_bend& bend) {
+    const Cad_wires& wires = file.model.wires;
+    const auto members = [&] {
+      std::ostringstream os;
+      write_members(os, number, bend);
+      return os.str();
+    };
+    report_.add(file.file, bend.given, false, [&] {
+      Finding f;
+      f.file = file.file;
+      f.line = line_of(wires.curves[number].id);
+      f.kind = "curve";
+      f.place = cad_place(number, wires);
+      f.rule = bend.given.claim == Claim::not_covered ? Finding_rule::not_verified
+               : bend.given.claim == Claim::undecided ? Finding_rule::undecided
+                                                      : Finding_rule::bend;
+      f.message =
+          (bend.given.claim == Claim::not_met ? "not " + demand_.curvature->words + ": " : "") + cad_sentence(bend);
+      f.properties = members();
+      f.object = wires.curves[number].id.empty() ? "curve " + std::to_string(number) : wires.curves[number].id;
+      f.shape = wires.curves[number].kind;
+      if (bend.given.claim == Claim::not_met) f.measure = Measure{"curvature", bend.curvature.value};
+      return f;
+    });
+    if (bend.given.claim == Claim::met) return;
+    if (is_text())
+      report_.row("bent_curves", cad_place(number, wires) + ": " + cad_sentence(bend) + '\n', bend.given.claim);
+    else if (bend.given.claim != Claim::not_covered)
+      report_.row("bent_curves", ",\n {\"file\":" + json_text(file.file) + ',' + members() + '}', bend.given.claim);
+  }
+
   void add_wires(const Decided_cad_file& file) {
     const Cad_wires& wires = file.model.wires;
     for (std::size_t i = 0; i < wires.joins.size(); ++i) add_join(file, i);
+    for (const auto& [number, bend] : file.bends) add_bend(file, number, bend);
     for (std::size_t i = 0; i < wires.curves.size(); ++i)
       if (const Cad_curve_edge& c = wires.curves[i]; !c.reason.empty())
         add_not_covered_curve(file.file, "curve " + std::to_string(i) + " (" + c.kind + ')',
@@ -256,6 +294,10 @@ class Cad_report {
   }
 
   void add(const Decided_cad_file& file) {
+    if (demand_.curvature && !file.model.faces.empty())
+      throw std::invalid_argument(
+          "--max-curvature, --min-radius: of CAD models curves without faces are bounded, and " + file.file +
+          " has faces");
     if (demand_.kind == GC::Continuity_kind::C && !file.model.faces.empty())
       throw std::invalid_argument("--require " + demand_.name() +
                                   ": of CAD models G0, G1 and G2 are decided, and C orders only of curves without "
@@ -295,7 +337,7 @@ class Cad_report {
     if (s.faces > 0 || s.curves == 0) os << '\n';
     if (s.instances > 0) os << parts_words(s.instances, s.shapes) << '\n';
     if (s.sewn > 0) os << sewn_words(s.sewn) << '\n';
-    if (s.decided() == 0 && s.beside == 0 && !s.hint().empty()) os << s.hint() << '\n';
+    if (s.decided() == 0 && s.beside == 0 && !demand_.curvature && !s.hint().empty()) os << s.hint() << '\n';
     if (s.decided() > 0) {
       os << "within " << demand_.tolerance << " (lengths in mm): " << s.g2 << " G2, " << s.g1 << " G1, " << s.g0
          << " G0, " << counted(s.gaps, "gap") << ", " << s.undecided << " undecided"
@@ -325,9 +367,12 @@ public:
       : demand_(demand), report_(mode, subject(demand)), names_files_(files.size() > 1) {
     report_.row("edges");
     report_.row("joins");
+    if (demand.curvature) report_.row("bent_curves");
     report_.row("not_read");
     decide_cad_files(files, demand, reading, [this](const Decided_cad_file& file) { add(file); });
-    if (summary_.faces == 0 && summary_.joins > 0)
+    if (demand.curvature)
+      return; // it speaks of curves already
+    else if (summary_.faces == 0 && summary_.joins > 0)
       report_.speak_of("join of curves", "every join of curves");
     else if (summary_.joins > 0)
       report_.say_of_every(" and every join of curves");

@@ -90,6 +90,8 @@ struct Cad_curve_edge {
   std::string id = {};                       // of its entity, e.g. "#123"; empty if it has none
   std::string reason = {};                   // why its joins cannot be decided; empty if they can
   std::vector<GC::Cad_point<3>> points = {}; // on it, in its direction; rounded
+  std::optional<GC::Edge_curve> space = {};  // the curve itself, if it can be decided
+  double begin = 0, end = 0;                 // its parameters
 };
 
 // A place where two curves of no face meet, or one comes back to its start, or may bend at a knot.

@@ -183,9 +183,9 @@ template <class Bounds>
 Edge_maximum edge_maximum(const Bounds& bounds, const Maximum_enclosure& l, const Enclosure& value) {
   return {value, l.parameter, bounds.point(l.parameter), l.upper_at};
 }
-// Returns the largest distance, whose square is enclosed. Its upper end is infinite where the
-// square is not bounded.
-template <class Bounds> Edge_maximum largest_distance(const Bounds& bounds, const Maximum_enclosure& square) {
+// Returns the largest value of a function that is not negative, whose square is enclosed. Its upper
+// end is infinite where the square is not bounded.
+template <class Bounds> Edge_maximum largest_root(const Bounds& bounds, const Maximum_enclosure& square) {
   // unreachable: by rounding only, of squares next to the largest number
   const bool bounded = square.undefined.empty() && square.unresolved.empty() && std::isfinite(square.upper);
   return edge_maximum(bounds, square,
@@ -233,7 +233,7 @@ inline Edge_enclosure edge_enclosure(const Edge_side& a, const Edge_side& b, dou
     return l;
   };
 
-  result.gap = largest_distance(bounds, largest(Edge_quantity::gap, precision.gap, square_root_of));
+  result.gap = largest_root(bounds, largest(Edge_quantity::gap, precision.gap, square_root_of));
   const Maximum_enclosure angle = largest(Edge_quantity::angle, precision.angle,
                                           [](double x) { return 2 * std::asin((std::min)(1., std::sqrt(x) / 2)); });
   if (angle.defined)
@@ -308,8 +308,8 @@ inline Edge_maximum curve_deviation(const Edge_side& side, const Edge_curve& cur
   check_range(first, last, "curve_deviation: the range");
   const Protect_FPU_rounding<true> rounding_upwards;
   const Distance_bounds bounds(side, curve, first, last);
-  return largest_distance(bounds, maximum_enclosure(bounds.ends(), precision, precision.gap, square_root_of, bounds,
-                                                    [](double, double) { return false; }));
+  return largest_root(bounds, maximum_enclosure(bounds.ends(), precision, precision.gap, square_root_of, bounds,
+                                                [](double, double) { return false; }));
 }
 
 /// \ingroup PkgGeometricContinuityCadEdges
@@ -463,6 +463,24 @@ inline std::optional<Foot_comparison> compare_at_feet(const Edge_side& a, const 
                largest = (std::max)({magnitude(x.curvature), magnitude(y.curvature), flat_curvature});
   const double jump = least > 0 ? (Interval(least) / Interval(largest)).inf() : 0;
   return Foot_comparison{distances, length_below(x.point, y.point), angle, jump};
+}
+
+/// \ingroup PkgGeometricContinuityCadEdges
+/// Encloses the largest curvature \f$ |c' \times c''| / |c'|^3 \f$ of an edge as a curve in space
+/// over the range `[first, last]`, on both sides of each knot. The enclosure is narrow enough where
+/// its width is at most `Edge_precision::relative` times its upper end, or its upper end at most
+/// `Edge_precision::flat_curvature`. The upper end is infinite where a tangent cannot be told from
+/// zero, as in a cusp, and where the work does not suffice.
+/// \throws Error as `wire_enclosure()`, and `empty_domain` when `first > last`
+inline Edge_maximum largest_curvature(const Edge_curve& curve, double first, double last,
+                                      const Edge_precision& precision = Edge_precision()) {
+  using namespace internal;
+  check_range(first, last, "largest_curvature: the range");
+  const Protect_FPU_rounding<true> rounding_upwards;
+  const Curvature_bounds bounds(curve, first, last);
+  const Maximum_enclosure square = maximum_enclosure(bounds.ends(), precision, precision.flat_curvature, square_root_of,
+                                                     bounds, [](double, double) { return false; });
+  return largest_root(bounds, square);
 }
 
 /// \ingroup PkgGeometricContinuityCadEdges

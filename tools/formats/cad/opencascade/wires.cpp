@@ -74,16 +74,14 @@ struct End {
 class Wire_finder {
   const double gap_;
   Cad_wires result_;
-  std::vector<std::optional<GC::Edge_curve>> curves_;
   std::vector<End> ends_;
   std::vector<std::size_t> group_; // of each end the number of one that stands for all that meet
 
   void add_curve(const TopoDS_Edge& edge, int order) {
     const std::size_t number = result_.curves.size();
     Cad_curve_edge& e = result_.curves.emplace_back();
-    curves_.emplace_back();
     TopLoc_Location location;
-    double begin, end;
+    double &begin = e.begin, &end = e.end;
     const Handle(Geom_Curve) curve = BRep_Tool::Curve(edge, location, begin, end);
     if (curve.IsNull()) {
       e.kind = "point";
@@ -93,7 +91,7 @@ class Wire_finder {
     e.kind = curve_name(curve.get());
     try {
       if (!is_finite(begin, end) || !(begin < end)) throw Not_covered("an empty or infinite range of parameters");
-      curves_.back() = {std::make_shared<const GC::Cad_curve<3>>(cad_curve(curve, {begin, end})), placement(location)};
+      e.space = {std::make_shared<const GC::Cad_curve<3>>(cad_curve(curve, {begin, end})), placement(location)};
     } catch (const Not_covered& reason) {
       e.reason = reason.what();
       return;
@@ -113,9 +111,9 @@ class Wire_finder {
     };
     add_end(false, begin, first);
     add_end(true, end, last);
-    for (const double knot : GC::curve_knots(*curves_.back()->curve, order))
+    for (const double knot : GC::curve_knots(*e.space->curve, order))
       if (begin < knot && knot < end)
-        result_.joins.push_back({{number, number}, {{{*curves_.back(), knot}, {*curves_.back(), knot}}}, true});
+        result_.joins.push_back({{number, number}, {{{*e.space, knot}, {*e.space, knot}}}, true});
   }
 
   std::size_t root(std::size_t i) const {
@@ -182,8 +180,8 @@ class Wire_finder {
     const bool is_turned = !a.is_last && b.is_last; // the first curve ends there if one does
     const End &left = is_turned ? b : a, &right = is_turned ? a : b;
     result_.joins.push_back({{left.curve, right.curve},
-                             {{{*curves_[left.curve], left.parameter, !left.is_last},
-                               {*curves_[right.curve], right.parameter, right.is_last}}},
+                             {{{*result_.curves[left.curve].space, left.parameter, !left.is_last},
+                               {*result_.curves[right.curve].space, right.parameter, right.is_last}}},
                              false});
   }
 

@@ -185,17 +185,25 @@ inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, 
   return {at_point.inf(), upper, t, true, upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf())};
 }
 
+// Returns the ends of a range with the knots of curves inside, in order, each once.
+inline std::vector<double> in_order(std::vector<double> ends) {
+  std::sort(ends.begin(), ends.end());
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
+template <int D> void add_knots(const Cad_curve<D>& curve, double first, double last, std::vector<double>& ends) {
+  for (double k : inner_knots(curve))
+    if (first < k && k < last) ends.push_back(k);
+}
+
 // The range of an edge, divided at the knots of the curves of its sides, and on both sides of the
 // parameters near which a curve crosses a knot line of its surface. (What is not found here will be
 // found by halving.) \pre the numbers of the sides have been checked. \throws Error
 // `parameter_outside_domain`
 inline std::vector<double> divided_range(std::initializer_list<const Edge_side*> sides, double first, double last) {
   std::vector<double> ends{first, last};
-  for (const Edge_side* side : sides)
-    for (double k : inner_knots(*side->curve))
-      if (first < k && k < last) ends.push_back(k);
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  for (const Edge_side* side : sides) add_knots(*side->curve, first, last, ends);
+  ends = in_order(std::move(ends));
   const std::size_t pieces = ends.size();
   const double margin = (last - first) * 0x1p-40;
   for (const Edge_side* side : sides) {
@@ -222,9 +230,7 @@ inline std::vector<double> divided_range(std::initializer_list<const Edge_side*>
       }
     }
   }
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  return ends;
+  return in_order(std::move(ends));
 }
 
 // Both sides of an edge over ranges of the parameter.
@@ -323,10 +329,8 @@ public:
       : side_(side), curve_(curve) {
     for (double t : {first, last}) cad_domain(*curve.curve).check(t, "the range of an edge");
     ends_ = divided_range({&side}, first, last);
-    for (double k : inner_knots(*curve.curve))
-      if (first < k && k < last) ends_.push_back(k);
-    std::sort(ends_.begin(), ends_.end());
-    ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
+    add_knots(*curve.curve, first, last, ends_);
+    ends_ = in_order(std::move(ends_));
   }
 
   // Returns the ends of the parts into which the range is divided first.
@@ -347,10 +351,35 @@ public:
   }
 
   // Returns the point of the curve, rounded.
-  Cad_point<3> point(double t) const {
-    const auto p = curve_.jet(t)[0];
-    return {middle(p[0]), middle(p[1]), middle(p[2])};
+  Cad_point<3> point(double t) const { return curve_.point(t); }
+};
+
+// Bounds the curvature of an edge as a curve in space, on ranges of the parameter.
+class Curvature_bounds {
+  Placed_curve curve_;
+  std::vector<double> ends_;
+
+public:
+  // \throws Error `parameter_outside_domain`
+  Curvature_bounds(const Edge_curve& curve, double first, double last) : curve_(curve), ends_{first, last} {
+    for (double t : {first, last}) cad_domain(*curve.curve).check(t, "the range of an edge");
+    add_knots(*curve.curve, first, last, ends_);
+    ends_ = in_order(std::move(ends_));
   }
+
+  // Returns the ends of the parts into which the range is divided first.
+  const std::vector<double>& ends() const { return ends_; }
+
+  // Returns bounds of the square of the curvature |c' x c''| / |c'|^3.
+  Bounds_on_range operator()(double lower, double upper) const {
+    const Edge_range range(lower, upper);
+    const Taylor_vector tangent = curve_.models(range, 1);
+    const Taylor_model f = reciprocal_root(dot(tangent, tangent));
+    return square_on(range, cross(tangent, curve_.models(range, 2)) * (f * f * f), std::nullopt);
+  }
+
+  // Returns the point of the curve, rounded.
+  Cad_point<3> point(double t) const { return curve_.point(t); }
 };
 
 } // namespace internal

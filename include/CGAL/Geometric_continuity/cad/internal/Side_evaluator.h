@@ -42,6 +42,16 @@ struct Side_models {
   bool along_knots = false;
 };
 
+// Adds a multiple of s^k to a model without that power, or with one that it does not keep.
+inline void add_coefficient(Taylor_model& f, int k, const Interval& x) {
+  double rest = magnitude(x);
+  if (k < Taylor_model::size && rest <= Taylor_model::largest) {
+    f.c[k] = middle(x);
+    rest = magnitude(x - Interval(f.c[k]));
+  }
+  f.r = (f.r + rest) * Taylor_model::enlarged;
+}
+
 // A curve on a range: one coordinate and its derivative.
 struct Coordinate_models {
   Taylor_model value, derivative;
@@ -58,10 +68,9 @@ struct Coordinate_models {
     for (int k = 1; k <= n + 1; ++k) constant = constant && is_exact_zero(on_range.c[k][i]);
     Interval power = 1;
     for (int k = 0; k <= n; ++k, power *= Interval(half)) {
-      const Interval x = (k < n ? about_middle : on_range).c[k][i] * power,
-                     y = (k + 1) * (k < n ? about_middle : on_range).c[k + 1][i] * power;
-      add(value, k, x);
-      add(derivative, k, y);
+      const Cad_curve_jet<D>& jet = k < n ? about_middle : on_range;
+      add_coefficient(value, k, jet.c[k][i] * power);
+      add_coefficient(derivative, k, (k + 1) * jet.c[k + 1][i] * power);
     }
     if (!value.known())
       range = Interval::largest();
@@ -71,16 +80,6 @@ struct Coordinate_models {
       range = hull(value.c[0], at_ends);
     else
       range = hull(value.c[0], common_part(value.range(), on_range.c[0][i]));
-  }
-
-private:
-  static void add(Taylor_model& f, int k, const Interval& x) {
-    double rest = magnitude(x);
-    if (k < Taylor_model::size && rest <= Taylor_model::largest) {
-      f.c[k] = internal::middle(x);
-      rest = magnitude(x - Interval(f.c[k]));
-    }
-    f.r = (f.r + rest) * Taylor_model::enlarged;
   }
 };
 
@@ -143,23 +142,34 @@ public:
     std::visit(Check_cad_curve<3>(), *given.curve);
   }
 
-  // The point on a range. \pre the range lies between the knots
-  Taylor_vector models(const Edge_range& range) const {
+  // The point on a range, or its derivative of order m. \pre the range lies between the knots
+  Taylor_vector models(const Edge_range& range, int m = 0) const {
     constexpr int n = Taylor_model::size;
     const Cad_curve<3>& curve = *given_.curve;
     const int span = intersected_pieces(curve, range.t, 1).front();
-    const Cad_curve_jet<3> about_middle = cad_curve_jet(curve, Interval(range.middle), n, span),
-                           on_range = cad_curve_jet(curve, range.t, n + 1, span);
-    Taylor_vector point;
-    for (int i = 0; i < 3; ++i)
-      point[i] = Coordinate_models(about_middle, on_range, on_range.c[0][i], i, range.half).value;
-    return placed_(point, true);
+    const Cad_curve_jet<3> about_middle = cad_curve_jet(curve, Interval(range.middle), n + m - 1, span),
+                           on_range = cad_curve_jet(curve, range.t, n + m, span);
+    Taylor_vector result;
+    Interval power = 1;
+    for (int k = 0; k <= n; ++k, power *= Interval(range.half)) {
+      double factor = 1; // (k + m)! / k!
+      for (int j = 1; j <= m; ++j) factor *= k + j;
+      for (int i = 0; i < 3; ++i)
+        add_coefficient(result[i], k, factor * (k < n ? about_middle : on_range).c[k + m][i] * power);
+    }
+    return placed_(result, m == 0);
   }
 
   // The point and the derivative at a parameter.
   std::array<Interval_vector<3>, 2> jet(double t) const {
     const Cad_curve_jet<3> jet = cad_curve_jet(*given_.curve, Interval(t), 1);
     return {placed_(jet.c[0], true), placed_(jet.c[1], false)};
+  }
+
+  // The point at a parameter, rounded.
+  Cad_point<3> point(double t) const {
+    const Interval_vector<3> p = jet(t)[0];
+    return {middle(p[0]), middle(p[1]), middle(p[2])};
   }
 
   // The point and two derivatives at a parameter, at a knot those below (`side` < 0) or above
