@@ -1,0 +1,418 @@
+// Copyright (c) 2026 The Geometric_continuity developers
+//
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+#ifndef CGAL_GEOMETRIC_CONTINUITY_INTERNAL_OTHER_NAMES_H
+#define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_OTHER_NAMES_H
+
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+/// \file other_names.h
+/// Names that other packages, and people who have not read the manual, give to what this package
+/// has. Some are other names of the same thing: they work, and the compiler warns with the name
+/// here. The others do not compile, and the first error is the sentence that tells the call. The
+/// header is the last one that CGAL/Geometric_continuity.h includes, and uses what that has.
+
+namespace CGAL {
+namespace Geometric_continuity {
+
+/// \cond SKIP_IN_MANUAL
+
+// Classes
+#define CGAL_GEOMETRIC_CONTINUITY_CLASS(name, real)                                                                    \
+  template <class Traits> using name [[deprecated("the class is " #real)]] = real<Traits>;
+CGAL_GEOMETRIC_CONTINUITY_CLASS(B_spline_curve, Bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(BSpline_curve, Bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(NURBS_curve, Rational_bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Nurbs_curve, Rational_bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Rational_B_spline_curve, Rational_bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Bezier_surface, Bezier_patch)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Rational_bezier_surface, Rational_bezier_patch)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(B_spline_surface, Bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(BSpline_surface, Bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(NURBS_surface, Rational_bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Nurbs_surface, Rational_bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Piecewise_bezier_curve, Composite_bezier_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Bezier_spline, Composite_bezier_curve)
+#undef CGAL_GEOMETRIC_CONTINUITY_CLASS
+
+// Classes over a kernel, as other packages name them
+#define CGAL_GEOMETRIC_CONTINUITY_CLASS(name, dimension, real)                                                         \
+  template <class Kernel>                                                                                              \
+  using name##_##dimension [[deprecated("the class is " #real "<Traits_" #dimension "<Kernel>>")]] =                   \
+      real<Traits_##dimension<Kernel>>;
+#define CGAL_GEOMETRIC_CONTINUITY_CURVE(name, real)                                                                    \
+  CGAL_GEOMETRIC_CONTINUITY_CLASS(name, 2, real) CGAL_GEOMETRIC_CONTINUITY_CLASS(name, 3, real)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(Bezier_curve, Bezier_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(Composite_bezier_curve, Composite_bezier_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(Bspline_curve, Bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(B_spline_curve, Bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(BSpline_curve, Bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(NURBS_curve, Rational_bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(Nurbs_curve, Rational_bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(Rational_bspline_curve, Rational_bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CURVE(Rational_bezier_curve, Rational_bezier_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Bezier_patch, 3, Bezier_patch)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Bezier_surface, 3, Bezier_patch)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Bspline_surface, 3, Bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(B_spline_surface, 3, Bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(BSpline_surface, 3, Bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(NURBS_surface, 3, Rational_bspline_surface)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Nurbs_surface, 3, Rational_bspline_surface)
+#undef CGAL_GEOMETRIC_CONTINUITY_CURVE
+#undef CGAL_GEOMETRIC_CONTINUITY_CLASS
+
+template <class Kernel> using Bezier_traits_2 [[deprecated("the class is Traits_2<Kernel>")]] = Traits_2<Kernel>;
+template <class Kernel> using Bezier_traits_3 [[deprecated("the class is Traits_3<Kernel>")]] = Traits_3<Kernel>;
+
+// Edges
+[[deprecated("the edge is Patch_edge::u0")]] inline constexpr Patch_edge U_MIN = Patch_edge::u0;
+[[deprecated("the edge is Patch_edge::u1")]] inline constexpr Patch_edge U_MAX = Patch_edge::u1;
+[[deprecated("the edge is Patch_edge::v0")]] inline constexpr Patch_edge V_MIN = Patch_edge::v0;
+[[deprecated("the edge is Patch_edge::v1")]] inline constexpr Patch_edge V_MAX = Patch_edge::v1;
+
+namespace internal {
+
+// Tells whether an order up to 3 holds: of two curves at their join, of two surfaces along their
+// common edge, of a spline at its knots, of a chain of curves at all joins.
+template <int order> struct Has_order {
+  template <class A, class B> bool operator()(const A& a, const B& b) const {
+    static_assert(!std::is_arithmetic_v<B>, "knot_continuity(spline, u).g_order is the order at one parameter");
+    constexpr bool are_iterators = std::is_same_v<A, B> && !Has_traits<A>::value;
+    static_assert(!are_iterators,
+                  "failing_joins(curves, is_g2_join).empty() decides a chain, which is given as a range");
+    if constexpr (std::is_arithmetic_v<B> || are_iterators) // so that there is one error
+      return false;
+    else if constexpr (is_surface<A>)
+      return edge_continuity(a, b).g_order >= order;
+    else if constexpr (order == 1)
+      return is_g1_join(a, b);
+    else if constexpr (order == 2)
+      return is_g2_join(a, b);
+    else
+      return is_g3_join(a, b);
+  }
+
+  // This refuses a tolerance.
+  template <class A, class B, class Number> bool operator()(const A&, const B&, const Number&) const {
+    static_assert(!std::is_same_v<Number, Number>, "order_within(a, b, 1e-6) proves or refutes the orders within a "
+                                                   "tolerance; of surfaces it takes the edges, too");
+    return false;
+  }
+
+  // This refuses two surfaces with the edges.
+  template <class A, class B> bool operator()(const A&, const Patch_edge&, const B&, const Patch_edge&) const {
+    static_assert(!std::is_same_v<A, A>, "edge_continuity(a, Patch_edge::u1, b, Patch_edge::u0).g_order is the order "
+                                         "of two surfaces along these edges");
+    return false;
+  }
+
+  template <class Chain> bool operator()(const Chain& chain) const {
+    if constexpr (Has_traits<Chain>::value) {
+      const auto knots = knot_continuities(chain, order);
+      return std::all_of(knots.begin(), knots.end(), [](const auto& knot) { return knot.join.g_order >= order; });
+    } else
+      return failing_joins(chain, *this).empty();
+  }
+};
+
+} // namespace internal
+
+// Predicates, in the spelling of the orders
+[[deprecated("call is_g1_join(a, b) for curves, is_g1_edge(a, b) for surfaces, knot_continuities(c) for a "
+             "spline, failing_joins(curves, is_g1_join) for a chain")]] inline constexpr internal::Has_order<1>
+    is_G1{}, is_g1{};
+[[deprecated("call is_g2_join(a, b) for curves, is_g2_edge(a, b) for surfaces, knot_continuities(c) for a "
+             "spline, failing_joins(curves, is_g2_join) for a chain")]] inline constexpr internal::Has_order<2>
+    is_G2{}, is_g2{};
+[[deprecated("call is_g3_join(a, b) for curves, is_g3_edge(a, b) for surfaces, knot_continuities(c) for a "
+             "spline, failing_joins(curves, is_g3_join) for a chain")]] inline constexpr internal::Has_order<3>
+    is_G3{}, is_g3{};
+[[deprecated("call is_c_join<1>(a, b)")]] inline constexpr internal::Parametric_join_predicate<1> is_C1{}, is_c1{};
+[[deprecated("call is_c_join<2>(a, b)")]] inline constexpr internal::Parametric_join_predicate<2> is_C2{}, is_c2{};
+[[deprecated("call is_c_join<3>(a, b)")]] inline constexpr internal::Parametric_join_predicate<3> is_C3{}, is_c3{};
+
+// Orders, where a strategy is expected: blend() tells the strategies.
+[[deprecated("the strategy tells the order: Fair() for G2, Fair_g3() for G3")]] inline constexpr int G1 = 1, G2 = 2,
+                                                                                                     G3 = 3;
+
+// A spline in the place of a chain: its joins are its knots.
+template <class Traits>
+[[deprecated("the joins of a spline are its knots: call knot_continuities(c)")]] std::vector<Knot_continuity<Traits>>
+chain_joins(const Bspline_curve<Traits>& c, int max_order = 3) {
+  return knot_continuities(c, max_order);
+}
+template <class Traits>
+[[deprecated("the joins of a spline are its knots: call knot_continuities(c)")]] std::vector<Knot_continuity<Traits>>
+chain_joins(const Rational_bspline_curve<Traits>& c, int max_order = 3) {
+  return knot_continuities(c, max_order);
+}
+template <class Traits>
+[[deprecated("the joins of a spline are its knots: call knot_continuities(c)")]] std::vector<Knot_continuity<Traits>>
+continuity(const Bspline_curve<Traits>& c, int max_order = 3) {
+  return knot_continuities(c, max_order);
+}
+template <class Traits>
+[[deprecated("the joins of a spline are its knots: call knot_continuities(c)")]] std::vector<Knot_continuity<Traits>>
+continuity(const Rational_bspline_curve<Traits>& c, int max_order = 3) {
+  return knot_continuities(c, max_order);
+}
+
+// An iterator to which the curves would be written, as algorithms of CGAL do.
+template <class Chain, class Number, class Output_iterator,
+          class = std::enable_if_t<std::is_same_v<typename std::iterator_traits<Output_iterator>::iterator_category,
+                                                  std::output_iterator_tag>>>
+internal::No_result round_corners(const Chain&, const Number&, const Output_iterator&) {
+  static_assert(internal::never<Chain>,
+                "round_corners(points_or_curves, distance) returns the chain, which has begin() "
+                "and end(): std::copy(rounded.begin(), rounded.end(), out)");
+  return {};
+}
+
+// A degree, which a curve through points does not take.
+template <class Point> auto interpolate(const std::vector<Point>&, int) {
+  static_assert(internal::never<Point>, "interpolate(points) is a cubic spline, interpolate_fair(points) has degree 5: "
+                                        "there is no degree to give");
+  return internal::No_result();
+}
+template <class Input_iterator> auto interpolate(Input_iterator, Input_iterator, int) {
+  static_assert(internal::never<Input_iterator>, "interpolate(first, last) is a cubic spline, interpolate_fair(points) "
+                                                 "has degree 5: there is no degree to give");
+  return internal::No_result();
+}
+template <class Kernel, class Input_iterator, class = typename Kernel::Point_2>
+auto interpolate(Input_iterator, Input_iterator, int) {
+  static_assert(internal::never<Kernel>, "interpolate(first, last) is a cubic spline over the kernel of the points: "
+                                         "there is no kernel and no degree to give");
+  return internal::No_result();
+}
+
+// A length, by which no curve is extended.
+template <class Curve, class = typename Curve::Traits> auto extend(const Curve&, double) {
+  static_assert(internal::never<Curve>,
+                "extend(c, Frenet_order::curvature, {beta}) is the next segment of a curve, whose "
+                "speed is beta times that of the last one");
+  return internal::No_result();
+}
+
+// An iterator to which joins would be written, as algorithms of CGAL do.
+template <class Input_iterator, class Output_iterator, class... Given,
+          class = std::enable_if_t<std::is_same_v<typename std::iterator_traits<Output_iterator>::iterator_category,
+                                                  std::output_iterator_tag>>>
+auto chain_joins(const Input_iterator&, const Input_iterator&, const Output_iterator&, const Given&...) {
+  static_assert(internal::never<Input_iterator>,
+                "chain_joins(curves) takes a range and returns one Join_continuity for "
+                "each join");
+  return internal::No_result();
+}
+
+// Points in the place of a curve.
+#define CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(name)                                                                       \
+  template <class Point, class Kernel = typename Point::R, class... Given>                                             \
+  auto name(const std::vector<Point>&, const Given&...) {                                                              \
+    static_assert(internal::never<Kernel>,                                                                             \
+                  "control points are no curve: give Bezier_curve<Traits_2<Kernel>>(points), "                         \
+                  "in space Bezier_curve<Traits_3<Kernel>>(points)");                                                  \
+    return internal::No_result();                                                                                      \
+  }
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(continuity)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(deviation)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(order_within)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(curvature)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(torsion)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(blend)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(extend)
+#undef CGAL_GEOMETRIC_CONTINUITY_NO_CURVE
+
+// A function that does not exist, with the sentence that is the first error of the compiler where
+// it is called, also with a kernel in angle brackets. It is in a namespace of its own, so that a
+// call without a namespace does not find it: people have functions with such names.
+#define CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(name, sentence)                                                          \
+  namespace other_names {                                                                                              \
+  template <class Kernel = void, class... Given> auto name(const Given&...) {                                          \
+    static_assert(internal::never<Kernel, Given...>, sentence);                                                        \
+    return internal::No_result();                                                                                      \
+  }                                                                                                                    \
+  }
+
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN                                                                             \
+  "continuity(a, b) decides the join of two curves: .g_order, .c_order, .f_order, .betas(); is_g2_join(a, b) is "      \
+  "true or false; order_within(a, b, 1e-6) allows a tolerance; edge_continuity(a, b) is of two surfaces"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_geometrically_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_join, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_smooth, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(geometric_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(join_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(continuity_order, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(order_of_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(parametric_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(order_of_geometric_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_C1, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_C2, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_G1, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_G2, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_G3, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(joint_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(G1_join, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(G2_join, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN
+
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN                                                                            \
+  "failing_joins(curves, is_g2_join) lists the joins of a chain that fail; chain_joins(curves) has one "               \
+  "Join_continuity for each; chain_continuity(curves) counts them; knot_continuities(spline) is of a spline"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_chain, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_chain_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_chain, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(joins, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(classify_joins, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(chain_order, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_closed, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN
+
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE                                                                             \
+  "edge_continuity(a, b) decides two surfaces along their common edge: .g_order; is_g2_edge(a, b) is true or false; "  \
+  "edge_deviation(a, Patch_edge::v1, b, Patch_edge::v0) measures the distance from smoothness"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(surface_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(patch_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_smooth_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(edge_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE
+
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND                                                                            \
+  "blend(a, b) joins two curves with G2, in degree 5; blend(a, b, Fair_g3()) with G3, in degree 7"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(blend_curves, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(make_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(G2_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(g2_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(quintic_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(septic_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(hermite_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(quintic_hermite, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(bridge, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(connect_curves, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_blend, CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(match_surfaces, "match(a, Patch_edge::v1, b, Patch_edge::v0) changes b so that "
+                                                      "it continues a")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
+    blend_surfaces, "blend(a, Patch_edge::v1, b, Patch_edge::v0) joins two surfaces by a surface that is G2 along both "
+                    "edges")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
+    blend_surface, "blend(a, Patch_edge::v1, b, Patch_edge::v0) joins two surfaces by a surface that is G2 along both "
+                   "edges")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fillet, "round_corners(points_or_curves, distance) rounds the corners of a "
+                                              "polyline or a chain, round_corner(a, b, distance) one of them, "
+                                              "round_edge() the edge between two surfaces")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_curve, "fit(points, tolerance) fits a smooth curve to a polyline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_spline, "fit(points, tolerance) fits a smooth curve to a polyline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_polyline, "fit(points, tolerance) fits a smooth curve to a polyline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate, "fit(points, tolerance) fits a smooth curve to a polyline")
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS                                                                           \
+  "interpolate_fair(points) leads a fair curve through points, interpolate(points) a C2 spline"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_points, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_interpolation, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_interpolate, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_cubic, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(cubic_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(catmull_rom, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE                                                                            \
+  "kink_size(a, b)->angle encloses the angle of a kink in the plane, deviation(a, b).tangent_angle in any "            \
+  "dimension, in radians; in_degrees() converts them"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(kink_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(kink_angle_in_degrees, CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(join_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE
+template <class Curve, class Number, class = typename Curve::Traits> auto frenet_frame(const Curve&, const Number&) {
+  static_assert(internal::never<Curve>,
+                "frenet_frame(c.jet(u, 2)) is the frame of a curve at u, in space with c.jet(u, 3)");
+  return internal::No_result();
+}
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE                                                                         \
+  "chord_polyline(c, tolerance, out) writes points whose chords are within a tolerance, uniform_polyline(c, n, out) "  \
+  "points at n + 1 parameters"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(sample_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate_by_polyline, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(inflection_points, "curvature_extrema(c).inflections are those of a curve")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(elevate_degree, "c.elevate() raises the degree by one, c.elevate(times) by more")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(degree_elevate, "c.elevate() raises the degree by one, c.elevate(times) by more")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(to_bezier, "spline.bezier_pieces() are the Bezier curves of a spline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(surface_normal, "s.normal(u, v) is the normal of a surface, s.unit_normal(u, v) "
+                                                      "the one of length 1")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(extend_curve, "extend(c, Frenet_order::curvature, {beta}) is the next segment "
+                                                    "of a curve, whose speed is beta times that of the last one")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(make_clothoid,
+                                      "Clothoid_segment(x, y, heading, k0, k1, length) is a clothoid between "
+                                      "two curvatures")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_deviation,
+                                      "deviation(a, b) measures a join, edge_deviation(a, Patch_edge::v1, "
+                                      "b, Patch_edge::v0) an edge")
+template <class Start, class End, class... Given> auto clothoid_blend(const Start&, const End&, const Given&...) {
+  static_assert(internal::never<Start>,
+                "clothoid_blend({{x, y}, Heading(angle)}, {{x, y}, Heading(angle)}) takes two ends, "
+                "whose curvature is a third member, 0 if it is left out");
+  return internal::No_result();
+}
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE                                                                        \
+  "curvature_extrema(c) encloses the extreme curvatures of a curve; curvature_excess(c, bound) finds where it "        \
+  "exceeds a bound; curvature(c, u) is the curvature at one parameter"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(maximum_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(minimum_radius, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(squared_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_READ                                                                             \
+  "read_g2_curves<Traits>(in) of CGAL::Geometric_continuity returns Bezier curves, read_g2_bsplines<Traits>(in) "      \
+  "B-spline curves, read_g2_surfaces<Traits>(in) patches; in is an open std::ifstream"
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE                                                                            \
+  "write_g2(os, curve) of CGAL::Geometric_continuity takes an open std::ofstream"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_g2, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_G2, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_curves, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(write_G2, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(write_curves, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(save_g2, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE)
+template <class Traits> auto read_g2_curves(const std::string&) {
+  static_assert(internal::never<Traits>, CGAL_GEOMETRIC_CONTINUITY_ASK_READ);
+  return internal::No_result();
+}
+template <class Object> auto write_g2(const std::string&, const Object&) {
+  static_assert(internal::never<Object>, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE);
+  return internal::No_result();
+}
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
+    write_svg, "pictures are beside the package: include <Geometric_continuity_figures/Svg_figure.h>; write_g2(os, "
+               "curve) of <CGAL/Geometric_continuity/IO/g2.h> writes what the program plots")
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_READ
+#undef CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION
+using namespace other_names;
+
+} // namespace Geometric_continuity
+
+// Other packages have functions for files here.
+namespace IO {
+using Geometric_continuity::read_g2;
+using Geometric_continuity::read_G2;
+using Geometric_continuity::write_g2;
+using Geometric_continuity::write_G2;
+} // namespace IO
+
+/// \endcond
+
+} // namespace CGAL
+
+#endif // CGAL_GEOMETRIC_CONTINUITY_INTERNAL_OTHER_NAMES_H
