@@ -15,6 +15,8 @@ weights and a domain, `Spline` knots; those of SciPy and of other libraries are 
 2
 """
 
+import dis
+import sys
 import warnings
 
 from ._native import (Edge_continuity, Enclosure, Join_continuity, Join_deviation, Kink_size, Order_up_to_rounding, Order_within,
@@ -53,4 +55,8 @@ def __getattr__(name):
     if new is not None:
         warnings.warn(f"{name} is now {new}", DeprecationWarning, stacklevel=2)
         return globals()[new]
-    raise missing_in_module(name, __all__)
+    error = missing_in_module(name, __all__)
+    caller = sys._getframe(1)
+    if caller.f_code.co_code[caller.f_lasti] == dis.opmap["IMPORT_FROM"]:  # which would replace the text of an AttributeError
+        raise ImportError(str(error), name=__name__)
+    raise error

@@ -30,6 +30,8 @@ _FAIR = "call interpolate_fair(points)"
 _BEND = "curvature_excess(curve, bound) tells where a curve is bent most, if it exceeds a bound; curvature(curve, parameters) samples it"
 _SOLID = "`geometric_continuity round-edges solid.off --set-back R -o rounded.g2` rounds the edges of a solid; program() is its path"
 _SPEED = "Bezier_curve(points, domain=(a, b)) changes the speed of a curve; continuity(left, right).betas tells by how much"
+_FRAME = ("the tangent is evaluate(curve, parameters, 1) over its length, curvature_vector(curve, parameters) runs along the normal, and their cross "
+          "product along the binormal; curvature() and torsion() are the numbers")
 _ARC = "an arc is a curve with weights, a quarter of a circle Bezier_curve([(1, 0), (1, 1), (0, 1)], [1, 1, 2])"
 
 # Verbs, which count more than what follows them in a name.
@@ -80,6 +82,7 @@ _GUESSED = {
     "reverse": "points[::-1] is the curve run through backwards, and Bezier_curve(...).reverse()",
     "degree": "a Bezier curve has the degree len(points) - 1", "knot": "call chain_joins(spline), which decides the joins at its .knots",
     "knotvector": "call Spline(degree, points, knots) with all knots", "normal": "call curvature_vector(curve, parameters)",
+    "frenet": _FRAME, "frenet_frame": _FRAME, "frame": _FRAME, "binormal": _FRAME,
     "sample": _SAMPLE, "linspace": _SAMPLE, "splev": _SAMPLE, "splprep": "call interpolate(points), or give the tuple (t, c, k) of splprep",
     "fair_spline": _FAIR, "fair_interpolation": _FAIR, "fair_interpolate": _FAIR,
     "fair_curve": "call interpolate_fair(points) through points, fair(left, right) between curves",

@@ -260,6 +260,9 @@ class Sentences(unittest.TestCase):
             self.says("call blend(left, right)", lambda: getattr(gc, name), AttributeError)
         self.says("verify(file) reads drawings", lambda: gc.read_curve, AttributeError)
         self.says("numpy.savetxt", lambda: gc.save, AttributeError)
+        self.says("runs along the normal", lambda: gc.frenet_frame, AttributeError)
+        with self.assertRaisesRegex(ImportError, r"edge_continuity\(a, b\) decides two of them"):
+            exec("from geometric_continuity import surface_continuity", {})
         self.says("matplotlib", lambda: gc.plot_curvature, AttributeError)
         for name in ("surface_continuity", "surfaces", "Patch", "match_surfaces"):
             self.says("edge_continuity(a, b) decides two of them, match(a, b)", lambda: getattr(gc, name), AttributeError)
