@@ -232,6 +232,8 @@ def missing_member(thing: Any, name: str) -> Any:
     text = f"{type(thing).__name__!r} object has no attribute {name!r}"
     if name.startswith("_"):
         raise AttributeError(text)
+    if name == "continuity" and isinstance(thing, geometric_continuity.Spline):
+        raise _attribute_error(f"{text}: call chain_joins(spline), which decides the joins at its knots", name)
     if name in geometric_continuity.__all__:
         raise _attribute_error(f"{text}: call {name}(...) of geometric_continuity with it", name)
     members = sorted(m for m in dir(thing) if not m.startswith("_"))

@@ -280,6 +280,7 @@ class Sentences(unittest.TestCase):
         for name, text in (("ctrlpts", "did you mean points?"), ("t", "did you mean knots?"), ("k", "did you mean degree?"), ("joins", "chain_joins(curves)"),
                            ("derivative", "evaluate(curve, parameters, 1); it has degree,"), ("split", "pieces(curve, low, high); it has")):
             self.says(text, lambda: getattr(spline, name), AttributeError)
+        self.says("chain_joins(spline), which decides the joins at its knots", lambda: spline.continuity, AttributeError)
         for code in ("gc.surface_continuity", "gc.fite", "gc.continuity([(0, 0)], [(0, 0)]).g_ordr"):  # to which the interpreter adds nothing
             done = subprocess.run([sys.executable, "-c", f"import geometric_continuity as gc; {code}"], stderr=subprocess.PIPE, text=True, check=False)
             self.assertIn("AttributeError: ", done.stderr)

@@ -240,8 +240,7 @@ CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(extend)
 
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN                                                                             \
   "continuity(a, b) decides the join of two curves: .g_order, .c_order, .f_order, .betas(); is_g2_join(a, b) is "      \
-  "true or false; order_within(a, b, 1e-6) allows a tolerance; knot_continuities(spline) is of the knots of a "        \
-  "spline, "                                                                                                           \
+  "true or false; order_within(a, b, 1e-6) allows a tolerance; knot_continuity(spline, u) is of a knot, "              \
   "edge_continuity(a, b) of two surfaces"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_geometrically_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_join, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
@@ -380,7 +379,8 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(join_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE
 template <class Curve, class Number, class = typename Curve::Traits> auto frenet_frame(const Curve&, const Number&) {
   static_assert(internal::never<Curve>,
-                "frenet_frame(c.jet(u, 2)) is the frame of a curve at u, in space with c.jet(u, 3)");
+                "frenet_frame(c.jet(u, 3)) is the frame of a curve in space, frenet_frame(c.jet(u, 2)) in the plane: "
+                "an optional with ->vector(1), the tangent, ->vector(2), the normal, ->vector(3), the binormal");
   return internal::No_result();
 }
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE                                                                         \
@@ -410,8 +410,9 @@ template <class Start, class End, class... Given> auto clothoid_blend(const Star
   return internal::No_result();
 }
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE                                                                        \
-  "curvature_extrema(c) encloses the extreme curvatures of a curve; curvature_excess(c, bound) finds where it "        \
-  "exceeds a bound; curvature(c, u) is the curvature at one parameter"
+  "curvature(c, u) is the curvature at one parameter, without its sign, signed_curvature(c.jet(u, 2)) that in the "    \
+  "plane; curvature_extrema(c) encloses the extreme curvatures of a curve; curvature_excess(c, bound) finds where it " \
+  "exceeds a bound"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(maximum_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(minimum_radius, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
