@@ -5,6 +5,7 @@
 #include "commands/repair/grid_contour.h"
 
 #include "commands/repair/decimal_text.h"
+#include "commands/repair/grid_vectors.h"
 
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/Geometric_continuity/repairs/align_handles.h>
@@ -18,15 +19,7 @@ namespace {
 
 typedef CGAL::Fraction_traits<Grid_fraction> Parts;
 
-// Returns whether products of the coordinates are exact.
-bool is_short(const GC::Grid_vector& v) {
-  return (std::max)((std::abs)(v.x), (std::abs)(v.y)) <= GC::max_handle_coordinate;
-}
-
 Grid_fraction absolute(const Grid_fraction& x) { return x < 0 ? Grid_fraction(-x) : x; }
-
-// The integer as a number, which is at most 2^50.
-Grid_fraction exact_number(std::int64_t x) { return Grid_fraction(static_cast<double>(x)); }
 
 bool is_line_on_grid(const std::vector<GC::Grid_vector>& points) {
   const GC::Grid_vector chord = points.back() - points.front();
