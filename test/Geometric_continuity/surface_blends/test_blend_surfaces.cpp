@@ -219,7 +219,7 @@ TEST_FOR_EACH(shape_of_translated_curves, Traits, All_traits) {
   const auto rational = given.rational_shape(strategy);
   BOOST_CHECK(rational.start.beta == shape.start.beta && rational.end.delta == shape.end.delta);
   BOOST_CHECK(rational.start.lambda1 == (GC::Bernstein_polynomial<FT>{FT(0)}));
-  BOOST_CHECK_EQUAL(rational.end.lambda, FT(1) / FT(8));
+  BOOST_CHECK_EQUAL(rational.start.lambda, FT(8));
   BOOST_CHECK(nearer_direction(given.first, v1, given.second, v0) == Edge_direction::same);
   BOOST_CHECK(nearer_direction(given.first, v1, given.second.reverse_u(), v0) == Edge_direction::opposite);
 }
