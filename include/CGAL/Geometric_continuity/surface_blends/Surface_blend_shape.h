@@ -169,13 +169,16 @@ using Blend_surface_shape = typename internal::Blended_shape<Surface_a, Surface_
 /// fold: the least mean of the variations of curvature of the curves `u` = const, see
 /// `mean_fairness()`. Of surfaces only.
 ///
-/// It starts from those shapes of `Matching_second_derivative`, `Minimal_energy<2>`,
-/// `Minimal_energy<3>` and `Fair` for which `possible_fold()` proves that there is no fold. From
-/// each \f$ \beta \f$ and \f$ \delta \f$ at both ends are improved by the method of Levenberg
-/// and Marquardt, where no step leads into a fold, and \f$ \beta \f$ stays within a factor of 4 of
-/// the automatic shape; the least mean is taken. So it is never less fair than these, and has no
-/// fold where one of the four has none. Where all have one, it is the fairest of what was found, as
-/// it is in other dimensions than 3.
+/// It starts from the shapes of `Matching_second_derivative`, `Minimal_energy<2>`,
+/// `Minimal_energy<3>` and `Fair`, and from a grid of \f$ \beta \f$ and \f$ \delta \f$ at both
+/// ends. From the four fairest of these starts it goes down by the method of Levenberg and
+/// Marquardt, where \f$ \beta \f$ stays within a factor of 16 of the automatic shape. Where
+/// `possible_fold()` does not prove that the fairest blend found so has no fold, it also goes down
+/// from four starts that have none: no step leads into a fold, and at last one number is changed at
+/// a time. The fairest blend without a fold is taken. So it is never less fair than the blends of
+/// those four strategies that have no fold, and there is nearly always one without a fold where any
+/// constants give one. Where all that is found has folds, it is the fairest of this, as it is in
+/// other dimensions than 3. The order of the two surfaces makes no difference but for rounding.
 struct Fairest {};
 
 /// \ingroup PkgGeometricContinuityStrategies

@@ -75,9 +75,6 @@ inline Normal_vector cross(const Normal_vector& x, const Normal_vector& y) {
   return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
 }
 
-// Times 2 to the power of -k.
-inline Normal_number halved(const Normal_number& x, int k) { return x * Normal_number(std::ldexp(1, -k)); }
-
 // The normals of one Bezier patch as a polynomial, whose rectangle is halved. Points are
 // homogeneous, with the weights 1 where it is polynomial.
 template <bool is_rational> class Patch_normals {
@@ -103,7 +100,8 @@ public:
         },
         [&](const Part& part) {
           charge(part.normals);
-          for (bool upper : {true, false}) parts.add(half(part, upper));
+          std::array<Part, 2> both = halves(part);
+          for (int upper : {1, 0}) parts.add(std::move(both[upper]));
         });
     if (proved) return std::nullopt;
     return parts.next().range;
@@ -122,20 +120,25 @@ private:
   }
 
   // By the algorithm of de Casteljau, whose sums are divided at the end.
-  static Part half(const Part& part, bool upper) {
-    Part r = part;
+  static std::array<Part, 2> halves(const Part& part) {
+    std::array<Part, 2> r = {part, part};
     const int x = part.halvings % 2; // u and v in turn
-    const int p = r.normals.degree_u(), q = r.normals.degree_v(), n = x == 0 ? p : q, m = x == 0 ? q : p;
+    const int p = part.normals.degree_u(), q = part.normals.degree_v(), n = x == 0 ? p : q, m = x == 0 ? q : p;
+    std::vector<Normal_number> powers;
+    for (int k = 0; k <= n; ++k) powers.push_back(Normal_number(std::ldexp(1, -k)));
     for (int i = 0; i <= m; ++i) {
-      const auto at = [&](int j) -> Normal_vector& { return x == 0 ? r.normals(j, i) : r.normals(i, j); };
-      for (int k = 1; k <= n; ++k)
-        for (int j = upper ? 0 : n; upper ? j <= n - k : j >= k; upper ? ++j : --j)
-          for (int l = 0; l < 3; ++l) at(j)[l] += at(upper ? j + 1 : j - 1)[l];
-      for (int j = 0; j <= n; ++j)
-        for (Normal_number& y : at(j)) y = halved(y, upper ? n - j : j);
+      const auto at = [&](int half, int j) -> Normal_vector& {
+        return x == 0 ? r[half].normals(j, i) : r[half].normals(i, j);
+      };
+      for (int k = 1; k <= n; ++k) {
+        for (int j = 0; j <= n - k; ++j)
+          for (int l = 0; l < 3; ++l) at(1, j)[l] += at(1, j + 1)[l];
+        at(0, k) = scaled(powers[k], at(1, 0));
+      }
+      for (int j = 0; j < n; ++j) at(1, j) = scaled(powers[n - j], at(1, j));
     }
-    (upper ? r.range[x].lower : r.range[x].upper) = part.range[x].middle();
-    ++r.halvings;
+    r[0].range[x].upper = r[1].range[x].lower = part.range[x].middle();
+    for (Part& half : r) ++half.halvings;
     return r;
   }
 

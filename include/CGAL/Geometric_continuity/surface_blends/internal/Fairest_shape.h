@@ -29,6 +29,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -145,8 +146,8 @@ public:
 
 private:
   static constexpr int unknowns = Family::unknowns, shape_unknowns[2] = {0, Family::End::unknowns};
-  static constexpr double most_change = 1.3862943611198906; // of log beta: a factor of 4
-  static constexpr double longest_step = 0.75;
+  static constexpr double most_change = 2.772588722239781; // of log beta: a factor of 16
+  static constexpr double longest_step = 0.75, shortest_step = 0.01;
   static constexpr double precision = 1e-3; // relative, of the sum, as far as the expansion tells
   static constexpr int most_iterations = 60;
 
@@ -179,8 +180,14 @@ public:
     for (const Family& f : families_) quadratures_.emplace_back(f);
   }
 
-  // Goes down from x. No step leads to where is_folded(x), unless x lies there already.
-  template <class Is_folded> Unknowns minimum(Unknowns x, bool starts_folded, const Is_folded& is_folded) {
+  double value(const Unknowns& x) {
+    double sum = 0;
+    for (Quadrature& q : quadratures_) sum += q.value(x);
+    return sum;
+  }
+
+  // Goes down from x. No step leads to where is_folded(x).
+  template <class Is_folded> Unknowns minimum(Unknowns x, const Is_folded& is_folded) {
     double here = value(x), damping = 1e-2;
     Fairness_expansion<unknowns> expansion = expand(x);
     for (int i = 0; i < most_iterations && here <= (std::numeric_limits<double>::max)(); ++i) {
@@ -194,17 +201,41 @@ public:
       }
       if (!(gain * (1 + damping) > precision * here && gain > 1e-3 * precision * here)) break;
       const double there = value(next);
-      const bool is_better = there < here;
-      const bool ends_folded = is_better && is_folded(next);
-      if (is_better && (starts_folded || !ends_folded)) {
+      if (there < here && !is_folded(next)) {
         const double ratio = (here - there) / gain;
         damping = (std::max)(damping * (ratio > 0.75 ? 0.1 : ratio < 0.25 ? 2 : 0.5), 1e-9);
         x = next;
         here = there;
-        starts_folded = ends_folded;
         expansion = expand(x);
       } else
         damping *= 8;
+    }
+    return x;
+  }
+
+  // Goes on from x where no expansion is known, by the best of all steps that change one number:
+  // along the border of where is_folded(x), and for another function than the sum.
+  template <class Function, class Is_folded>
+  static Unknowns minimum_by_steps(Unknowns x, const Function& value, const Is_folded& is_folded) {
+    double here = value(x);
+    for (double h = longest_step; h > shortest_step;) {
+      Work_meter::pause();
+      std::vector<std::pair<double, Unknowns>> steps;
+      for (int k = 0; k < unknowns; ++k)
+        for (const double sign : {-1., 1.}) {
+          const bool is_shape = k == shape_unknowns[0] || k == shape_unknowns[1];
+          Unknowns next = x;
+          next[k] += sign * h * (is_shape ? 1 : 8);
+          if (is_shape && std::abs(next[k]) > most_change) continue;
+          if (const double there = value(next); there < (1 - precision) * here) steps.emplace_back(there, next);
+        }
+      std::sort(steps.begin(), steps.end());
+      const auto best =
+          std::find_if(steps.begin(), steps.end(), [&](const auto& step) { return !is_folded(step.second); });
+      if (best == steps.end())
+        h /= 2;
+      else
+        std::tie(here, x) = *best;
     }
     return x;
   }
@@ -222,11 +253,6 @@ private:
       return orthonormal_coordinates<M>(std::move(v));
   }
 
-  double value(const Unknowns& x) {
-    double sum = 0;
-    for (Quadrature& q : quadratures_) sum += q.value(x);
-    return sum;
-  }
   // Expands at the x of the last call of value().
   Fairness_expansion<unknowns> expand(const Unknowns& x) {
     Fairness_expansion<unknowns> sum{};
@@ -271,6 +297,10 @@ template <class Kind, class Shape, class Make> class Shape_search {
     double fairness;
   };
 
+  // `Fairest` goes down to so many minima, folded or not, and to as many from where is no fold. To
+  // find such places, it looks for folds in so many patches.
+  static constexpr int descents = 4, most_patches = 1024;
+
   const std::pair<typename Kind::End, typename Kind::End> ends_;
   const int order_;
   const Both_samples<Kind> samples_; // at the Greville abscissae
@@ -298,33 +328,7 @@ public:
 
   Shape fairest() const {
     const Protect_FPU_rounding<true> to_nearest(CGAL_FE_TONEAREST);
-    std::vector<Candidate> candidates;
-    const Across automatic = across(Minimal_energy<3>());
-    for (const Across& x :
-         {automatic, across(Matching_second_derivative()), across(Minimal_energy<2>()), across(Fair())})
-      candidates.push_back(candidate(x));
-    std::stable_sort(candidates.begin(), candidates.end(),
-                     [](const Candidate& x, const Candidate& y) { return x.fairness < y.fairness; });
-    auto best =
-        std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& x) { return !is_folded(x.shape); });
-    const bool all_folded = best == candidates.end();
-    if (all_folded) best = candidates.begin();
-    // There are several local minima where surfaces are steep: each candidate leads to one.
-    Candidate least = *best;
-    bool is_least_folded = all_folded;
-    for (const Candidate& from : candidates) {
-      const bool is_from_folded = all_folded || is_folded(from.shape);
-      if (is_from_folded && !all_folded) continue;
-      const Candidate found = dimension() <= 3 ? improved<3>(from, is_from_folded, automatic)
-                                               : improved<5>(from, is_from_folded, automatic);
-      const bool is_found_folded = is_from_folded && is_folded(found.shape);
-      if (is_found_folded < is_least_folded ||
-          (is_found_folded == is_least_folded && found.fairness < least.fairness)) {
-        least = found;
-        is_least_folded = is_found_folded;
-      }
-    }
-    return least.shape;
+    return dimension() <= 3 ? fairest_in<3>() : fairest_in<5>();
   }
 
 private:
@@ -373,27 +377,82 @@ private:
     return r;
   }
 
-  template <int M> Candidate improved(const Candidate& from, bool is_from_folded, const Across& automatic) const {
+  // In dimension M, or less.
+  template <int M> Shape fairest_in() const {
+    typedef typename Summed_fairness<M>::Unknowns Unknowns;
+    const Across unit = across(Minimal_energy<3>());
     const auto &k = ends_.first.knots, &l = ends_.second.knots;
     const auto parameters = parameters_along(k.number_of_spans() < l.number_of_spans() ? l : k);
     const Both_samples<Kind> samples = samples_at<Kind>(ends_, parameters, 2);
-    Summed_fairness<M> sum(samples[0].jet, samples[1].jet, dimension(), automatic[0][0], automatic[1][0]);
-    typedef typename Summed_fairness<M>::Unknowns Unknowns;
-    Unknowns x;
-    for (int e : {0, 1}) {
-      x[2 * e] = std::log(from.across[e][0] / automatic[e][0]);
-      x[2 * e + 1] = from.across[e][1] / from.across[e][0];
-    }
-    const auto across = [&](const Unknowns& y) {
+    Summed_fairness<M> sum(samples[0].jet, samples[1].jet, dimension(), unit[0][0], unit[1][0]);
+    const auto across_at = [&](const Unknowns& x) {
       Across r;
       for (int e : {0, 1}) {
-        const double beta = short_double<ratio_digits>(automatic[e][0] * std::exp(y[2 * e]));
-        r[e] = {beta, short_part(beta * y[2 * e + 1], beta), 0};
+        const double beta = short_double<ratio_digits>(unit[e][0] * std::exp(x[2 * e]));
+        r[e] = {beta, short_part(beta * x[2 * e + 1], beta), 0};
       }
       return r;
     };
-    return candidate(
-        across(sum.minimum(x, is_from_folded, [&](const Unknowns& y) { return is_folded(shape(across(y))); })));
+    const auto unknowns_of = [&](const Across& y) {
+      return Unknowns{std::log(y[0][0] / unit[0][0]), y[0][1] / y[0][0], std::log(y[1][0] / unit[1][0]),
+                      y[1][1] / y[1][0]};
+    };
+    const auto nowhere = [](const Unknowns&) { return false; };
+    const auto is_folded_at = [&](const Unknowns& x) { return is_folded(shape(across_at(x))); };
+    const auto is_fairer = [](const Candidate& x, const Candidate& y) { return x.fairness < y.fairness; };
+    // The sum is the mean of rational blends but for their denominators.
+    const auto mean_at = [&](const Unknowns& x) {
+      return Kind::is_rational ? candidate(across_at(x)).fairness : sum.value(x);
+    };
+
+    std::vector<Candidate> found;
+    std::vector<std::pair<double, Unknowns>> starts;
+    const auto start = [&](const Unknowns& x) { starts.emplace_back(sum.value(x), x); };
+    for (const Across& y : {unit, across(Matching_second_derivative()), across(Minimal_energy<2>()), across(Fair())}) {
+      found.push_back(candidate(y));
+      start(unknowns_of(y));
+    }
+    const auto start_at_grid = [&](const std::array<double, 4>& shapes, const std::vector<double>& deltas) {
+      for (const double beta : shapes)
+        for (const double eta : shapes)
+          for (const double delta : deltas)
+            for (const double zeta : deltas) start({beta, delta, eta, zeta});
+      std::sort(starts.begin(), starts.end());
+    };
+    start_at_grid({-0.5, 0.5, 1.5, 2.5}, {-10, 0, 10});
+
+    // There are several minima where surfaces are steep. The least one seldom has a fold.
+    for (int i = 0; i < descents; ++i) found.push_back(candidate(across_at(sum.minimum(starts[i].second, nowhere))));
+    std::stable_sort(found.begin(), found.end(), is_fairer);
+    if constexpr (Kind::is_rational)
+      found.insert(found.begin(),
+                   candidate(across_at(sum.minimum_by_steps(unknowns_of(found[0].across), mean_at, nowhere))));
+    if (!is_folded(found[0].shape)) return found[0].shape;
+
+    // Otherwise the fairest without a fold may lie where folds begin.
+    std::vector<Candidate> unfolded;
+    int patches = most_patches;
+    const auto look_for_unfolded = [&](std::size_t trials) {
+      for (std::size_t i = 0; i < trials && unfolded.size() < descents && patches > 0; ++i) {
+        patches -= (std::max)(k.number_of_spans(), l.number_of_spans());
+        const Unknowns x = starts[i].second;
+        if (is_folded_at(x)) continue;
+        const Unknowns near = sum.minimum(x, is_folded_at);
+        unfolded.push_back(candidate(across_at(sum.minimum_by_steps(near, mean_at, is_folded_at))));
+      }
+    };
+    look_for_unfolded(64);
+    if (unfolded.size() < descents) {
+      starts.clear();
+      start_at_grid({-1, 0, 1, 2}, {-15, -5, 5, 15});
+      look_for_unfolded(starts.size());
+    }
+    const auto best = std::min_element(unfolded.begin(), unfolded.end(), is_fairer);
+    for (const Candidate& x : found) {
+      if (best != unfolded.end() && !is_fairer(x, *best)) return best->shape;
+      if (!is_folded(x.shape)) return x.shape;
+    }
+    return best != unfolded.end() ? best->shape : found[0].shape;
   }
 };
 

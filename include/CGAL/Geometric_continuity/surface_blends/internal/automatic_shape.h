@@ -90,13 +90,17 @@ Both_samples<Kind> samples_at(const Ends& ends, const std::vector<FT>& parameter
   return samples;
 }
 
-// Returns the rows of both edges at the Greville abscissae of the edge that has more of them.
+// Returns the rows of both edges at the Greville abscissae of the edge that has more of them, or of
+// both where they have as many.
 template <class Kind, class Ends> Both_samples<Kind> sampled_ends(const Ends& ends, int order) {
   typedef typename Kind::FT FT;
   const Knot_vector<FT>&x = ends.first.knots, &y = ends.second.knots;
-  const Knot_vector<FT>& knots = x.number_of_coefficients() < y.number_of_coefficients() ? y : x;
   std::vector<FT> parameters;
-  for (int k = 0; k < knots.number_of_coefficients(); ++k) parameters.push_back(knots.greville_abscissa(k));
+  const auto take = [&](const Knot_vector<FT>& knots) {
+    for (int k = 0; k < knots.number_of_coefficients(); ++k) parameters.push_back(knots.greville_abscissa(k));
+  };
+  if (x.number_of_coefficients() >= y.number_of_coefficients()) take(x);
+  if (x.number_of_coefficients() <= y.number_of_coefficients() && x != y) take(y);
   return samples_at<Kind>(ends, parameters, order);
 }
 
@@ -232,8 +236,9 @@ Shape shape_across(const std::array<Across_edge, 2>& across, const Both_samples<
   if constexpr (Kind::is_rational) {
     keep_weights_positive(shape.start, across[0], samples[0].control_weights, 1, order);
     keep_weights_positive(shape.end, across[1], samples[1].control_weights, -1, order);
-    shape.end.lambda = typename Kind::FT(short_part(
-        std::sqrt(mean_square_of_weights(samples[0].weights) / mean_square_of_weights(samples[1].weights)), 0));
+    const double ratio =
+        std::sqrt(mean_square_of_weights(samples[0].weights) / mean_square_of_weights(samples[1].weights));
+    (ratio < 1 ? shape.start : shape.end).lambda = typename Kind::FT(short_part(ratio < 1 ? 1 / ratio : ratio, 0));
   }
   return shape;
 }
