@@ -54,7 +54,7 @@ public:
   Theorems(std::string prefix, double factor, int exponent, const Join_rounding& rounding)
       : prefix_(std::move(prefix)), factor_(factor), exponent_(exponent), rounding_(rounding) {}
 
-  static constexpr bool exact = false, pivot_is_first = false;
+  static constexpr bool exact = false;
   bool operator()(Join_question form, const Term& x) {
     // Half of the margin that Join_rounding adds is left for what the filter computes.
     const double error = rounding_.error[static_cast<int>(form)] * (1 - 0x1p-21);

@@ -27,7 +27,7 @@ struct Largest {
 // The largest value of each form.
 struct Values {
   std::array<double, join_questions> of{};
-  static constexpr bool exact = false, pivot_is_first = false;
+  static constexpr bool exact = false;
 
   bool operator()(Join_question form, const Largest& x) {
     double& value = of[static_cast<int>(form)];

@@ -458,7 +458,7 @@ Magnitude below(int bits) { return {(boost::multiprecision::cpp_int(1) << bits) 
 
 // Records the largest form; for F3 that of a straight end, if exact, or that of another.
 template <bool straight> struct Largest_form {
-  static constexpr bool exact = straight, pivot_is_first = true;
+  static constexpr bool exact = straight;
   boost::multiprecision::cpp_int value = 0;
   bool operator()(Join_question, const Magnitude& x) {
     if (value < x.value) value = x.value;

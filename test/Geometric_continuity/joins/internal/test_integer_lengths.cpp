@@ -32,7 +32,7 @@ using namespace CGAL::Geometric_continuity::internal;
 // Looks at each form. With the one answer and with the other, the equations compute all forms that
 // they have.
 struct Fitting_zero {
-  static constexpr bool exact = true, pivot_is_first = true;
+  static constexpr bool exact = true;
   bool answer;
   bool fits = true;
 
@@ -138,7 +138,7 @@ BOOST_AUTO_TEST_CASE(short_legs) {
       for (const std::int64_t more : {0, 1}) {
         End_polygon<std::int64_t, 2> points{};
         for (int j = place / 2 + 1; j <= 3; ++j) points[j][place % 2] = sign * (longest + more);
-        BOOST_CHECK_EQUAL(Integer_end<2>(points, 3, 1).is_short(), more == 0);
+        BOOST_CHECK_EQUAL(Integer_end<2>(points, 0, 3, 1).is_short(), more == 0);
       }
 }
 

@@ -28,23 +28,28 @@ template <class T, int N> using End_polygon = std::array<std::array<T, N>, 4>;
 // Numbers that become doubles without rounding.
 template <class FT> constexpr bool is_double = std::is_floating_point_v<FT> && sizeof(FT) <= sizeof(double);
 
-// The end of a curve with double coordinates, or its start, as given. `Points` is something with
-// degree(), domain() and coordinate(j, i).
-template <int k, int N, class Points> CGAL_GC_FORCEINLINE End_polygon<double, N> points_of(const Points& end) {
-  const int m = end.degree();
-  const auto point = [&](int j) -> std::array<double, N> {
-    if constexpr (N == 2)
-      return {end.coordinate(j, 0), end.coordinate(j, 1)};
-    else
-      return {end.coordinate(j, 0), end.coordinate(j, 1), end.coordinate(j, 2)};
-  };
+// The control point number j of an end with double coordinates, from the join inwards and at most
+// the last one, whose coordinate number `first` is exchanged for the first one.
+template <int N, class Points> CGAL_GC_FORCEINLINE std::array<double, N> point_of(const Points& end, int j, int first) {
+  const int l = (std::min)(end.degree(), j), second = first == 1 ? 0 : 1, third = first == 2 ? 0 : 2;
+  if constexpr (N == 2)
+    return {end.coordinate(l, first), end.coordinate(l, second)};
+  else
+    return {end.coordinate(l, first), end.coordinate(l, second), end.coordinate(l, third)};
+}
+
+// The end of a curve with double coordinates, or its start, as given but for the order of the
+// coordinates. `Points` is something with degree(), domain() and coordinate(j, i).
+template <int k, int N, class Points>
+CGAL_GC_FORCEINLINE End_polygon<double, N> points_of(const Points& end, int first = 0) {
   static_assert(k >= 1);
   if constexpr (k == 1)
-    return {point(0), point((std::min)(m, 1))};
+    return {point_of<N>(end, 0, first), point_of<N>(end, 1, first)};
   else if constexpr (k == 2)
-    return {point(0), point((std::min)(m, 1)), point((std::min)(m, 2))};
+    return {point_of<N>(end, 0, first), point_of<N>(end, 1, first), point_of<N>(end, 2, first)};
   else
-    return {point(0), point((std::min)(m, 1)), point((std::min)(m, 2)), point((std::min)(m, 3))};
+    return {point_of<N>(end, 0, first), point_of<N>(end, 1, first), point_of<N>(end, 2, first),
+            point_of<N>(end, 3, first)};
 }
 
 // The first differences x_1 - x_0, x_2 - x_1, x_3 - x_2 of such a polygon.
@@ -80,24 +85,6 @@ CGAL_GC_FORCEINLINE Differences<T, N> differences_of(const std::array<std::array
   return d;
 }
 
-// The coordinates in cyclic order from `first`.
-template <class T> CGAL_GC_FORCEINLINE std::array<T, 2> rotated(const std::array<T, 2>& x, int first) {
-  return {x[first], x[1 - first]};
-}
-template <class T> CGAL_GC_FORCEINLINE std::array<T, 3> rotated(const std::array<T, 3>& x, int first) {
-  const int second = first == 2 ? 0 : first + 1;
-  return {x[first], x[second], x[3 - first - second]};
-}
-template <int k, class T, std::size_t N>
-CGAL_GC_FORCEINLINE First_differences<T, N> rotated(const std::array<std::array<T, N>, 3>& differences, int first) {
-  if constexpr (k == 1)
-    return {rotated(differences[0], first)};
-  else if constexpr (k == 2)
-    return {rotated(differences[0], first), rotated(differences[1], first)};
-  else
-    return {rotated(differences[0], first), rotated(differences[1], first), rotated(differences[2], first)};
-}
-
 // The index of the first coordinate with the largest absolute value.
 template <class T> CGAL_GC_FORCEINLINE int largest_coordinate(const std::array<T, 2>& x) {
   return std::abs(x[0]) < std::abs(x[1]) ? 1 : 0;
@@ -106,6 +93,12 @@ template <class T> CGAL_GC_FORCEINLINE int largest_coordinate(const std::array<T
   const int i = std::abs(x[0]) < std::abs(x[1]) ? 1 : 0;
   // equivalent [0 -> 1, 1]: no answer depends on which coordinate that is not zero is the pivot
   return (std::max)(std::abs(x[0]), std::abs(x[1])) < std::abs(x[2]) ? 2 : i;
+}
+
+// The pivot of a join: the largest coordinate of the tangent of its left end. Both ends are read
+// with this coordinate as the first one.
+template <int N, class Points> CGAL_GC_FORCEINLINE int pivot_of(const Points& left) {
+  return largest_coordinate(first_differences<1>(points_of<1, N>(left))[0]);
 }
 
 // The numbers in another type.

@@ -345,8 +345,9 @@ private:
         x[j][i] = integers[j * N + i];
         y[j][i] = integers[(4 + j) * N + i];
       }
-    left_ = Integer_end<N>(x, left_degree, length / unit);
-    right_ = Integer_end<N>(y, right_degree, other / unit);
+    const int pivot = largest_coordinate(internal::minus(x[1], x[0]));
+    left_ = Integer_end<N>(x, pivot, left_degree, length / unit);
+    right_ = Integer_end<N>(y, pivot, right_degree, other / unit);
     is_short_ = left_.is_short() && right_.is_short();
     return true;
   }

@@ -32,7 +32,7 @@ template <class T> struct Join_ratio {
 
 // Tells if an exact number is zero.
 template <class T> struct Exact_zero {
-  static constexpr bool exact = true, pivot_is_first = true;
+  static constexpr bool exact = true;
   template <class X> bool operator()(Join_question, const X& x) const {
     if constexpr (std::is_same_v<X, T>)
       return bool(x == T(0));
@@ -43,31 +43,30 @@ template <class T> struct Exact_zero {
 
 // The residue of a number that is known to be smaller than the modulus.
 struct Modular_zero {
-  static constexpr bool exact = false, pivot_is_first = true;
+  static constexpr bool exact = false;
   template <class X> bool operator()(Join_question, const X& x) const { return is_zero(x); }
 };
 
 // The equations of the join of two polygons with nonzero first differences. `Zero` says whether the
 // value of a form may be zero: with exact numbers whether it is; otherwise only `false` is a proof.
 //
-// The pivot is a coordinate that does not vanish in a1. With `Zero::pivot_is_first` it is the first
-// one, and of the three coordinates of x times a1 = 0 only the two with x_0 need be tested.
+// The first coordinate of a1 is the pivot: it does not vanish, unless the question is parametric.
+// Therefore only the two coordinates of x times a1 = 0 that contain x_0 need be tested.
 template <class T, int N, class Weights, class Zero> class Join_equations {
   typedef std::array<T, N> Vector;
   const Vector &a1, &a2, &a3, &b1, &b2, &b3;
   const Weights& w;
   Zero& zero;
-  int pivot;
 
 public:
   typedef Join_ratio<T> Ratio;
 
   constexpr CGAL_GC_FORCEINLINE Join_equations(const Differences<T, N>& a, const Differences<T, N>& b,
-                                               const Weights& weights, Zero& z, int pivot_index = 0)
-      : a1(a[0]), a2(a[1]), a3(a[2]), b1(b[0]), b2(b[1]), b3(b[2]), w(weights), zero(z), pivot(pivot_index) {}
+                                               const Weights& weights, Zero& z)
+      : a1(a[0]), a2(a[1]), a3(a[2]), b1(b[0]), b2(b[1]), b3(b[2]), w(weights), zero(z) {}
 
   // (q, p)
-  constexpr CGAL_GC_FORCEINLINE Ratio ratio() const { return {at_pivot(a1), at_pivot(b1)}; }
+  constexpr CGAL_GC_FORCEINLINE Ratio ratio() const { return {a1[0], b1[0]}; }
 
   // The k-th derivatives are equal.
   template <int k> constexpr CGAL_GC_FORCEINLINE bool derivatives_equal() const {
@@ -86,24 +85,21 @@ public:
   constexpr CGAL_GC_FORCEINLINE bool g2(const Ratio& r) const {
     typedef Scaled<typename Ratio::Square, decltype(w.b2)> Square;
     const Square x = scaled(r.square(r.q), w.b2), y = scaled(r.square(r.p), w.a2);
-    if constexpr (Zero::pivot_is_first) // short products first
-      return zero(Join_question::g2, difference_form(x, beside_tangent(b2, 1), y, beside_tangent(a2, 1))) &&
-             (N == 2 ||
-              zero(Join_question::g2, difference_form(x, beside_tangent(b2, N - 1), y, beside_tangent(a2, N - 1))));
-    else
-      return is_parallel(Join_question::g2, difference_vector(x, b2, y, a2));
+    // short products first
+    return zero(Join_question::g2, difference_form(x, beside_tangent(b2, 1), y, beside_tangent(a2, 1))) &&
+           (N == 2 ||
+            zero(Join_question::g2, difference_form(x, beside_tangent(b2, N - 1), y, beside_tangent(a2, N - 1))));
   }
 
   // The condition for G3 besides G2: q^3 a1_0 b3 - p^3 a1_0 a3 - 3 p V_0 a2 is a multiple of a1,
-  // where 0 is the pivot; here beta_2 is V_0 / (q^2 a1_0). The second derivatives of rational
-  // curves have -b1 and +a1 added, so V has -(q^2 p + p^2 q).
+  // where beta_2 is V_0 / (q^2 a1_0). The second derivatives of rational curves have -b1 and +a1
+  // added, so V has -(q^2 p + p^2 q).
   constexpr CGAL_GC_FORCEINLINE bool g3(const Ratio& r) const {
     typedef typename Ratio::Square Square;
     typedef Product<Scaled<typename Ratio::Cube, decltype(w.b3)>, T> Fourth;
     typedef Product<Scaled<Square, decltype(w.b2)>, T> Third;
-    const Fourth x = Fourth(scaled(r.cube(r.q), w.b3) * at_pivot(a1)),
-                 y = Fourth(scaled(r.cube(r.p), w.a3) * at_pivot(a1));
-    Third v = difference_form(scaled(r.square(r.q), w.b2), at_pivot(b2), scaled(r.square(r.p), w.a2), at_pivot(a2));
+    const Fourth x = Fourth(scaled(r.cube(r.q), w.b3) * a1[0]), y = Fourth(scaled(r.cube(r.p), w.a3) * a1[0]);
+    Third v = difference_form(scaled(r.square(r.q), w.b2), b2[0], scaled(r.square(r.p), w.a2), a2[0]);
     if constexpr (Weights::rational) v = Third(v - Third(scaled(Square(r.q * r.p), w.first) * T(r.q + r.p)));
     const Fourth z = r.p_times(v, w.mix);
     return is_parallel(Join_question::g3, internal::minus(difference_vector(x, b3, y, a3), multiplied(z, a2)));
@@ -152,13 +148,6 @@ public:
   }
 
 private:
-  template <class X> constexpr CGAL_GC_FORCEINLINE const X& at_pivot(const std::array<X, N>& v) const {
-    if constexpr (Zero::pivot_is_first)
-      return v[0];
-    else
-      return coordinate_at(v, pivot);
-  }
-
   template <class X>
   constexpr CGAL_GC_FORCEINLINE bool is_zero_vector(Join_question form, const std::array<X, N>& v) const {
     if constexpr (N == 2)
@@ -176,10 +165,8 @@ private:
   constexpr CGAL_GC_FORCEINLINE bool is_parallel(Join_question form, const std::array<X, N>& v) const {
     if constexpr (N == 2)
       return zero(form, parallel_form(v[0], v[1], a1[0], a1[1]));
-    else if constexpr (Zero::pivot_is_first)
-      return zero(form, parallel_form(v[0], v[1], a1[0], a1[1])) && zero(form, parallel_form(v[0], v[2], a1[0], a1[2]));
     else
-      return is_zero_vector(form, cross_form(v, a1));
+      return zero(form, parallel_form(v[0], v[1], a1[0], a1[1])) && zero(form, parallel_form(v[0], v[2], a1[0], a1[2]));
   }
 
   template <class X>

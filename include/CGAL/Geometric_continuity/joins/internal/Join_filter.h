@@ -56,7 +56,7 @@ struct Join_rounding {
     add_margin();
   }
 
-  static constexpr bool exact = false, pivot_is_first = false;
+  static constexpr bool exact = false;
   // unreachable: computed by the compiler
   constexpr bool operator()(Join_question form, const Rounding_bound& x) {
     double& e = error[static_cast<int>(form)];
@@ -109,7 +109,7 @@ template <class Weights, class Rounding = Rounding_of_differences> struct Join_f
     return 0x1p-100 <= A.d1 && 0x1p-100 <= B.d1 && A.d3 <= 0x1p100 && B.d3 <= 0x1p100;
   }
 
-  static constexpr bool exact = false, pivot_is_first = false;
+  static constexpr bool exact = false;
   CGAL_GC_FORCEINLINE bool operator()(Join_question form, double x) const {
     constexpr Join_rounding rounding = Rounding::value();
     return !(std::abs(x) > rounding.error[static_cast<int>(form)] * largest_product(form));

@@ -11,23 +11,28 @@
 #include <CGAL/Geometric_continuity/joins/internal/Join_filter.h>
 #include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 /// \file Join_input.h
 /// Each kind of ends has a class here that tells the stages of Join_ladder.h what they need:
 ///
 /// - signs: `first_left()` and `first_right()`, the first differences with the signs of the exact
-///   ones, and the `pivot()`;
+///   ones;
 /// - factors: `find_factors()`, or else `first_derivatives_differ()`;
 /// - the filter: `left()`, `right()`, `left_bounds()`, `right_bounds()` and `rounded_factors()`,
 ///   with the errors of `Rounding`;
 /// - residues: `find_unit()`, `integer_factors()`, `left_in()`, `right_in()` and
 ///   `units_of_factors()`, in as many limbs as the first of `Limbs` that suffices;
 /// - the grid: `left_grid()` and `right_grid()`.
+///
+/// All differences have the pivot as their first coordinate, unless the question is parametric.
 
 namespace CGAL {
 namespace Geometric_continuity {
@@ -73,8 +78,8 @@ bool first_derivatives_differ(const std::array<double, N>& a1, int m, const std:
 // The degrees up to which factors are exact.
 CGAL_GC_FORCEINLINE bool degrees_fit(int m, int n) { return (std::max)(m, n) <= 1000; }
 
-// An end with double coordinates, read once: as many points as a question needs, and the domain if
-// it is asked for.
+// An end with double coordinates, which is read once for all questions. The points are as given;
+// the coordinate number `first` of the first differences is exchanged for the first one.
 template <int N> class Double_end {
   int degree_;
   std::pair<double, double> domain_;
@@ -82,16 +87,10 @@ template <int N> class Double_end {
   First_differences<double, N> first_differences_;
 
 public:
-  Double_end() = default;
-  template <class Points> explicit Double_end(const Points& end) : Double_end(end, Question<Join_question::c3>()) {}
-  template <class Points, Join_question question>
-  CGAL_GC_FORCEINLINE Double_end(const Points& end, Question<question>)
-      : degree_(end.degree()), points_(points_of<highest_difference(question), N>(end)),
-        first_differences_(internal::first_differences<highest_difference(question)>(points_)) {
-    if constexpr (is_parametric(question)) domain_ = end.domain();
-  }
-  Double_end(const End_polygon<double, N>& points, int degree, const std::pair<double, double>& domain)
-      : degree_(degree), domain_(domain), points_(points), first_differences_(internal::first_differences<3>(points)) {}
+  template <class Points>
+  Double_end(const Points& end, int first)
+      : degree_(end.degree()), domain_(end.domain()), points_(points_of<3, N>(end)),
+        first_differences_(internal::first_differences<3>(points_of<3, N>(end, first))) {}
 
   int degree() const { return degree_; }
   int dimension() const { return N; }
@@ -99,6 +98,26 @@ public:
   double coordinate(int j, int i) const { return points_[j][i]; }
   const End_polygon<double, N>& points() const { return points_; }
   // inwards
+  const First_differences<double, N>& first_differences() const { return first_differences_; }
+};
+
+// An end with double coordinates for one question. Its points are read again where residues need
+// them: few joins do, and all of them together would not stay in registers.
+template <Join_question question, int N, class Points> class Double_end_view {
+  static constexpr int k = highest_difference(question);
+  const Points& end_;
+  std::pair<double, double> domain_; // if it is asked for
+  First_differences<double, N> first_differences_;
+
+public:
+  CGAL_GC_FORCEINLINE Double_end_view(const Points& end, int first)
+      : end_(end), first_differences_(internal::first_differences<k>(points_of<k, N>(end, first))) {
+    if constexpr (is_parametric(question)) domain_ = end.domain();
+  }
+
+  CGAL_GC_FORCEINLINE int degree() const { return end_.degree(); }
+  const std::pair<double, double>& domain() const { return domain_; }
+  CGAL_GC_FORCEINLINE const Points& end() const { return end_; }
   const First_differences<double, N>& first_differences() const { return first_differences_; }
 };
 
@@ -137,7 +156,6 @@ public:
     return internal::minus(zero_vector<double, N>(), left_differences_[0]);
   }
   CGAL_GC_FORCEINLINE const std::array<double, N>& first_right() const { return right_differences_[0]; }
-  CGAL_GC_FORCEINLINE int pivot() const { return largest_coordinate(left_differences_[0]); }
 
   typedef Degree_factors_of<question, std::int64_t> Factors;
 
@@ -159,18 +177,36 @@ public:
   CGAL_GC_FORCEINLINE Units units_of_factors(const Factors&) const { return Units(); }
 };
 
+// The common unit of points that are read for it. The four points of both ends are read in a
+// function that is compiled apart, lest they take the registers of the filter.
+template <int k, int N, class Left, class Right>
+BOOST_NOINLINE bool find_unit_apart(Left left, Right right, double largest, int& unit) {
+  return find_common_unit<k>(points_of<k, N>(left), points_of<k, N>(right), largest, unit);
+}
+template <int N, Join_question question, class Left, class Right>
+CGAL_GC_FORCEINLINE bool find_unit_of(const Double_end_view<question, N, Left>& left,
+                                      const Double_end_view<question, N, Right>& right, double largest, int& unit) {
+  constexpr int k = highest_difference(question);
+  if constexpr (k == 3)
+    return find_unit_apart<k, N, Left, Right>(left.end(), right.end(), largest, unit);
+  else
+    return find_common_unit<k>(points_of<k, N>(left.end()), points_of<k, N>(right.end()), largest, unit);
+}
+
 // Two such ends without weights, and the lengths of their domains. They must outlive the object.
-template <Join_question question_, int N> class Double_join : public Rounded_polygons<question_, N> {
+template <Join_question question_, int N, class Left = Double_end<N>, class Right = Double_end<N>>
+class Double_join : public Rounded_polygons<question_, N> {
   typedef Rounded_polygons<question_, N> Base;
   static constexpr int k = highest_difference(question_);
-  const Double_end<N>&left_, &right_;
+  const Left& left_;
+  const Right& right_;
   const Short_lengths& lengths_;
 
 public:
   using typename Base::Factors;
 
   // \pre the lengths are those of the domains if the question is parametric
-  CGAL_GC_FORCEINLINE Double_join(const Double_end<N>& left, const Double_end<N>& right, const Short_lengths& lengths)
+  CGAL_GC_FORCEINLINE Double_join(const Left& left, const Right& right, const Short_lengths& lengths)
       : Base(left.first_differences(), left.degree(), right.first_differences(), right.degree()), left_(left),
         right_(right), lengths_(lengths) {}
 
@@ -193,7 +229,10 @@ public:
   template <int limbs> using Integer = Fixed_integer<1, limbs>;
 
   CGAL_GC_FORCEINLINE bool find_unit(double largest, int& unit) const {
-    return find_common_unit<k>(left_.points(), right_.points(), largest, unit);
+    if constexpr (std::is_same_v<Left, Double_end<N>>)
+      return find_common_unit<k>(left_.points(), right_.points(), largest, unit);
+    else
+      return find_unit_of<N>(left_, right_, largest, unit);
   }
   template <int>
   CGAL_GC_FORCEINLINE bool integer_factors(const Factors& given, const typename Base::Units&, Factors& w) const {
@@ -203,17 +242,18 @@ public:
     else
       return factors_fit<question_>(w);
   }
-  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> left_in(int unit, int pivot) const {
-    return in_units<k, Integer<limbs>>(rotated<k>(this->left(), pivot), power_of_two(-unit));
+  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> left_in(int unit) const {
+    return in_units<k, Integer<limbs>>(this->left(), power_of_two(-unit));
   }
-  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> right_in(int unit, int pivot) const {
-    return in_units<k, Integer<limbs>>(rotated<k>(this->right(), pivot), power_of_two(-unit));
+  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> right_in(int unit) const {
+    return in_units<k, Integer<limbs>>(this->right(), power_of_two(-unit));
   }
 #endif
 };
 
 // An end with integers as coordinates, all below 2^60 in absolute value: its first differences are
-// below 2^61, and become doubles by one rounding.
+// below 2^61, and become doubles by one rounding. Their coordinate number `first` is exchanged for
+// the first one.
 template <int N> class Integer_end {
   End_polygon<std::int64_t, N> points_;                  // the last one repeated
   First_differences<std::int64_t, N> first_differences_; // inwards
@@ -223,9 +263,11 @@ template <int N> class Integer_end {
 
 public:
   Integer_end() = default;
-  Integer_end(const End_polygon<std::int64_t, N>& points, int degree, std::int64_t length)
-      : points_(points), first_differences_(internal::first_differences<3>(points)),
-        rounded_differences_(converted<3, double>(first_differences_)), length_(length), degree_(degree) {}
+  Integer_end(const End_polygon<std::int64_t, N>& points, int first, int degree, std::int64_t length)
+      : points_(points), first_differences_(internal::first_differences<3>(points)), length_(length), degree_(degree) {
+    for (std::array<std::int64_t, N>& difference : first_differences_) std::swap(difference[0], difference[first]);
+    rounded_differences_ = converted<3, double>(first_differences_);
+  }
 
   int degree() const { return degree_; }
   std::int64_t length() const { return length_; }
@@ -290,13 +332,11 @@ public:
     else
       return factors_fit<question_>(w);
   }
-  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> left_in(int, int pivot) const {
-    return converted<k, Integer<limbs>>(
-        differences_of<k, true>(rotated<k>(left_.first_differences(), pivot), this->m_));
+  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> left_in(int) const {
+    return converted<k, Integer<limbs>>(differences_of<k, true>(left_.first_differences(), this->m_));
   }
-  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> right_in(int, int pivot) const {
-    return converted<k, Integer<limbs>>(
-        differences_of<k, false>(rotated<k>(right_.first_differences(), pivot), this->n_));
+  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> right_in(int) const {
+    return converted<k, Integer<limbs>>(differences_of<k, false>(right_.first_differences(), this->n_));
   }
 #endif
 };
@@ -363,7 +403,7 @@ template <Join_question question_, int N, class Left, class Right> class Weighte
 
   const Left& left_end_;
   const Right& right_end_;
-  End_polygon<double, N> p_, q_;
+  int pivot_;
   Differences<double, N> left_, right_;
 
 public:
@@ -371,12 +411,12 @@ public:
   static constexpr int dimension = N;
 
   CGAL_GC_FORCEINLINE Weighted_join(const Left& left, const Right& right)
-      : left_end_(left), right_end_(right), p_(points_of<k, N>(left)), q_(points_of<k, N>(right)),
-        left_(chords_from_end<k, true>(p_)), right_(chords_from_end<k, false>(q_)) {}
+      : left_end_(left), right_end_(right), pivot_(pivot_of<N>(left)),
+        left_(chords_from_end<k, true>(points_of<k, N>(left, pivot_))),
+        right_(chords_from_end<k, false>(points_of<k, N>(right, pivot_))) {}
 
   CGAL_GC_FORCEINLINE const std::array<double, N>& first_left() const { return left_[0]; }
   CGAL_GC_FORCEINLINE const std::array<double, N>& first_right() const { return right_[0]; }
-  CGAL_GC_FORCEINLINE int pivot() const { return largest_coordinate(left_[0]); }
 
   struct Factors {
     End_weights<k> left, right;
@@ -410,7 +450,7 @@ public:
   template <int limbs> using Integer_factors = Weighted_degree_factors<question, Integer<limbs>>;
 
   CGAL_GC_FORCEINLINE bool find_unit(double largest, int& unit) const {
-    return find_common_unit<k>(p_, q_, largest, unit);
+    return find_common_unit<k>(points_of<k, N>(left_end_), points_of<k, N>(right_end_), largest, unit);
   }
   struct Units {
     int left, right;
@@ -438,11 +478,11 @@ public:
     w = Integer_factors<limbs>::of(x, given.m, y, given.n);
     return true;
   }
-  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> left_in(int unit, int pivot) const {
-    return in_units<k, Integer<limbs>>(rotated<k>(left_, pivot), power_of_two(-unit));
+  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> left_in(int unit) const {
+    return in_units<k, Integer<limbs>>(left_, power_of_two(-unit));
   }
-  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> right_in(int unit, int pivot) const {
-    return in_units<k, Integer<limbs>>(rotated<k>(right_, pivot), power_of_two(-unit));
+  template <int limbs> CGAL_GC_FORCEINLINE Differences<Integer<limbs>, N> right_in(int unit) const {
+    return in_units<k, Integer<limbs>>(right_, power_of_two(-unit));
   }
 #endif
 };

@@ -26,26 +26,22 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-// Returns whether all coordinates but one are zero.
-template <class T, std::size_t N> CGAL_GC_FORCEINLINE bool is_on_axis(const std::array<T, N>& x, int axis) {
-  for (int i = 0; i < static_cast<int>(N); ++i)
-    if (i != axis && x[static_cast<std::size_t>(i)] != 0) return false;
-  return true;
-}
+// Returns whether all coordinates but the first are zero.
+template <class T> CGAL_GC_FORCEINLINE bool is_on_axis(const std::array<T, 2>& x) { return x[1] == 0; }
+template <class T> CGAL_GC_FORCEINLINE bool is_on_axis(const std::array<T, 3>& x) { return x[1] == 0 && x[2] == 0; }
 
-// Decides by the signs of the first differences: the largest coordinate of the left one is the
-// pivot. Where the tangents run along the same axis, as most at the smooth joins of drawings do,
-// nothing is left to ask for G1.
+// Decides by the signs of the first differences. Where the tangents run along the same axis, as
+// most at the smooth joins of drawings do, nothing is left to ask for G1.
 template <Join_question question, class T, std::size_t N>
-CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<T, N>& a1, const std::array<T, N>& b1, int pivot) {
-  const T x = coordinate_at(a1, pivot), y = coordinate_at(b1, pivot);
+CGAL_GC_FORCEINLINE Join_answer decide_by_signs(const std::array<T, N>& a1, const std::array<T, N>& b1) {
+  const T x = a1[0], y = b1[0];
   if constexpr (is_geometric(question)) {
     if (!((x < 0 && y < 0) || (0 < x && 0 < y))) return Join_answer::no;
     if constexpr (question == Join_question::g1)
-      if (is_on_axis(a1, pivot) && is_on_axis(b1, pivot)) return Join_answer::yes;
+      if (is_on_axis(a1) && is_on_axis(b1)) return Join_answer::yes;
     return Join_answer::unknown;
   } else
-    return x == 0 || (y == 0 && is_on_axis(b1, pivot)) ? Join_answer::undefined : Join_answer::unknown;
+    return x == 0 || (y == 0 && is_on_axis(b1)) ? Join_answer::undefined : Join_answer::unknown;
 }
 
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
@@ -91,13 +87,11 @@ private:
 };
 
 template <int limbs, class Input, class Factors, class Stages>
-CGAL_GC_FORCEINLINE Join_answer decide_by_residues_with(const Factors& w, const Input& join, int unit, int pivot,
-                                                        Stages& stages) {
+CGAL_GC_FORCEINLINE Join_answer decide_by_residues_with(const Factors& w, const Input& join, int unit, Stages& stages) {
   constexpr Join_question question = Input::question;
   constexpr int N = Input::dimension;
   typedef typename Input::template Integer<limbs> Integer;
-  const Differences<Integer, N> a = join.template left_in<limbs>(unit, pivot),
-                                b = join.template right_in<limbs>(unit, pivot);
+  const Differences<Integer, N> a = join.template left_in<limbs>(unit), b = join.template right_in<limbs>(unit);
   const Modular_zero zero;
   const Join_equations<Integer, N, Factors, const Modular_zero> equations(a, b, w, zero);
   const auto decided = [&](Join_answer answer) {
@@ -115,35 +109,35 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_residues_with(const Factors& w, const 
 // apart. Those are called by value, since what they could read by reference would not stay in
 // registers anywhere.
 template <class Input, class Width, class Stages, int... limbs>
-BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Width width, int pivot,
+BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Width width,
                                                    Stages& stages, std::integer_sequence<int, limbs...>);
 template <bool apart, class Input, class Width, class Stages, int limbs, int... more>
 CGAL_GC_FORCEINLINE Join_answer decide_by_residues(const Input& join, const typename Input::Factors& given,
-                                                   const Width& width, int pivot, Stages& stages,
+                                                   const Width& width, Stages& stages,
                                                    std::integer_sequence<int, limbs, more...>) {
   if (!width.fits(limbs)) {
     if constexpr (sizeof...(more) != 0)
-      return decide_by_residues<apart>(join, given, width, pivot, stages, std::integer_sequence<int, more...>());
+      return decide_by_residues<apart>(join, given, width, stages, std::integer_sequence<int, more...>());
     else
       return Join_answer::unknown;
   }
   if constexpr (limbs > 4 && !apart)
-    return decide_by_long_residues(join, given, width, pivot, stages, std::integer_sequence<int, limbs>());
+    return decide_by_long_residues(join, given, width, stages, std::integer_sequence<int, limbs>());
   else {
     if constexpr (Input::template has_short_factors<limbs>) {
       Degree_factors<std::int64_t> w;
       if (join.short_factors(width.rounded_factors(), width.units_of_factors(), w))
-        return decide_by_residues_with<limbs>(w, join, width.unit(), pivot, stages);
+        return decide_by_residues_with<limbs>(w, join, width.unit(), stages);
     }
     typename Input::template Integer_factors<limbs> w;
     if (!join.template integer_factors<limbs>(given, width.units_of_factors(), w)) return Join_answer::unknown;
-    return decide_by_residues_with<limbs>(w, join, width.unit(), pivot, stages);
+    return decide_by_residues_with<limbs>(w, join, width.unit(), stages);
   }
 }
 template <class Input, class Width, class Stages, int... limbs>
-BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Width width, int pivot,
+BOOST_NOINLINE Join_answer decide_by_long_residues(Input join, typename Input::Factors given, Width width,
                                                    Stages& stages, std::integer_sequence<int, limbs...> length) {
-  return decide_by_residues<true>(join, given, width, pivot, stages, length);
+  return decide_by_residues<true>(join, given, width, stages, length);
 }
 
 #endif // CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
@@ -153,10 +147,8 @@ template <class Input, class Stages>
 CGAL_GC_FORCEINLINE Join_answer decide_by_stages(const Input& join, Stages& stages) {
   constexpr Join_question question = Input::question;
   static_assert(highest_difference(question) > 0, "the points are compared before");
-  int pivot = 0;
   if constexpr (!is_parametric(question)) {
-    pivot = join.pivot();
-    const Join_answer answer = decide_by_signs<question>(join.first_left(), join.first_right(), pivot);
+    const Join_answer answer = decide_by_signs<question>(join.first_left(), join.first_right());
     if (answer != Join_answer::unknown) {
       stages.decided(Stage::comparison, answer);
       return answer;
@@ -177,7 +169,7 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_stages(const Input& join, Stages& stag
   const Filter filter{A, B, rounded};
   if (!filter.in_range()) return Join_answer::unknown;
   const Differences<double, N>&a = join.left(), &b = join.right();
-  const Join_equations<double, N, Factors, const Filter> equations(a, b, rounded, filter, pivot);
+  const Join_equations<double, N, Factors, const Filter> equations(a, b, rounded, filter);
   if (!all_hold<question>(equations)) {
     stages.decided(Stage::floating_point, Join_answer::no);
     return Join_answer::no;
@@ -185,7 +177,7 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_stages(const Input& join, Stages& stag
 #ifdef CGAL_GEOMETRIC_CONTINUITY_HAS_FIXED_INTEGER
   if (stages.uses(Stage::fixed_integer)) {
     const Residue_width<Input, Filter> width(join, w, filter);
-    if (width.valid()) return decide_by_residues<false>(join, w, width, pivot, stages, typename Input::Limbs());
+    if (width.valid()) return decide_by_residues<false>(join, w, width, stages, typename Input::Limbs());
   }
 #endif
   return Join_answer::unknown;
@@ -194,15 +186,21 @@ CGAL_GC_FORCEINLINE Join_answer decide_by_stages(const Input& join, Stages& stag
 // Decides two ends with double coordinates by the ladder. The constructor reads them, with positive
 // weights if these are asked for.
 template <Join_question question, int N, bool weighted, class Left, class Right> class Join_reader {
-  Double_end<N> left_, right_;
+  typedef Double_end_view<question, N, Left> Left_view;
+  typedef Double_end_view<question, N, Right> Right_view;
+  int pivot_;
+  Left_view left_;
+  Right_view right_;
   Short_lengths lengths_;
 
 public:
   CGAL_GC_FORCEINLINE Join_reader(const Left& left, const Right& right)
-      : left_(left, Question<question>()), right_(right, Question<question>()) {
+      : pivot_(is_parametric(question) ? 0 : pivot_of<N>(left)), left_(left, pivot_), right_(right, pivot_) {
     if constexpr (is_parametric(question)) lengths_ = Short_lengths(left_.domain(), right_.domain());
   }
-  CGAL_GC_FORCEINLINE Double_join<question, N> operator()() const { return {left_, right_, lengths_}; }
+  CGAL_GC_FORCEINLINE Double_join<question, N, Left_view, Right_view> operator()() const {
+    return {left_, right_, lengths_};
+  }
 };
 template <Join_question question, int N, class Left, class Right>
 class Join_reader<question, N, true, Left, Right> : Weighted_join<question, N, Left, Right> {

@@ -202,8 +202,10 @@ public:
   static constexpr int dimension = N;
 
   template <class Left, class Right>
-  Double_ends(const Left& left, const Right& right)
-      : left_(left), right_(right), meet_(left_.points()[0] == right_.points()[0]) {
+  Double_ends(const Left& left, const Right& right) : Double_ends(left, right, pivot_of<N>(left)) {}
+  template <class Left, class Right>
+  Double_ends(const Left& left, const Right& right, int pivot)
+      : left_(left, pivot), right_(right, pivot), meet_(left_.points()[0] == right_.points()[0]) {
     if (meet_) lengths_ = Short_lengths(left_.domain(), right_.domain());
   }
 
@@ -225,7 +227,7 @@ public:
 
 // The shape parameters of such a join, which are to be computed when someone asks for them.
 template <class FT, int N> Join_parameters<FT> parameters_of(const Double_end<N>& left, const Double_end<N>& right) {
-  const int i = largest_coordinate(left.first_differences()[0]);
+  const int i = largest_coordinate(internal::minus(left.points()[1], left.points()[0]));
   const auto along = [i](const Double_end<N>& end) {
     const auto& x = end.points();
     return Parameter_end{{x[0][i], x[1][i], x[2][i], x[3][i]}, end.domain().first, end.domain().second, end.degree()};
@@ -233,7 +235,7 @@ template <class FT, int N> Join_parameters<FT> parameters_of(const Double_end<N>
   return Join_parameters<FT>(along(left), along(right));
 }
 template <class FT, int N> Join_parameters<FT> parameters_of(const Integer_end<N>& left, const Integer_end<N>& right) {
-  const int i = largest_coordinate(left.first_differences()[0]);
+  const int i = largest_coordinate(internal::minus(left.points()[1], left.points()[0]));
   const auto along = [i](const Integer_end<N>& end) {
     Parameter_end result{{}, 0, static_cast<double>(end.length()), end.degree()};
     for (int j = 0; j <= 3; ++j) {

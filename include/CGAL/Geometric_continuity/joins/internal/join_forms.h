@@ -122,14 +122,6 @@ template <class T, int N> constexpr CGAL_GC_FORCEINLINE std::array<T, N> zero_ve
     return {T(0), T(0), T(0)};
 }
 
-// The coordinate with this index, chosen without a jump.
-template <class T> constexpr CGAL_GC_FORCEINLINE const T& coordinate_at(const std::array<T, 2>& x, int i) {
-  return i == 0 ? x[0] : x[1];
-}
-template <class T> constexpr CGAL_GC_FORCEINLINE const T& coordinate_at(const std::array<T, 3>& x, int i) {
-  return i == 0 ? x[0] : i == 1 ? x[1] : x[2];
-}
-
 } // namespace internal
 } // namespace Geometric_continuity
 } // namespace CGAL
