@@ -102,7 +102,7 @@ _GUESSED = {
 _SYNONYMS = {"segments": "curves beziers", "points": "control_points ctrlpts nodes vertices c curve curves",
              "blend": "curves points control_points", "left": "points control_points", "curve": "points", "curves": "points",
              "knots": "t u knotvector", "parameters": "t u", "degree": "k p order", "weights": "w", "derivative": "nu der n order",
-             "order": "continuity degree", "g_order": "order", "tolerance": "tol eps epsilon max_error s", "tangent_angle": "angle",
+             "order": "continuity degree", "g_order": "order", "tolerance": "tol eps epsilon max_error s", "tangent_angle": "angle", "largest_angle": "angle normal_angle max_angle",
              "closed": "periodic per cyclic", "radius": "r", "distance": "d error max_error", "strategy": "method"}
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
@@ -185,9 +185,13 @@ def _guess(name: str, names: Iterable[str] = ()) -> Optional[str]:
     order = next((word for word in words if re.fullmatch("[cgf][0-9]", word)), None)
     if order and (words[0] == "is" or len(words) == 1 or {"continuous", "continuity"} & stems):
         return (f'call failing_joins(curves, "{order.upper()}"), which is empty if no join fails' if "chain" in stems else
-                f"call continuity(left, right).{order[0]}_order >= {order[1]}, or order_within(left, right, tolerance) with a tolerance")
+                f"call order_within(left, right, tolerance) for floats, or continuity(left, right).{order[0]}_order >= {order[1]}, which allows no rounding")
     if stems & {"surface", "patch", "face"}:
         return _SURFACE
+    if "normal" in stems and "angle" in stems:
+        return "call edge_continuity(a, b).largest_angle"
+    if words == ["chain", "continuity"]:
+        return _VERBS["verify"]
     if words[0] in _VERBS:
         return _VERBS[words[0]]
     guessed = sorted((g for g in _GUESSED if stems.issuperset(g.split("_"))), key=len)

@@ -236,7 +236,7 @@ class Sentences(unittest.TestCase):
         self.says("did you mean 'chordal'?", lambda: gc.interpolate(LEFT, parametrisation="chord"))
         self.says("did you mean 'G2'?", lambda: gc.failing_joins([LEFT], "g2"))
         self.says("did you mean 'u1'?", lambda: gc.edge_continuity([[(0, 0, 0)]], "u_1", [[(0, 0, 0)]], "u0"))
-        self.says("call continuity(left, right).g_order >= 2", lambda: gc.is_g2, AttributeError)
+        self.says("or continuity(left, right).g_order >= 2", lambda: gc.is_g2, AttributeError)
         self.says('call failing_joins(curves, "G2")', lambda: gc.is_chain_g2, AttributeError)
         self.says("round-edges solid.off", lambda: gc.round_edges, AttributeError)
         self.says("curvature_excess(curve, bound)", lambda: gc.curvature_extrema, AttributeError)
@@ -260,6 +260,8 @@ class Sentences(unittest.TestCase):
             self.says("call blend(left, right)", lambda: getattr(gc, name), AttributeError)
         self.says("verify(file) reads drawings", lambda: gc.read_curve, AttributeError)
         self.says("numpy.savetxt", lambda: gc.save, AttributeError)
+        self.says("largest_angle", lambda: gc.normal_angle, AttributeError)
+        self.says("did you mean largest_angle?", lambda: gc.edge_continuity(numpy.zeros((2, 2, 3)), "u1", numpy.zeros((2, 2, 3)), "u0").angle, AttributeError)
         self.says("runs along the normal", lambda: gc.frenet_frame, AttributeError)
         with self.assertRaisesRegex(ImportError, r"edge_continuity\(a, b\) decides two of them"):
             exec("from geometric_continuity import surface_continuity", {})

@@ -163,7 +163,7 @@ template <class T> struct Checked_traits {
   static_assert(
       Is_traits<T>::value,
       "the argument is no traits class: Traits_2<Kernel>, Traits_3<Kernel> and Traits_d<Kernel> are, a kernel is "
-      "not; see the concept GeometricContinuityTraits");
+      "not; write e.g. Bezier_curve<Traits_2<Kernel>>");
   static_assert(
       !std::numeric_limits<typename T::FT>::is_integer,
       "the numbers of the kernel must be a field, such as double or Exact_rational: integers cannot be divided");

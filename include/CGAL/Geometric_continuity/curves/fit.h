@@ -57,6 +57,13 @@ template <class Traits> struct Fitted_curve : Composite_bezier_curve<Traits> {
                double proven_distance)
       : Composite_bezier_curve<Traits>(std::move(curve)), vertices(std::move(at_vertices)),
         corners(std::move(at_corners)), distance(proven_distance) {}
+
+  /// \cond SKIP_IN_MANUAL
+  template <class... Given> internal::No_result max_error(const Given&...) const {
+    static_assert(internal::never<Given...>, "the member distance is the proven bound of the error");
+    return {};
+  }
+  /// \endcond
 };
 
 namespace internal {

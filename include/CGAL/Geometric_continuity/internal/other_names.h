@@ -6,6 +6,8 @@
 #define CGAL_GEOMETRIC_CONTINUITY_INTERNAL_OTHER_NAMES_H
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <iterator>
 #include <type_traits>
 #include <vector>
@@ -209,13 +211,47 @@ auto chain_joins(const Input_iterator&, const Input_iterator&, const Output_iter
   return internal::No_result();
 }
 
+// A knot that is missing.
+template <class Curve, class = typename Curve::Traits> auto knot_continuity(const Curve&) {
+  static_assert(internal::never<Curve>, "knot_continuities(c) decides all knots, knot_continuity(c, u) one of them");
+  return internal::No_result();
+}
+
+// Edges, for which there is a function of its own.
+template <class Surface_a, class Surface_b>
+auto continuity(const Surface_a&, Patch_edge, const Surface_b&, Patch_edge, int = 2) {
+  static_assert(internal::never<Surface_a>,
+                "edge_continuity(a, Patch_edge::u1, b, Patch_edge::u0) decides two surfaces "
+                "along these edges");
+  return internal::No_result();
+}
+
+// Two curves, whose angle is one of several distances.
+template <class Left, class Right, class = typename Left::Traits, class = typename Right::Traits>
+auto tangent_angle(const Left&, const Right&) {
+  static_assert(internal::never<Left>, "deviation(a, b).tangent_angle encloses the angle at the join, in radians");
+  return internal::No_result();
+}
+
+// A flag or an iterator, which interpolate_fair() does not take.
+template <class Points> auto interpolate_fair(const Points&, bool) {
+  static_assert(internal::never<Points>, "interpolate_fair(points, Closure::closed) is a closed curve");
+  return internal::No_result();
+}
+
 // Points in the place of a curve.
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_CURVE                                                                            \
+  "control points are no curve: give Bezier_curve<Traits_2<Kernel>>(points), in space "                                \
+  "Bezier_curve<Traits_3<Kernel>>(points)"
 #define CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(name)                                                                       \
   template <class Point, class Kernel = typename Point::R, class... Given>                                             \
   auto name(const std::vector<Point>&, const Given&...) {                                                              \
-    static_assert(internal::never<Kernel>,                                                                             \
-                  "control points are no curve: give Bezier_curve<Traits_2<Kernel>>(points), "                         \
-                  "in space Bezier_curve<Traits_3<Kernel>>(points)");                                                  \
+    static_assert(internal::never<Kernel>, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVE);                                       \
+    return internal::No_result();                                                                                      \
+  }                                                                                                                    \
+  template <class Point, std::size_t n, class Kernel = typename Point::R, class... Given>                              \
+  auto name(const std::array<Point, n>&, const Given&...) {                                                            \
+    static_assert(internal::never<Kernel>, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVE);                                       \
     return internal::No_result();                                                                                      \
   }
 CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(continuity)
@@ -225,7 +261,23 @@ CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(curvature)
 CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(torsion)
 CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(blend)
 CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(extend)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(tangent_angle)
+CGAL_GEOMETRIC_CONTINUITY_NO_CURVE(frenet_frame)
 #undef CGAL_GEOMETRIC_CONTINUITY_NO_CURVE
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_CURVE
+// ... and in that of the curves of a chain.
+#define CGAL_GEOMETRIC_CONTINUITY_NO_CHAIN(name)                                                                       \
+  template <class Point, class Kernel = typename Point::R, class... Given>                                             \
+  auto name(const std::vector<std::vector<Point>>&, const Given&...) {                                                 \
+    static_assert(internal::never<Kernel>, "lists of control points are no chain: give a std::vector of "              \
+                                           "Bezier_curve<Traits_2<Kernel>>, in space of "                              \
+                                           "Bezier_curve<Traits_3<Kernel>>");                                          \
+    return internal::No_result();                                                                                      \
+  }
+CGAL_GEOMETRIC_CONTINUITY_NO_CHAIN(chain_continuity)
+CGAL_GEOMETRIC_CONTINUITY_NO_CHAIN(chain_joins)
+CGAL_GEOMETRIC_CONTINUITY_NO_CHAIN(failing_joins)
+#undef CGAL_GEOMETRIC_CONTINUITY_NO_CHAIN
 
 // A function that does not exist, with the sentence that is the first error of the compiler where
 // it is called, also with a kernel in angle brackets. It is in a namespace of its own, so that a
@@ -286,6 +338,11 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(verify_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_smooth_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(edge_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(normal_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_normal_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(largest_normal_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(dihedral_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(surface_deviation, CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE
 
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_BLEND                                                                            \
@@ -388,6 +445,12 @@ template <class Curve, class Number, class = typename Curve::Traits> auto frenet
   "points at n + 1 parameters"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(sample_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate_by_polyline, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(sample, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(sample_points, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(sample_uniformly, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(polyline, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(to_polyline, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(flatten, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(inflection_points, "curvature_extrema(c).inflections are those of a curve")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(elevate_degree, "c.elevate() raises the degree by one, c.elevate(times) by more")
@@ -417,6 +480,14 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_curvature, CGAL_GEOMETRIC_CONTINUITY_A
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(maximum_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(minimum_radius, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(squared_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(curvature_bound, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(bound_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_curvature_bounded, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_curvature_bounded_by, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(curvature_bounded_by, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(min_radius, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(min_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(minimum_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_READ                                                                             \
   "read_g2_curves<Traits>(in) of CGAL::Geometric_continuity returns Bezier curves, read_g2_bsplines<Traits>(in) "      \

@@ -156,6 +156,17 @@ Chain_summary chain_continuity(const Range& chain, Closure closure) {
   return chain_continuity(chain, 3, closure);
 }
 
+/// \cond SKIP_IN_MANUAL
+// A tolerance, which would be rounded to an order.
+template <class Range, class Number, class = internal::Curve_of_range<Range>,
+          class = std::enable_if_t<std::is_floating_point_v<Number>>>
+internal::No_result chain_continuity(const Range&, Number) {
+  static_assert(internal::never<Range>, "the second argument is the highest order to decide, and this function is "
+                                        "exact: order_within(a, b, 1e-6) allows a tolerance for each join");
+  return {};
+}
+/// \endcond
+
 /// \ingroup PkgGeometricContinuityContinuity
 /// Decides all joins of a chain of curves up to order `max_order`, and returns them: number `i` is
 /// the join at the end of the curve number `i`, with that of the last curve and the first one as
@@ -189,6 +200,17 @@ std::vector<Join_continuity<Predicate_FT<typename internal::Curve_of_range<Range
 chain_joins(const Range& chain, Closure closure) {
   return chain_joins(chain, 3, closure);
 }
+
+/// \cond SKIP_IN_MANUAL
+// A tolerance, which would be rounded to an order.
+template <class Range, class Number, class = internal::Curve_of_range<Range>,
+          class = std::enable_if_t<std::is_floating_point_v<Number>>>
+internal::No_result chain_joins(const Range&, Number) {
+  static_assert(internal::never<Range>, "the second argument is the highest order to decide, and this function is "
+                                        "exact: order_within(a, b, 1e-6) allows a tolerance for each join");
+  return {};
+}
+/// \endcond
 
 // A bool in the place of `closed` is refused: it would be taken for the order.
 template <class Iterator, class Flag, class = std::enable_if_t<std::is_same_v<Flag, bool>>>

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_JOINS_JOIN_CONTINUITY_H
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_JOIN_CONTINUITY_H
 
+#include <CGAL/Geometric_continuity/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/joins/Curve_ends.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_all_questions.h>
@@ -178,6 +179,16 @@ template <class Left, class Right>
 Join_continuity<Predicate_FT<typename Left::Traits>> continuity(const Left& left, const Right& right) {
   return internal::continuity_of_curves(left, right, internal::Order_3());
 }
+
+/// \cond SKIP_IN_MANUAL
+// A tolerance, which would be rounded to an order.
+template <class Left, class Right, class Number, class = std::enable_if_t<std::is_floating_point_v<Number>>>
+internal::No_result continuity(const Left&, const Right&, Number) {
+  static_assert(internal::never<Left>, "the third argument is the highest order to decide, and this function is exact: "
+                                       "order_within(a, b, 1e-6) allows a tolerance");
+  return {};
+}
+/// \endcond
 
 } // namespace Geometric_continuity
 } // namespace CGAL
