@@ -233,6 +233,37 @@ BOOST_AUTO_TEST_CASE(noise_and_staircases) {
     BOOST_CHECK_EQUAL(GC::fit<Epick_2>(square.begin(), square.end(), tolerance, Closure::closed, 1).corners.size(), 4u);
 }
 
+// Noise of half the tolerance at vertices that are 500 times closer to each other can be fitted,
+// too. Near one of these vertices, rounding decides how a slow piece is divided.
+BOOST_AUTO_TEST_CASE(dense_noise) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> noise(-1, 1);
+  constexpr int n = 100000;
+  Points p;
+  for (int i = 0; i < n; ++i) {
+    const double x = 10 * (i / double(n - 1)), y = std::sin(x) * 2 + 0.05 * noise(random);
+    if (i >= n - 4000) p.emplace_back(x, y);
+  }
+  std::reverse(p.begin(), p.end());
+  for (const int order : {1, 2})
+    BOOST_CHECK_LT(GC::fit<Epick_2>(p.begin(), p.end(), 0.1, Closure::open, order).number_of_segments(), 400);
+}
+
+// A short polyline has as many pieces when it is run through backwards.
+BOOST_AUTO_TEST_CASE(short_polylines_backwards) {
+  repeat(5, [](Random& random) {
+    Points line, wave;
+    for (int i = 0; i <= 500; ++i) {
+      line.emplace_back(i / 50., random.integer(-500, 500) / 10000.);
+      wave.emplace_back(i / 50., 2 * std::sin(i / 25.) + random.integer(-100, 100) / 10000.);
+    }
+    for (const Points& p : {line, wave})
+      for (const int order : {1, 2})
+        BOOST_CHECK_EQUAL(pieces(p, 0.1, Closure::open, order),
+                          pieces(Points(p.rbegin(), p.rend()), 0.1, Closure::open, order));
+  });
+}
+
 BOOST_AUTO_TEST_CASE(corners) {
   for (const int order : {1, 2}) {
     const Points rectangle = {Epick_2::Point(2, 0), Epick_2::Point(4, 0), Epick_2::Point(4, 3), Epick_2::Point(0, 3),

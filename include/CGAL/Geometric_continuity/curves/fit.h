@@ -202,12 +202,40 @@ public:
   }
 };
 
+// Which pieces are found depends on the end at which the search starts, and on how long those are
+// that it tries first. Of a short polyline, and where nothing is found, the fewest of four searches
+// are taken.
 template <int N, int degree>
 typename Polyline_fit<N, degree>::Result fitted_pieces(const Fit_polyline<N>& polyline, double largest) {
-  const Polyline_fit<N, degree> fit(polyline.points, polyline.stop, polyline.tolerance, polyline.periodic, largest);
-  const auto spans = fit.spans();
+  typedef Polyline_fit<N, degree> Fit;
+  constexpr std::size_t most_points = 1024;
+  const std::vector<Coordinate_vector<double, N>> backwards(polyline.points.rbegin(), polyline.points.rend());
+  const std::vector<char> stop_backwards(polyline.stop.rbegin(), polyline.stop.rend());
+  const Fit fits[] = {{polyline.points, polyline.stop, polyline.tolerance, polyline.periodic, largest},
+                      {backwards, stop_backwards, polyline.tolerance, polyline.periodic, largest}};
+  decltype(fits[0].spans()) fewest;
+  bool is_backwards = false;
+  std::optional<Error> error;
+  for (const bool from_all : {false, true})
+    for (const bool backward : {false, true}) {
+      if (fewest.size() == 1 || (!fewest.empty() && polyline.points.size() > most_points)) continue;
+      try {
+        auto spans = fits[backward].spans(from_all);
+        if (!fewest.empty() && fewest.size() <= spans.size()) continue;
+        fewest = std::move(spans);
+        is_backwards = backward;
+      } catch (const Error& e) {
+        if (!error) error = e;
+      }
+    }
+  if (fewest.empty()) throw *error;
   const Protect_FPU_rounding<true> upwards;
-  return fit.proved(spans, polyline.radius);
+  typename Fit::Result result = fits[is_backwards].proved(fewest, polyline.radius);
+  if (!is_backwards) return result;
+  std::reverse(result.points.begin(), result.points.end());
+  std::reverse(result.vertices.begin(), result.vertices.end());
+  for (int& v : result.vertices) v = static_cast<int>(polyline.points.size()) - 1 - v;
+  return result;
 }
 
 // N is the dimension of the computation.
@@ -326,7 +354,8 @@ Fitted_curve<Traits> fitted_curve(const std::vector<Coordinates<Traits>>& given,
 /// near vertices, points, tangents and curvatures there are those of one of several cubic
 /// polynomials near the polyline, in windows of different widths, and the rest is found by least
 /// squares of the distances orthogonal to the curve. Then up to 8 pieces in a row are replaced by
-/// one less where all their joints can move, also between vertices, so that it is near. How many
+/// one less where all their joints can move, also between vertices, so that it is near. A polyline
+/// of at most 1024 points is searched from both ends, and with short or long pieces first. How many
 /// pieces there are is not proved to be the least.
 /// Where the polyline bends sharply but less than at a corner, pieces are short, and so are
 /// tangents.

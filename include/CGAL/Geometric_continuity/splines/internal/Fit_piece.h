@@ -36,6 +36,13 @@ public:
   std::array<Vector, degree + 1> points;
   std::vector<Vector> polyline;   // its vertices, from the start of the piece to its end
   std::vector<double> parameters; // of these
+  // A point of the segment that ends at the vertex of this number, and its parameter.
+  struct Division {
+    std::size_t segment;
+    double parameter;
+    Vector point;
+  };
+  std::vector<Division> divisions; // in order
 
   // The Bernstein polynomials, in the order of the points
   static std::array<double, degree + 1> bernstein(double t) {
@@ -63,16 +70,24 @@ public:
   }
 
   // Returns whether the piece is near its polyline; if so, `worst` is at least the square of its
-  // distance.
-  template <class NT> bool is_near(double squared_tolerance, double& worst) const {
+  // distance. Adds where it has divided segments to `divided`. A proof by intervals begins with the
+  // divisions of the search, because where a curve is slow rounding decides about these.
+  template <class NT>
+  bool is_near(double squared_tolerance, double& worst, std::vector<Division>* divided = nullptr) const {
     Points_of<NT> b; // from the first one, which is the origin: small numbers have small errors
     const Vector_of<NT> origin = over<NT>(points[0]);
     for (int i = 0; i <= degree; ++i) b[i] = over<NT>(points[i]) - origin;
     Place<NT> from = place<NT>(b, 0, over<NT>(polyline[0]) - origin);
-    for (std::size_t k = 1; k < parameters.size(); ++k) {
-      Place<NT> to = place<NT>(b, parameters[k], over<NT>(polyline[k]) - origin);
-      if (!near_segment(b, from, to, squared_tolerance, worst, 0)) return false;
+    auto next = divisions.begin();
+    for (std::size_t k = 1; k < parameters.size();) {
+      const bool is_division = next != divisions.end() && next->segment == k;
+      Place<NT> to = is_division ? place<NT>(b, next->parameter, over<NT>(next->point) - origin)
+                                 : place<NT>(b, parameters[k], over<NT>(polyline[k]) - origin);
+      const std::size_t before = divided ? divided->size() : 0;
+      if (!near_segment(b, from, to, squared_tolerance, worst, 0, divided)) return false;
+      for (std::size_t i = before; divided && i < divided->size(); ++i) (*divided)[i].segment = k;
       from = std::move(to);
+      is_division ? void(++next) : void(++k);
     }
     return true;
   }
@@ -120,7 +135,7 @@ private:
 
   template <class NT>
   bool near_segment(const Points_of<NT>& b, const Place<NT>& from, const Place<NT>& to, double squared_tolerance,
-                    double& worst, int halvings) const {
+                    double& worst, int halvings, std::vector<Division>* divided) const {
     const NT h = NT(to.t) - NT(from.t);
     double gap = 0;
     for (int i = 0; i <= free_points; ++i)
@@ -146,8 +161,12 @@ private:
     for (int x = 0; x < p.dimension(); ++x) p[x] += upper(middle[x]);
     const Place<NT> between = place<NT>(b, parameter_between(from.t, to.t, p), middle);
     double of_halves = worst;
-    const bool halves = near_segment(b, from, between, squared_tolerance, of_halves, halvings + 1) &&
-                        near_segment(b, between, to, squared_tolerance, of_halves, halvings + 1);
+    const auto divide = [&] {
+      if (divided) divided->push_back({0, between.t, p});
+      return true;
+    };
+    const bool halves = near_segment(b, from, between, squared_tolerance, of_halves, halvings + 1, divided) &&
+                        divide() && near_segment(b, between, to, squared_tolerance, of_halves, halvings + 1, divided);
     if (halves || suffices) worst = halves ? of_halves : (std::max)(worst, gap);
     return halves || suffices;
   }

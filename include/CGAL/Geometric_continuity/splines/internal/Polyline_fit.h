@@ -78,8 +78,8 @@ public:
 
   // Takes the longest piece that is found, again and again, and then fewer of them where that
   // succeeds. Rounds to nearest. Short pieces may fail where long ones succeed: the search goes
-  // from long ones to short ones.
-  std::vector<Span> spans() const {
+  // from long ones to short ones, from all that is left or, in linear time, from some segments.
+  std::vector<Span> spans(bool from_all = false) const {
     const int n = path_.segments();
     std::vector<Span> result;
     std::vector<Joint> first = joints(0, path_.is_periodic() ? Side::both : Side::after);
@@ -105,7 +105,7 @@ public:
         return false;
       };
       int good = 0, bad = longest + 1; // numbers of segments
-      const int top = (std::min)(8 * steps, longest);
+      const int top = from_all ? longest : (std::min)(8 * steps, longest);
       for (int count = top; good == 0 && count > 0; count /= 2) (succeeds(count) ? good : bad) = count;
       for (int count = top; good == 0 && count < longest;) { // where all of them fail
         count = (std::min)(2 * count, longest);
@@ -483,14 +483,18 @@ private:
     return piece;
   }
 
-  bool near(const Piece& piece) const {
+  bool near(Piece& piece) const {
     double worst = 0, size = 0;
+    piece.divisions.clear();
+    std::vector<typename Piece::Division> divided;
     for (const Vector& x : piece.points)
       for (const double c : Vector(x - piece.points[0])) size = (std::max)(size, std::abs(c));
     // so that intervals prove it
     const double tolerance = tolerance_ * (1 - 0x1p-20) - size * 0x1p-46;
     // unreachable: the tolerance has 1024 units or more, and rounding is less than that
-    return tolerance > 0 && piece.template is_near<double>(tolerance * tolerance, worst);
+    if (!(tolerance > 0 && piece.template is_near<double>(tolerance * tolerance, worst, &divided))) return false;
+    piece.divisions = std::move(divided);
+    return true;
   }
 };
 
