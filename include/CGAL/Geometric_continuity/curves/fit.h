@@ -225,6 +225,7 @@ typename Polyline_fit<N, degree>::Result fitted_pieces(const Fit_polyline<N>& po
         fewest = std::move(spans);
         is_backwards = backward;
       } catch (const Error& e) {
+        if (fewest.empty() && e.code() != Error_code::unreachable_tolerance) throw;
         if (!error) error = e;
       }
     }
