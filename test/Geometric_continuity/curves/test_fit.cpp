@@ -259,8 +259,8 @@ BOOST_AUTO_TEST_CASE(short_polylines_backwards) {
     }
     for (const Points& p : {line, wave})
       for (const int order : {1, 2})
-        BOOST_CHECK_EQUAL(pieces(p, 0.1, Closure::open, order),
-                          pieces(Points(p.rbegin(), p.rend()), 0.1, Closure::open, order));
+        BOOST_CHECK_EQUAL(GC::fit<Epick_2>(p.begin(), p.end(), 0.1, Closure::open, order).number_of_segments(),
+                          GC::fit<Epick_2>(p.rbegin(), p.rend(), 0.1, Closure::open, order).number_of_segments());
   });
 }
 
