@@ -370,9 +370,8 @@ public:
     if (demand.curvature) report_.row("bent_curves");
     report_.row("not_read");
     decide_cad_files(files, demand, reading, [this](const Decided_cad_file& file) { add(file); });
-    if (demand.curvature)
-      return; // it speaks of curves already
-    else if (summary_.faces == 0 && summary_.joins > 0)
+    if (demand.curvature) return; // it speaks of curves already
+    if (summary_.faces == 0 && summary_.joins > 0)
       report_.speak_of("join of curves", "every join of curves");
     else if (summary_.joins > 0)
       report_.say_of_every(" and every join of curves");

@@ -16,6 +16,7 @@
 #include <CGAL/Geometric_continuity/splines/internal/Polyline_fit.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -209,18 +210,23 @@ template <int N, int degree>
 typename Polyline_fit<N, degree>::Result fitted_pieces(const Fit_polyline<N>& polyline, double largest) {
   typedef Polyline_fit<N, degree> Fit;
   constexpr std::size_t most_points = 1024;
-  const std::vector<Coordinate_vector<double, N>> backwards(polyline.points.rbegin(), polyline.points.rend());
-  const std::vector<char> stop_backwards(polyline.stop.rbegin(), polyline.stop.rend());
-  const Fit fits[] = {{polyline.points, polyline.stop, polyline.tolerance, polyline.periodic, largest},
-                      {backwards, stop_backwards, polyline.tolerance, polyline.periodic, largest}};
-  decltype(fits[0].spans()) fewest;
+  std::vector<Coordinate_vector<double, N>> backwards;
+  std::vector<char> stop_backwards;
+  std::array<std::optional<Fit>, 2> fits; // the second one backwards, where it is asked
+  fits[0].emplace(polyline.points, polyline.stop, polyline.tolerance, polyline.periodic, largest);
+  decltype(fits[0]->spans(false)) fewest;
   bool is_backwards = false;
   std::optional<Error> error;
   for (const bool from_all : {false, true})
     for (const bool backward : {false, true}) {
       if (fewest.size() == 1 || (!fewest.empty() && polyline.points.size() > most_points)) continue;
+      if (!fits[backward]) {
+        backwards.assign(polyline.points.rbegin(), polyline.points.rend());
+        stop_backwards.assign(polyline.stop.rbegin(), polyline.stop.rend());
+        fits[backward].emplace(backwards, stop_backwards, polyline.tolerance, polyline.periodic, largest);
+      }
       try {
-        auto spans = fits[backward].spans(from_all);
+        auto spans = fits[backward]->spans(from_all);
         if (!fewest.empty() && fewest.size() <= spans.size()) continue;
         fewest = std::move(spans);
         is_backwards = backward;
@@ -231,7 +237,7 @@ typename Polyline_fit<N, degree>::Result fitted_pieces(const Fit_polyline<N>& po
     }
   if (fewest.empty()) throw *error;
   const Protect_FPU_rounding<true> upwards;
-  typename Fit::Result result = fits[is_backwards].proved(fewest, polyline.radius);
+  typename Fit::Result result = fits[is_backwards]->proved(fewest, polyline.radius);
   if (!is_backwards) return result;
   std::reverse(result.points.begin(), result.points.end());
   std::reverse(result.vertices.begin(), result.vertices.end());

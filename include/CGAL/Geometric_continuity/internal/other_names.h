@@ -233,7 +233,7 @@ auto tangent_angle(const Left&, const Right&) {
   return internal::No_result();
 }
 
-// A flag or an iterator, which interpolate_fair() does not take.
+// A flag, which interpolate_fair() does not take.
 template <class Points> auto interpolate_fair(const Points&, bool) {
   static_assert(internal::never<Points>, "interpolate_fair(points, Closure::closed) is a closed curve");
   return internal::No_result();

@@ -185,12 +185,13 @@ inline Bounds_on_range jump_on(const Edge_range& range, const Taylor_model& k1, 
   return {at_point.inf(), upper, t, true, upper - at_point.inf() <= 4 * (at_point.sup() - at_point.inf())};
 }
 
-// Returns the ends of a range with the knots of curves inside, in order, each once.
+// Returns the ends of parts of a range in order, each once.
 inline std::vector<double> in_order(std::vector<double> ends) {
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   return ends;
 }
+// Adds the knots of a curve that lie inside of a range.
 template <int D> void add_knots(const Cad_curve<D>& curve, double first, double last, std::vector<double>& ends) {
   for (double k : inner_knots(curve))
     if (first < k && k < last) ends.push_back(k);

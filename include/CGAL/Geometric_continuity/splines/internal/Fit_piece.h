@@ -87,7 +87,10 @@ public:
       if (!near_segment(b, from, to, squared_tolerance, worst, 0, divided)) return false;
       for (std::size_t i = before; divided && i < divided->size(); ++i) (*divided)[i].segment = k;
       from = std::move(to);
-      is_division ? void(++next) : void(++k);
+      if (is_division)
+        ++next;
+      else
+        ++k;
     }
     return true;
   }

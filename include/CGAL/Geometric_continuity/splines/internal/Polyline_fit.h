@@ -79,7 +79,7 @@ public:
   // Takes the longest piece that is found, again and again, and then fewer of them where that
   // succeeds. Rounds to nearest. Short pieces may fail where long ones succeed: the search goes
   // from long ones to short ones, from all that is left or, in linear time, from some segments.
-  std::vector<Span> spans(bool from_all = false) const {
+  std::vector<Span> spans(bool from_all) const {
     const int n = path_.segments();
     std::vector<Span> result;
     std::vector<Joint> first = joints(0, path_.is_periodic() ? Side::both : Side::after);
