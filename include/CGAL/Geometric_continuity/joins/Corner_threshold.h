@@ -15,14 +15,11 @@
 #include <CGAL/Fraction_traits.h>
 #include <CGAL/number_utils.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -39,11 +36,11 @@ namespace internal {
 // The arc tangent of 1/k for k >= 5 in units of 2^-w. Each term 1/((2i+1) k^(2i+1)) is rounded
 // downwards twice and wrong by less than 2 units, and there are less than w/4 + 1 of them that are
 // not zero.
-inline boost::multiprecision::cpp_int arc_tangent_of_inverse(int k, int w) {
-  boost::multiprecision::cpp_int power = boost::multiprecision::cpp_int(1) << w, sum = 0;
+template <class Integer> Integer arc_tangent_of_inverse(int k, int w) {
+  Integer power = Integer(1) << w, sum(0);
   power /= k;
-  for (int i = 0; !power.is_zero(); ++i) {
-    const boost::multiprecision::cpp_int term = power / (2 * i + 1);
+  for (int i = 0; 0 < power; ++i) {
+    const Integer term = power / (2 * i + 1);
     if (i % 2 == 0)
       sum += term;
     else
@@ -59,14 +56,13 @@ inline boost::multiprecision::cpp_int arc_tangent_of_inverse(int k, int w) {
 // Pi = 16 atan(1/5) - 4 atan(1/239), by Machin, is wrong by less than 20 (2 (w/4 + 1)) units, and a
 // by one more. The error of sin(a)/a is multiplied by a < 3.2, and the product rounded: with the
 // error of a that is less than 10 w + 41 + 3.2 (w + 8) + 1 < 14 w.
-struct Rotation_bounds {
-  typedef boost::multiprecision::cpp_int Integer;
+template <class Integer> struct Rotation_bounds {
   Integer cosine, sine;
   const int error;
 
   Rotation_bounds(const std::pair<Integer, Integer>& fraction, int w) : error(14 * w) {
     const auto& [p, q] = fraction;
-    const Integer pi = 16 * arc_tangent_of_inverse(5, w) - 4 * arc_tangent_of_inverse(239, w),
+    const Integer pi = 16 * arc_tangent_of_inverse<Integer>(5, w) - 4 * arc_tangent_of_inverse<Integer>(239, w),
                   angle = pi * p / (180 * q);
     const Cosine_and_sinc<Integer> c(Integer(angle * angle >> w), w);
     cosine = c.cosine;
@@ -75,28 +71,20 @@ struct Rotation_bounds {
 };
 
 // The numerator and the denominator of a rational number.
-template <class FT> std::pair<Rotation_bounds::Integer, Rotation_bounds::Integer> long_fraction(const FT& x) {
-  typedef Fraction_traits<FT> Traits;
-  typename Traits::Numerator_type p;
-  typename Traits::Denominator_type q;
-  typename Traits::Decompose()(x, p, q);
-  const auto integer = [](const auto& n) {
-    std::ostringstream text;
-    text << n;
-    return Rotation_bounds::Integer(text.str());
-  };
-  return {integer(p), integer(q)};
+template <class FT> using Numerator = typename Fraction_traits<FT>::Numerator_type;
+template <class FT> std::pair<Numerator<FT>, Numerator<FT>> long_fraction(const FT& x) {
+  Numerator<FT> p;
+  typename Fraction_traits<FT>::Denominator_type q;
+  typename Fraction_traits<FT>::Decompose()(x, p, q);
+  return {p, Numerator<FT>(q)};
 }
 
-// A long integer in a field.
-template <class NT> NT from_long_integer(const Rotation_bounds::Integer& x) {
-  constexpr int digits = 30;
-  NT y(0);
-  const Rotation_bounds::Integer size = abs(x);
-  // equivalent [0 -> 1, 2]: an enclosure with 30 digits less: more bits decide
-  for (int shift = size.is_zero() ? 0 : static_cast<int>(msb(size)) / digits * digits; 0 <= shift; shift -= digits)
-    y = NT(y * NT(1 << digits)) + NT(static_cast<int>(Rotation_bounds::Integer((size >> shift) & ((1 << digits) - 1))));
-  return x < 0 ? NT(-y) : y;
+// A long integer in a field, by parts that the field makes of an `int`.
+template <class NT, class Integer> NT from_long_integer(const Integer& x) {
+  constexpr int part = 1 << 30;
+  if (x == 0) return NT(0);
+  const Integer high = x / part, low = x - high * part;
+  return NT(from_long_integer<NT>(high) * NT(part)) + NT(static_cast<int>(CGAL::to_double(low)));
 }
 
 // An integer of any width as an exact number, by parts that floating-point numbers have.
@@ -187,8 +175,8 @@ public:
   }
 
 private:
-  typedef internal::Rotation_bounds Rotation;
-  typedef Rotation::Integer Integer;
+  typedef internal::Numerator<Field> Integer;
+  typedef internal::Rotation_bounds<Integer> Rotation;
 
   Field degrees_;
   double cosine_, sine_; // of the bound, rounded: wrong by less than 2^-52
@@ -197,8 +185,8 @@ private:
 
   // A number of at most 1 that is given in units of 2^-128.
   static double rounded(const Integer& x) {
-    const Integer size = abs(x) >> 66;
-    const double y = std::ldexp(static_cast<double>(static_cast<std::int64_t>(size)), -62);
+    const Integer size = CGAL::abs(x) >> 66;
+    const double y = std::ldexp(CGAL::to_double(size), -62);
     return x < 0 ? -y : y;
   }
 

@@ -14,8 +14,6 @@
 #include <CGAL/Geometric_continuity/numbers/internal/Fixed_integer.h>
 #include <CGAL/number_utils.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -51,7 +49,6 @@ template <class Ring, int degree, int bits> Ring coefficient_in(const Bounded_po
 template <class Field, class S, class P = S> class Integer_angle_maximum {
   typedef typename Common_denominator<Field>::Ring Ring;
   typedef typename Common_denominator<Field>::Exact Exact;
-  typedef boost::multiprecision::int256_t Wide;
 
   struct Piece { // of length 2^-level, from 2^-level * index on
     Rounded_polynomial s, p;
@@ -210,16 +207,26 @@ private:
       if (x <= 0) return;
       const std::uint64_t high_x = static_cast<std::uint64_t>(x >> 63), high_y = static_cast<std::uint64_t>(y >> 63);
       if (static_cast<Unsigned_128>(high_x + 1) * divisor <= static_cast<Unsigned_128>(dividend) * high_y) return;
-      Wide wide_x(x), wide_y(y);
-      if (m >= 0)
-        wide_x <<= m;
-      else
-        wide_y <<= -m;
-      const std::int64_t quotient = static_cast<std::int64_t>(Wide(wide_x / wide_y));
+      const std::int64_t quotient = quotient_in_units(x, y);
       if (quotient < value) return;
       value = quotient;
       dividend = high_x;
       divisor = high_y + 1;
+    }
+
+    // The quotient 2^m x/y rounded downwards, which must be less than 2^63: a long division bit by
+    // bit. \pre 0 <= x and 0 < y
+    std::int64_t quotient_in_units(Signed_128 x, Signed_128 y) const {
+      if (m < 0) x = -m < 128 ? x >> -m : 0;
+      Unsigned_128 rest = static_cast<Unsigned_128>(x % y);
+      std::uint64_t quotient = static_cast<std::uint64_t>(x / y);
+      for (int i = 0; i < m; ++i) {
+        rest *= 2;
+        const bool one = static_cast<Unsigned_128>(y) <= rest;
+        if (one) rest -= static_cast<Unsigned_128>(y);
+        quotient = 2 * quotient + one;
+      }
+      return static_cast<std::int64_t>(quotient);
     }
   };
 

@@ -160,8 +160,8 @@ private:
   static FT radicand(const FT& lambda) { return lambda < FT(1) ? FT(FT(FT(1) - lambda) / lambda) : FT(0); }
 
   std::pair<Range, Range> cosine_and_sine(int bits) const {
-    typedef Rotation_bounds::Integer Integer;
-    const Rotation_bounds r(long_fraction(Exact_number<FT>::of(ellipse().degrees)), bits);
+    typedef Numerator<typename Exact_number<FT>::type> Integer;
+    const Rotation_bounds<Integer> r(long_fraction(Exact_number<FT>::of(ellipse().degrees)), bits);
     const FT unit = from_long_integer<FT>(Integer(Integer(1) << bits));
     const auto range = [&](const Integer& x) -> Range {
       return {FT(from_long_integer<FT>(Integer(x - r.error)) / unit),

@@ -5,7 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_CERTIFIED_BOUNDS_H
 #define CGAL_GEOMETRIC_CONTINUITY_NUMBERS_INTERNAL_CERTIFIED_BOUNDS_H
 
-#include <boost/multiprecision/cpp_int.hpp>
+#include <CGAL/Geometric_continuity/numbers/internal/Wide_integer.h>
 
 #include <cmath>
 #include <cstdint>
@@ -21,8 +21,6 @@ namespace CGAL {
 namespace Geometric_continuity {
 namespace internal {
 
-typedef boost::multiprecision::int512_t Wide_integer;
-
 // A number mantissa 2^exponent, mantissa >= 0.
 struct Binary_number {
   Wide_integer mantissa;
@@ -36,16 +34,14 @@ struct Binary_number {
   }
 
   friend Binary_number operator*(const Binary_number& x, const Binary_number& y) {
-    return {Wide_integer(x.mantissa * y.mantissa), x.exponent + y.exponent};
+    return {x.mantissa * y.mantissa, x.exponent + y.exponent};
   }
   friend bool operator<=(const Binary_number& x, const Binary_number& y) {
     if (x.mantissa.is_zero() || y.mantissa.is_zero()) return x.mantissa.is_zero();
-    const int x_size = static_cast<int>(msb(x.mantissa)) + x.exponent,
-              y_size = static_cast<int>(msb(y.mantissa)) + y.exponent;
+    const int x_size = x.mantissa.bits() + x.exponent, y_size = y.mantissa.bits() + y.exponent;
     if (x_size != y_size) return x_size < y_size;
     const int shift = x.exponent - y.exponent; // to the length of the longer of the two mantissas
-    return shift < 0 ? x.mantissa <= Wide_integer(y.mantissa << -shift)
-                     : Wide_integer(x.mantissa << shift) <= y.mantissa;
+    return shift < 0 ? x.mantissa <= y.mantissa << -shift : x.mantissa << shift <= y.mantissa;
   }
 };
 
@@ -86,7 +82,7 @@ template <class Integer> struct Cosine_and_sinc {
 
   Cosine_and_sinc(const Integer& square, int w) : error(w + 8), cosine(Integer(1) << w), sinc(cosine) {
     Integer term = cosine;
-    for (int k = 1; !term.is_zero(); ++k) {
+    for (int k = 1; Integer(0) < term; ++k) {
       term *= square;
       term >>= w;
       term /= 2 * k * (2 * k - 1);
@@ -125,8 +121,8 @@ struct Angle_of_square {
     const Binary_number x = Binary_number::of(a), q = Binary_number::of(square);
     constexpr int bits = 120;
     const int shift = 2 * x.exponent + bits;
-    const Wide_integer mantissa(x.mantissa * x.mantissa);
-    const Cosine_and_sinc<Wide_integer> c(Wide_integer(shift < 0 ? mantissa >> -shift : mantissa << shift), bits);
+    const Wide_integer mantissa = x.mantissa * x.mantissa;
+    const Cosine_and_sinc<Wide_integer> c(shift < 0 ? mantissa >> -shift : mantissa << shift, bits);
     const Wide_integer error(c.error);
     if (c.sinc < -error) return {false, true}; // a > pi
     const bool right_of_quarter = c.cosine < -error;
@@ -135,13 +131,11 @@ struct Angle_of_square {
     if (right_of_quarter != obtuse) return {obtuse, !obtuse};
     const auto squared = [](const Wide_integer& y) {
       // unreachable: no double is so near to a multiple of a right angle
-      return y < 0 ? Binary_number{0, 0} : Binary_number{Wide_integer(y * y), 0};
+      return y < Wide_integer(0) ? Binary_number{Wide_integer(0), 0} : Binary_number{y * y, 0};
     };
     // |a| sin(a)/|a| and |cos(a)|, squared, from below and above, in the same units
-    Binary_number sine_low = x * x * squared(Wide_integer(abs(c.sinc) - error)),
-                  sine_high = x * x * squared(Wide_integer(abs(c.sinc) + error)),
-                  cosine_low = squared(Wide_integer(abs(c.cosine) - error)),
-                  cosine_high = squared(Wide_integer(abs(c.cosine) + error));
+    Binary_number sine_low = x * x * squared(abs(c.sinc) - error), sine_high = x * x * squared(abs(c.sinc) + error),
+                  cosine_low = squared(abs(c.cosine) - error), cosine_high = squared(abs(c.cosine) + error);
     if (function == tangent) {
       cosine_low = cosine_low * q;
       cosine_high = cosine_high * q;
