@@ -4,18 +4,6 @@
 
 #include "commands/models/exact_models.h"
 
-Surface_model<Exact_space> read_exact_model(const std::vector<std::string>& files) {
-  return read_surfaces<Exact_space>(files);
-}
-
-void draw_surfaces(std::ostream& os, const std::vector<Exact_surface>& surfaces, const GC::Svg_surface_style& style) {
-  GC::write_svg_surfaces(os, surfaces, style);
-}
-void draw_surfaces(std::ostream& os, const std::vector<Exact_rational_surface>& surfaces,
-                   const GC::Svg_surface_style& style) {
-  GC::write_svg_surfaces(os, surfaces, style);
-}
-
 GC::Spline_edge_continuity<Exact> decided_edge(const Exact_surface& a, GC::Patch_edge edge_a, const Exact_surface& b,
                                                GC::Patch_edge edge_b) {
   return GC::edge_continuity(a, edge_a, b, edge_b);
@@ -36,5 +24,3 @@ template GC::Model_continuity<Exact>
 GC::model_continuity<CGAL::Sequential_tag>(const std::vector<Exact_surface>& surfaces);
 template GC::Model_continuity<Exact>
 GC::model_continuity<CGAL::Sequential_tag>(const std::vector<Exact_rational_surface>& surfaces);
-template std::optional<GC::Parameter_rectangle<Exact>> GC::possible_fold(const Exact_surface& surface);
-template std::optional<GC::Parameter_rectangle<Exact>> GC::possible_fold(const Exact_rational_surface& surface);
