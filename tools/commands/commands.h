@@ -5,12 +5,16 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_COMMANDS_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_COMMANDS_H
 
-#include <boost/program_options/options_description.hpp>
-
 #include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace boost {
+namespace program_options {
+class options_description_easy_init;
+} // namespace program_options
+} // namespace boost
 
 namespace CGAL {
 namespace Geometric_continuity {

@@ -29,7 +29,7 @@ std::string lines(const char* name, const Claims::Open& open) {
   return text;
 }
 
-std::string json(const Claims::Open& open) {
+std::string json_of_open(const Claims::Open& open) {
   std::vector<std::string> reasons;
   for (const auto& [thing, n] : open)
     reasons.push_back("{\"what\":" + json_text(thing.first) + ",\"reason\":" + json_text(thing.second) +
@@ -75,8 +75,8 @@ std::string Conclusion::json() const {
                      ",\"decided\":" + std::to_string(claims_.decided()) +
                      ",\"not_met\":" + std::to_string(claims_.not_met()) +
                      (mode_.baseline ? ",\"known\":" + std::to_string(claims_.known()) : "") +
-                     ",\"undecided\":" + ::json(claims_.undecided_things()) +
-                     ",\"not_covered\":" + ::json(claims_.not_covered_things()) + '}';
+                     ",\"undecided\":" + json_of_open(claims_.undecided_things()) +
+                     ",\"not_covered\":" + json_of_open(claims_.not_covered_things()) + '}';
   if (!subject_.required_in_json.empty()) text += ",\n " + subject_.required_in_json;
   const char* const met = is_empty() ? "null" : !is_met() ? "false" : claims_.decided() == 0 ? "null" : "true";
   if (!subject_.required.empty()) text += ",\"met\":" + std::string(met);
