@@ -8,7 +8,6 @@
 #include "commands/drawings/element_units.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
-#include <CGAL/Geometric_continuity/joins/Visual_class.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <array>
@@ -31,10 +30,10 @@ struct Kink_numbers {
 
 Kink_numbers exact_numbers(const std::optional<Transform>& to_units, const Drawing_join& join, GC::Visual_class grade) {
   const auto &left = join.left(), &right = join.right();
-  Kink_numbers n{GC::in_degrees(*GC::tangent_angle(left, right)), {}, {}};
+  Kink_numbers n{GC::in_degrees(*segment_angle(left, right)), {}, {}};
   if (grade == GC::Visual_class::corner || !left.bezier() || !right.bezier()) return n;
   const auto offset = [](const auto& x, const auto& y) {
-    return GC::kink_size(*x.bezier(), *y.bezier())->handle_offset;
+    return segment_kink(*x.bezier(), *y.bezier())->handle_offset;
   };
   n.offset = offset(left, right);
   if (to_units) n.units = offset(left.transform(*to_units), right.transform(*to_units));
@@ -136,7 +135,7 @@ std::string Drawing_kink_words::operator()(const Drawing_join& join, GC::Visual_
 
 std::optional<GC::Enclosure> angle_bounds(const GC::Path_segment<Drawing_traits>& left,
                                           const GC::Path_segment<Drawing_traits>& right) {
-  const std::optional<GC::Enclosure> angle = GC::tangent_angle(left, right);
+  const std::optional<GC::Enclosure> angle = segment_angle(left, right);
   return angle ? std::optional<GC::Enclosure>(GC::in_degrees(*angle)) : std::nullopt;
 }
 
@@ -154,5 +153,5 @@ void write_drawing_kink(std::ostream& os, const GC::Svg_segment<Drawing_traits>&
   GC::write_json(os, angle_bounds(left, right));
   if (*grade == GC::Visual_class::kink && left.bezier() && right.bezier())
     GC::write_json(os << ",\"handle_offset\":",
-                   std::optional<GC::Enclosure>(GC::kink_size(*left.bezier(), *right.bezier())->handle_offset));
+                   std::optional<GC::Enclosure>(segment_kink(*left.bezier(), *right.bezier())->handle_offset));
 }

@@ -5,9 +5,8 @@
 #ifndef GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_DRAWING_KINK_H
 #define GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_DRAWING_KINK_H
 
+#include "commands/drawings/segment_joins.h"
 #include "formats/svg/svg_drawing.h"
-
-#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 #include <CGAL/Interval_nt.h>
 
@@ -15,8 +14,6 @@
 #include <optional>
 #include <ostream>
 #include <string>
-
-typedef GC::Path_join<Drawing_traits> Drawing_join;
 
 // Says how the joins of an element are drawn, e.g. "corner of 90 degrees" or "kink of 0.573
 // degrees, a handle is off by 0.2 (2 units of the last decimal)". Four digits of each number are

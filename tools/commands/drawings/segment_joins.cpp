@@ -4,7 +4,15 @@
 
 #include "commands/drawings/segment_joins.h"
 
-#include <CGAL/Geometric_continuity/joins/path_continuity.h>
+#include <CGAL/Geometric_continuity/joins/deviation.h>
+
+std::optional<GC::Join_continuity<Drawing_traits::FT>> segment_continuity(const Drawing_join& join, int max_order) {
+  return GC::continuity(join, max_order);
+}
+
+std::optional<GC::Visual_class> segment_class(const Drawing_join& join, const GC::Corner_threshold& bound) {
+  return GC::visual_class(join, bound);
+}
 
 std::optional<GC::Visual_class> segment_class(const GC::Bezier_curve<Drawing_traits>& left,
                                               const GC::Bezier_curve<Drawing_traits>& right,
@@ -37,4 +45,9 @@ std::optional<GC::Kink_size> segment_kink(const GC::Bezier_curve<Drawing_traits>
 std::optional<GC::Kink_size> segment_kink(const GC::Bezier_curve<Grid_traits>& left,
                                           const GC::Bezier_curve<Grid_traits>& right) {
   return GC::kink_size(left, right);
+}
+
+std::optional<GC::Enclosure> segment_curvature_jump(const GC::Bezier_curve<Drawing_traits>& left,
+                                                    const GC::Bezier_curve<Drawing_traits>& right) {
+  return GC::deviation(left, right).curvature_jump;
 }

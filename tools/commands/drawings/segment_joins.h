@@ -10,6 +10,8 @@
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
+#include <CGAL/Geometric_continuity/joins/join_result.h>
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <optional>
@@ -19,7 +21,13 @@
 // The coordinates on a grid, in floating-point numbers, which hold them exactly.
 typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Grid_traits;
 
+typedef GC::Path_join<Drawing_traits> Drawing_join;
+
+// Returns what GC::continuity() does.
+std::optional<GC::Join_continuity<Drawing_traits::FT>> segment_continuity(const Drawing_join& join, int max_order);
+
 // Returns what GC::visual_class() does.
+std::optional<GC::Visual_class> segment_class(const Drawing_join& join, const GC::Corner_threshold& bound);
 std::optional<GC::Visual_class> segment_class(const GC::Bezier_curve<Drawing_traits>& left,
                                               const GC::Bezier_curve<Drawing_traits>& right,
                                               const GC::Corner_threshold& bound);
@@ -39,5 +47,9 @@ std::optional<GC::Kink_size> segment_kink(const GC::Bezier_curve<Drawing_traits>
                                           const GC::Bezier_curve<Drawing_traits>& right);
 std::optional<GC::Kink_size> segment_kink(const GC::Bezier_curve<Grid_traits>& left,
                                           const GC::Bezier_curve<Grid_traits>& right);
+
+// Returns the jump of the curvature that GC::deviation() has.
+std::optional<GC::Enclosure> segment_curvature_jump(const GC::Bezier_curve<Drawing_traits>& left,
+                                                    const GC::Bezier_curve<Drawing_traits>& right);
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_DRAWINGS_SEGMENT_JOINS_H

@@ -9,6 +9,7 @@
 #include "commands/drawings/drawing_remark.h"
 #include "commands/drawings/read_drawing.h"
 #include "commands/drawings/segment_curvature.h"
+#include "commands/drawings/segment_joins.h"
 #include "commands/work_limit.h"
 #include "files/input.h"
 #include "files/progress.h"
@@ -18,7 +19,6 @@
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/IO/text.h>
-#include <CGAL/Geometric_continuity/joins/deviation.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/joins/path_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
@@ -104,7 +104,7 @@ class Drawing_report : public Drawing_handler {
     if (!decision) return std::nullopt;
     if (decision->regular && *decision->tangent_equal)
       return *decision->curvature_vector_equal ? GC::Visual_class::g2 : GC::Visual_class::g1;
-    return GC::visual_class(join, kinks_.bound);
+    return segment_class(join, kinks_.bound);
   }
 
   Claim claim(const Decision& decision, const Grade& grade) const {
@@ -275,7 +275,7 @@ private:
           return std::string(command_words(segment(join.left()))) + ' ' + command_text(segment(join.left())) + " and " +
                  command_text(segment(join.right()));
         },
-        [&] { return GC::continuity(join, max_order_); });
+        [&] { return segment_continuity(join, max_order_); });
   }
 
   // The join of two segments of a subpath, of these numbers, with so many between them that are
@@ -412,7 +412,7 @@ private:
   static std::optional<Measure> measure(Finding_rule rule, const Segment& left, const Segment& right) {
     if (rule == Finding_rule::curvature) {
       if (!left.bezier() || !right.bezier()) return std::nullopt;
-      const std::optional<GC::Enclosure> jump = GC::deviation(*left.bezier(), *right.bezier()).curvature_jump;
+      const std::optional<GC::Enclosure> jump = segment_curvature_jump(*left.bezier(), *right.bezier());
       return jump ? std::optional<Measure>(Measure{"curvature_jump", *jump}) : std::nullopt;
     }
     if (rule == Finding_rule::derivative) return std::nullopt;
