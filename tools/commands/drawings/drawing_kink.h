@@ -18,6 +18,9 @@
 
 typedef GC::Path_join<Drawing_traits> Drawing_join;
 
+// segment_joins.cpp decides such joins, so that this is compiled once.
+extern template std::optional<GC::Join_continuity<Drawing_traits::FT>> GC::continuity(const Drawing_join&, int);
+
 // Says how the joins of an element are drawn, e.g. "corner of 90 degrees" or "kink of 0.573
 // degrees, a handle is off by 0.2 (2 units of the last decimal)". Four digits of each number are
 // certain; where they are not, both bounds are given.

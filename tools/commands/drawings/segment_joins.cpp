@@ -38,3 +38,6 @@ std::optional<GC::Kink_size> segment_kink(const GC::Bezier_curve<Grid_traits>& l
                                           const GC::Bezier_curve<Grid_traits>& right) {
   return GC::kink_size(left, right);
 }
+
+template std::optional<GC::Join_continuity<Drawing_traits::FT>> GC::continuity(const GC::Path_join<Drawing_traits>&,
+                                                                               int);
