@@ -4,6 +4,7 @@
 
 #include "commands/chains/curvature_bound.h"
 
+#include "commands/chains/plane_curvature.h"
 #include "reports/words.h"
 
 #include <CGAL/Geometric_continuity/IO/json.h>
@@ -28,6 +29,12 @@ std::string json_member(const Curvature_bound& bound) {
 
 std::optional<GC::Curvature_excess> curvature_excess(const Exact_curve& curve, const Curvature_bound& bound) {
   if (const auto polynomial = curve.polynomial()) return GC::curvature_excess(*polynomial, bound.curvature);
+  return GC::curvature_excess(curve, bound.curvature);
+}
+
+std::optional<GC::Curvature_excess>
+curvature_excess(const GC::Bezier_curve<GC::Traits_2<CGAL::Simple_cartesian<Exact>>>& curve,
+                 const Curvature_bound& bound) {
   return GC::curvature_excess(curve, bound.curvature);
 }
 

@@ -8,6 +8,8 @@
 #include "commands/drawings/segment_joins.h"
 #include "formats/svg/svg_drawing.h"
 
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
+
 #include <CGAL/Interval_nt.h>
 
 #include <array>

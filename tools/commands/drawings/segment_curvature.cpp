@@ -4,6 +4,8 @@
 
 #include "commands/drawings/segment_curvature.h"
 
+#include "commands/chains/plane_curvature.h"
+
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Sqrt_extension.h>
@@ -13,7 +15,7 @@
 bool decide_curvature(const GC::Svg_segment<Drawing_traits>& segment, const Curvature_bound& bound,
                       std::optional<GC::Curvature_excess>& excess) {
   if (segment.bezier()) {
-    excess = GC::curvature_excess(*segment.bezier(), bound.curvature);
+    excess = curvature_excess(*segment.bezier(), bound);
     return true;
   }
   const GC::Elliptical_arc<Drawing_traits>& arc = *segment.arc();

@@ -5,6 +5,7 @@
 #include "commands/drawings/segment_joins.h"
 
 #include <CGAL/Geometric_continuity/joins/deviation.h>
+#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 
 std::optional<GC::Join_continuity<Drawing_traits::FT>> segment_continuity(const Drawing_join& join, int max_order) {
   return GC::continuity(join, max_order);

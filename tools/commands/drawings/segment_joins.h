@@ -11,10 +11,15 @@
 #include <CGAL/Geometric_continuity/curves/Path_segment.h>
 #include <CGAL/Geometric_continuity/joins/Corner_threshold.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
-#include <CGAL/Geometric_continuity/joins/path_continuity.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 
 #include <optional>
+
+namespace CGAL {
+namespace Geometric_continuity {
+template <class Traits> class Path_join;
+} // namespace Geometric_continuity
+} // namespace CGAL
 
 // Questions about the joins of the segments of a drawing, or of a grid, which are compiled once.
 

@@ -4,6 +4,7 @@
 
 #include "commands/fonts/verify_fonts.h"
 
+#include "commands/chains/plane_curvature.h"
 #include "commands/fonts/font_report.h"
 #include "commands/fonts/read_fonts.h"
 
@@ -31,7 +32,7 @@ std::optional<GC::Curvature_excess> curvature_excess(const Glyph_segment& segmen
   for (std::size_t i = 0; i <= static_cast<std::size_t>(segment.degree); ++i)
     points.emplace_back(Exact(static_cast<double>(segment.points[i].x)) / unit,
                         Exact(static_cast<double>(segment.points[i].y)) / unit);
-  return GC::curvature_excess(GC::Bezier_curve<GC::Traits_2<Kernel>>(points), bound.curvature);
+  return curvature_excess(GC::Bezier_curve<GC::Traits_2<Kernel>>(points), bound);
 }
 
 // Grades the joins of fonts, bounds their curvature if that is asked for, and reports both.

@@ -4,6 +4,8 @@
 
 #include "commands/roads/road_curvature.h"
 
+#include "commands/chains/plane_curvature.h"
+
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/curves/Bezier_curve.h>
 #include <CGAL/Simple_cartesian.h>
@@ -91,13 +93,13 @@ Bend bend(const GC::Road_geometry& g, const Curvature_bound& given_bound) {
   if (is_graph) p.insert(p.begin(), {FT(0), FT(1), FT(0), FT(0)});
   const FT range = is_graph || g.range == GC::Road_parameter_range::arc_length ? g.length : FT(1);
   if (!(FT(0) < range)) return {};
-  std::optional<GC::Curvature_excess> excess = GC::curvature_excess(cubic(p, range), bound);
+  std::optional<GC::Curvature_excess> excess = curvature_excess(cubic(p, range), given_bound);
   Claim claim = excess ? Claim::not_met : Claim::met;
   if (is_graph && excess) {
     const auto [certain, possible] = end_of_graph(p, range);
-    if (const auto before = GC::curvature_excess(cubic(p, certain), bound))
+    if (const auto before = curvature_excess(cubic(p, certain), given_bound))
       excess = before;
-    else if (const auto behind = GC::curvature_excess(cubic(p, possible), bound)) {
+    else if (const auto behind = curvature_excess(cubic(p, possible), given_bound)) {
       excess = behind;
       claim = Claim::undecided;
     } else

@@ -276,19 +276,7 @@ public:
   /// Returns the next piece, or nothing at the end of the text. After an error the reader cannot be
   /// used any more.
   /// \throws Error as `G2_bspline_reader` does, `work_limit`
-  std::optional<Rational_bezier_curve<Traits>> next() {
-    while (pieces_.empty()) {
-      internal::G2_spline_part<typename Source::FT> part;
-      if (!parts_.next(part)) return std::nullopt;
-      if (part.rational)
-        parts_.checked([&] { add_pieces(internal::rational_curve<Traits>(part)); });
-      else
-        add_pieces(internal::polynomial_curve<Traits>(part));
-    }
-    std::optional<Rational_bezier_curve<Traits>> piece(std::move(pieces_.back()));
-    pieces_.pop_back();
-    return piece;
-  }
+  std::optional<Rational_bezier_curve<Traits>> next();
 
 private:
   template <class Curve> void add_pieces(const Curve& curve) {
@@ -296,6 +284,21 @@ private:
     std::reverse(pieces_.begin(), pieces_.end());
   }
 };
+
+template <class Traits, class Source>
+std::optional<Rational_bezier_curve<Traits>> G2_piece_reader<Traits, Source>::next() {
+  while (pieces_.empty()) {
+    internal::G2_spline_part<typename Source::FT> part;
+    if (!parts_.next(part)) return std::nullopt;
+    if (part.rational)
+      parts_.checked([&] { add_pieces(internal::rational_curve<Traits>(part)); });
+    else
+      add_pieces(internal::polynomial_curve<Traits>(part));
+  }
+  std::optional<Rational_bezier_curve<Traits>> piece(std::move(pieces_.back()));
+  pieces_.pop_back();
+  return piece;
+}
 
 } // namespace Geometric_continuity
 } // namespace CGAL

@@ -54,7 +54,7 @@ void check_operations(const Integer& x, const Integer& y) {
   }
 }
 
-// Of any length, with many equal digits, which carry.
+// The numbers have any length, and many equal digits, so that sums carry.
 Integer random_integer(std::mt19937_64& random, int most_bits) {
   Integer x = 0;
   for (int bits = 0; bits < most_bits; bits += 64)
