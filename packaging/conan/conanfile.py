@@ -39,7 +39,10 @@ class GeometricContinuity(ConanFile):
         self.info.clear()
 
     def generate(self):
-        CMakeDeps(self).generate()
+        dependencies = CMakeDeps(self)
+        # Otherwise CMake refuses a CGAL 6 where the project asks for 5.5 or newer.
+        dependencies.set_property("cgal", "cmake_config_version_compat", "AnyNewerVersion")
+        dependencies.generate()
         toolchain = CMakeToolchain(self)
         toolchain.cache_variables["GEOMETRIC_CONTINUITY_WITH_PROGRAM"] = False
         toolchain.generate()

@@ -30,3 +30,5 @@ recipe.package()
 recipe.package_id()
 recipe.package_info()
 assert [reference.split("/")[0] for reference in required] == ["cgal"] and recipe.cpp_info.requires == ["cgal::cgal"]
+# Conan's file for CGAL 6 says by default that it is not for those who ask for 5.5.
+assert recipe.properties_of_dependencies == {("cgal", "cmake_config_version_compat"): "AnyNewerVersion"}

@@ -15,7 +15,7 @@ holds grep -qx "version: $version" "$top/CITATION.cff"
 holds grep -q "\"version\": \"$version\"," "$top/packaging/vcpkg/geometric-continuity/vcpkg.json"
 holds grep -q 'run: \.ci/run$' "$top/.github/workflows/ci.yml"
 holds [ -x "$top/.ci/run" ]
-for script in deb try_deb release_notes; do holds bash -n "$top/packaging/$script"; done
+for script in bare_system deb release_notes try_{deb,headers,npm,python}; do holds bash -n "$top/packaging/$script"; done
 if python3 -c 'import yaml' 2>/dev/null; then
   for file in CITATION.cff .github/workflows/ci.yml; do
     holds python3 -c 'import sys, yaml; sys.exit(not isinstance(yaml.safe_load(open(sys.argv[1])), dict))' "$top/$file"

@@ -85,7 +85,8 @@ def _build(folder, options):
     def run(*command):
         subprocess.run(command, check=True, stdout=sys.stderr)
 
-    run("cmake", "-S", TOP, "-B", folder, f"-DPython_EXECUTABLE={sys.executable}", "-DBUILD_TESTING=OFF", *options)
+    run("cmake", "-S", TOP, "-B", folder, f"-DPython_EXECUTABLE={sys.executable}", "-DBUILD_TESTING=OFF",
+        "-DGEOMETRIC_CONTINUITY_REQUIRE_PYTHON=ON", *options)
     jobs = str(len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
     run("cmake", "--build", folder, "-j", jobs, "--target", NAME, "geometric_continuity_python")
 

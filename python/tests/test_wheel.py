@@ -125,6 +125,13 @@ class Description(unittest.TestCase):
             with tarfile.open(os.path.join(folder, "again", name)) as archive:
                 self.assertEqual({entry.name: entry.size for entry in archive}, first)
 
+    def test_missing_headers(self):
+        """What the module needs and does not find ends the build before anything is compiled."""
+        options = ["-DCMAKE_DISABLE_FIND_PACKAGE_pybind11=ON", "-DCMAKE_CXX_COMPILER_LAUNCHER=false"]
+        with tempfile.TemporaryDirectory() as folder, self.assertRaises(subprocess.CalledProcessError) as raised:
+            self.backend.build_wheel(folder, {"cmake": options})
+        self.assertIn("-S", raised.exception.cmd)
+
     def test_nothing_is_downloaded(self):
         self.assertEqual(self.backend.get_requires_for_build_wheel(), [])
         with open(os.path.join(TOP, "pyproject.toml"), encoding="utf-8") as file:

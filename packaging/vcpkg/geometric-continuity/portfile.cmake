@@ -6,7 +6,8 @@ get_filename_component(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE
 vcpkg_check_features(OUT_FEATURE_OPTIONS FEATURE_OPTIONS FEATURES program GEOMETRIC_CONTINUITY_WITH_PROGRAM)
 vcpkg_cmake_configure(SOURCE_PATH "${SOURCE_PATH}"
                       OPTIONS ${FEATURE_OPTIONS} -DBUILD_TESTING=OFF -DGEOMETRIC_CONTINUITY_WITH_OPENCASCADE=OFF
-                              -DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON)
+                              -DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON
+                      MAYBE_UNUSED_VARIABLES GEOMETRIC_CONTINUITY_WITH_OPENCASCADE)
 if("program" IN_LIST FEATURES)
   vcpkg_cmake_build(TARGET geometric_continuity)
 endif()
@@ -18,5 +19,6 @@ if("program" IN_LIST FEATURES)
   file(INSTALL "${CURRENT_PACKAGES_DIR}/bin/check_certificate"
        DESTINATION "${CURRENT_PACKAGES_DIR}/tools/${PORT}" USE_SOURCE_PERMISSIONS)
 endif()
-file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/bin" "${CURRENT_PACKAGES_DIR}/share/doc")
+# vcpkg wants no empty folders: lib is one, now that CMake's files have moved to share.
+file(REMOVE_RECURSE "${CURRENT_PACKAGES_DIR}/bin" "${CURRENT_PACKAGES_DIR}/lib" "${CURRENT_PACKAGES_DIR}/share/doc")
 vcpkg_install_copyright(FILE_LIST "${SOURCE_PATH}/LICENSE.LGPL" "${SOURCE_PATH}/LICENSE.GPL")

@@ -5,15 +5,21 @@ import subprocess
 
 class CMakeDeps:
     def __init__(self, conanfile):
-        pass
+        self.properties = conanfile.properties_of_dependencies = {}
+
+    def set_property(self, dependency, name, value):
+        self.properties[dependency, name] = value
 
     def generate(self):
         pass
 
 
-class CMakeToolchain(CMakeDeps):
+class CMakeToolchain:
     def __init__(self, conanfile):
         self.cache_variables = conanfile.cache_variables = {}
+
+    def generate(self):
+        pass
 
 
 class CMake:
