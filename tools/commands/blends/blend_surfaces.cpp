@@ -46,8 +46,8 @@ template <class Surface>
 Edge_report decided(int order, const std::string& file, const Surface& given, GC::Patch_edge edge, const Surface& blend,
                     GC::Patch_edge edge_of_blend) {
   Edge_report report{input_name(file), to_string(edge), "G3", true};
-  if (order == 3 && has_g3_edge(given, edge, blend, edge_of_blend)) return report;
-  const GC::Spline_edge_continuity<Exact> verdict = decided_edge(given, edge, blend, edge_of_blend);
+  if (order == 3 && GC::is_g3_edge(given, edge, blend, edge_of_blend)) return report;
+  const GC::Spline_edge_continuity<Exact> verdict = GC::edge_continuity(given, edge, blend, edge_of_blend);
   std::ostringstream words;
   words << verdict;
   report.order = words.str();

@@ -45,7 +45,7 @@ normal vanishes, 2 on bad input.
 template <class Surface>
 std::string words(const Surface& a, GC::Patch_edge edge_a, const Surface& b, GC::Patch_edge edge_b) {
   std::ostringstream os;
-  os << decided_edge(a, edge_a, b, edge_b);
+  os << GC::edge_continuity(a, edge_a, b, edge_b);
   return os.str();
 }
 
@@ -59,7 +59,7 @@ template <class Surface> int match(const Command_line& line, const Surface& a, c
     if (line.has(name)) *number = line.number(name, Exact(0));
   const Surface c = match(a, edge_a, b, edge_b, order, shape, direction);
   const bool has_order =
-      order == 3 ? has_g3_edge(a, edge_a, c, edge_b) : decided_edge(a, edge_a, c, edge_b).g_order >= order;
+      order == 3 ? GC::is_g3_edge(a, edge_a, c, edge_b) : GC::edge_continuity(a, edge_a, c, edge_b).g_order >= order;
   std::ostream& report = report_stream(line);
   report << "edges: " << edge_a << ',' << edge_b << "\nbefore: " << words(a, edge_a, b, edge_b)
          << "\nafter: " << (order == 3 && has_order ? "G3" : words(a, edge_a, c, edge_b)) << "\nalpha = " << shape.alpha

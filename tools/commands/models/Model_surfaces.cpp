@@ -52,7 +52,7 @@ Model_surfaces::Model_surfaces(const std::vector<std::string>& files, Units unit
   places_ = texts.places();
   if (units == Units::any) {
     GC::G2_grid grid;
-    std::vector<GC::Bspline_surface<Double_traits>> surfaces;
+    std::vector<Double_surface> surfaces;
     if (texts.on_grid(grid, surfaces)) {
       for (int e = grid.exponent_of_knots(); e < 0; ++e) parameter_unit_ /= Exact(10);
       surfaces_ = std::move(surfaces);

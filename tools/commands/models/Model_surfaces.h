@@ -8,8 +8,6 @@
 #include "commands/models/exact_models.h"
 #include "commands/models/model_json.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <array>
 #include <cstddef>
 #include <iosfwd>
@@ -21,10 +19,7 @@
 // grid of doubles where they are polynomial and their numbers allow it, else over fractions. What
 // the commands ask is compiled here once for each of the three types of surface.
 class Model_surfaces {
-  typedef GC::Traits_3<CGAL::Exact_predicates_inexact_constructions_kernel> Double_traits;
-  std::variant<std::vector<GC::Bspline_surface<Double_traits>>, std::vector<Exact_surface>,
-               std::vector<Exact_rational_surface>>
-      surfaces_;
+  std::variant<std::vector<Double_surface>, std::vector<Exact_surface>, std::vector<Exact_rational_surface>> surfaces_;
   std::vector<Surface_place> places_;
   Exact parameter_unit_ = Exact(1);
 

@@ -4,22 +4,19 @@
 
 #include "commands/models/exact_models.h"
 
-GC::Spline_edge_continuity<Exact> decided_edge(const Exact_surface& a, GC::Patch_edge edge_a, const Exact_surface& b,
-                                               GC::Patch_edge edge_b) {
-  return GC::edge_continuity(a, edge_a, b, edge_b);
-}
-GC::Spline_edge_continuity<Exact> decided_edge(const Exact_rational_surface& a, GC::Patch_edge edge_a,
-                                               const Exact_rational_surface& b, GC::Patch_edge edge_b) {
-  return GC::edge_continuity(a, edge_a, b, edge_b);
-}
-bool has_g3_edge(const Exact_surface& a, GC::Patch_edge edge_a, const Exact_surface& b, GC::Patch_edge edge_b) {
-  return GC::is_g3_edge(a, edge_a, b, edge_b);
-}
-bool has_g3_edge(const Exact_rational_surface& a, GC::Patch_edge edge_a, const Exact_rational_surface& b,
-                 GC::Patch_edge edge_b) {
-  return GC::is_g3_edge(a, edge_a, b, edge_b);
-}
-
+template GC::Spline_edge_continuity<Exact> GC::edge_continuity(const Exact_surface&, GC::Patch_edge,
+                                                               const Exact_surface&, GC::Patch_edge);
+template GC::Spline_edge_continuity<Exact> GC::edge_continuity(const Exact_rational_surface&, GC::Patch_edge,
+                                                               const Exact_rational_surface&, GC::Patch_edge);
+template GC::Spline_edge_continuity<Exact> GC::edge_continuity(const Double_surface&, GC::Patch_edge,
+                                                               const Double_surface&, GC::Patch_edge);
+template GC::Spline_edge_continuity<Exact> GC::edge_continuity(const GC::Spline_edge_rows<Exact, 3>&,
+                                                               const GC::Spline_edge_rows<Exact, 3>&);
+template GC::Spline_edge_continuity<Exact> GC::edge_continuity(const GC::Spline_edge_rows<Exact, 4>&,
+                                                               const GC::Spline_edge_rows<Exact, 4>&);
+template bool GC::is_g3_edge(const Exact_surface&, GC::Patch_edge, const Exact_surface&, GC::Patch_edge);
+template bool GC::is_g3_edge(const Exact_rational_surface&, GC::Patch_edge, const Exact_rational_surface&,
+                             GC::Patch_edge);
 template GC::Model_continuity<Exact>
 GC::model_continuity<CGAL::Sequential_tag>(const std::vector<Exact_surface>& surfaces);
 template GC::Model_continuity<Exact>

@@ -27,6 +27,7 @@
 typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Exact_space;
 typedef GC::Bspline_surface<Exact_space> Exact_surface;
 typedef GC::Rational_bspline_surface<Exact_space> Exact_rational_surface;
+typedef GC::Bspline_surface<GC::Traits_3<CGAL::Simple_cartesian<double>>> Double_surface;
 
 Surface_model<Exact_space> read_exact_model(const std::vector<std::string>& files);
 
@@ -34,16 +35,20 @@ void draw_surfaces(std::ostream& os, const std::vector<Exact_surface>& surfaces,
 void draw_surfaces(std::ostream& os, const std::vector<Exact_rational_surface>& surfaces,
                    const GC::Svg_surface_style& style);
 
-// As GC::edge_continuity() and GC::is_g3_edge().
-GC::Spline_edge_continuity<Exact> decided_edge(const Exact_surface& a, GC::Patch_edge edge_a, const Exact_surface& b,
-                                               GC::Patch_edge edge_b);
-GC::Spline_edge_continuity<Exact> decided_edge(const Exact_rational_surface& a, GC::Patch_edge edge_a,
-                                               const Exact_rational_surface& b, GC::Patch_edge edge_b);
-bool has_g3_edge(const Exact_surface& a, GC::Patch_edge edge_a, const Exact_surface& b, GC::Patch_edge edge_b);
-bool has_g3_edge(const Exact_rational_surface& a, GC::Patch_edge edge_a, const Exact_rational_surface& b,
-                 GC::Patch_edge edge_b);
-
-// These are asked by functions of the package, too.
+// These are asked by the commands and by functions of the package.
+extern template GC::Spline_edge_continuity<Exact> GC::edge_continuity(const Exact_surface&, GC::Patch_edge,
+                                                                      const Exact_surface&, GC::Patch_edge);
+extern template GC::Spline_edge_continuity<Exact> GC::edge_continuity(const Exact_rational_surface&, GC::Patch_edge,
+                                                                      const Exact_rational_surface&, GC::Patch_edge);
+extern template GC::Spline_edge_continuity<Exact> GC::edge_continuity(const Double_surface&, GC::Patch_edge,
+                                                                      const Double_surface&, GC::Patch_edge);
+extern template GC::Spline_edge_continuity<Exact> GC::edge_continuity(const GC::Spline_edge_rows<Exact, 3>&,
+                                                                      const GC::Spline_edge_rows<Exact, 3>&);
+extern template GC::Spline_edge_continuity<Exact> GC::edge_continuity(const GC::Spline_edge_rows<Exact, 4>&,
+                                                                      const GC::Spline_edge_rows<Exact, 4>&);
+extern template bool GC::is_g3_edge(const Exact_surface&, GC::Patch_edge, const Exact_surface&, GC::Patch_edge);
+extern template bool GC::is_g3_edge(const Exact_rational_surface&, GC::Patch_edge, const Exact_rational_surface&,
+                                    GC::Patch_edge);
 extern template GC::Model_continuity<Exact>
 GC::model_continuity<CGAL::Sequential_tag>(const std::vector<Exact_surface>& surfaces);
 extern template GC::Model_continuity<Exact>
