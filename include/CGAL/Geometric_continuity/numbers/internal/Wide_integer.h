@@ -14,8 +14,8 @@ namespace Geometric_continuity {
 namespace internal {
 
 // An integer of less than 2^512 in absolute value, as all results must be. It needs neither GMP nor
-// a compiler with 128 bits, and is compiled in a tenth of the time of an integer of Boost, for which
-// programs that only ask for an enclosure would wait.
+// a compiler with 128 bits. An integer of Boost takes the compiler half a second and 80 MB more
+// where Boost's numbers are included for nothing else.
 class Wide_integer {
   static constexpr int most = 16;
   std::uint32_t limb_[most] = {}; // of the absolute value, the least first; the last is not zero
