@@ -122,6 +122,13 @@ using Curve_of_range =
     std::enable_if_t<std::is_class_v<typename Chain_curve<decltype(std::begin(std::declval<const Range&>()))>::Traits>,
                      Chain_curve<decltype(std::begin(std::declval<const Range&>()))>>;
 
+template <class Number> using If_tolerance = std::enable_if_t<std::is_floating_point_v<Number>>;
+template <class Curves> No_result no_tolerance() {
+  static_assert(never<Curves>, "the argument behind the curves is the highest order to decide, and this function is "
+                               "exact: order_within(a, b, 1e-6) allows a tolerance for each join");
+  return {};
+}
+
 } // namespace internal
 
 /// \ingroup PkgGeometricContinuityContinuity
@@ -155,17 +162,6 @@ template <class Range, class = internal::Curve_of_range<Range>>
 Chain_summary chain_continuity(const Range& chain, Closure closure) {
   return chain_continuity(chain, 3, closure);
 }
-
-/// \cond SKIP_IN_MANUAL
-// A tolerance, which would be rounded to an order.
-template <class Range, class Number, class = internal::Curve_of_range<Range>,
-          class = std::enable_if_t<std::is_floating_point_v<Number>>>
-internal::No_result chain_continuity(const Range&, Number) {
-  static_assert(internal::never<Range>, "the second argument is the highest order to decide, and this function is "
-                                        "exact: order_within(a, b, 1e-6) allows a tolerance for each join");
-  return {};
-}
-/// \endcond
 
 /// \ingroup PkgGeometricContinuityContinuity
 /// Decides all joins of a chain of curves up to order `max_order`, and returns them: number `i` is
@@ -202,13 +198,26 @@ chain_joins(const Range& chain, Closure closure) {
 }
 
 /// \cond SKIP_IN_MANUAL
-// A tolerance, which would be rounded to an order.
-template <class Range, class Number, class = internal::Curve_of_range<Range>,
-          class = std::enable_if_t<std::is_floating_point_v<Number>>>
-internal::No_result chain_joins(const Range&, Number) {
-  static_assert(internal::never<Range>, "the second argument is the highest order to decide, and this function is "
-                                        "exact: order_within(a, b, 1e-6) allows a tolerance for each join");
-  return {};
+// A tolerance in the place of the highest order is refused: it would be rounded to an order.
+template <class Curves, class Number, class = internal::If_tolerance<Number>>
+internal::No_result chain_continuity(const Curves&, Number, Closure = Closure::open) {
+  return internal::no_tolerance<Curves>();
+}
+template <class Iterator, class Number, class = internal::If_tolerance<Number>>
+internal::No_result chain_continuity(Iterator, Iterator, Number, Closure = Closure::open) {
+  return internal::no_tolerance<Iterator>();
+}
+template <class Range, class Number, class = internal::If_tolerance<Number>>
+internal::No_result chain_joins(const Range&, Number, Closure = Closure::open) {
+  return internal::no_tolerance<Range>();
+}
+template <class Iterator, class Number, class = internal::If_tolerance<Number>>
+internal::No_result chain_joins(Iterator, Iterator, Number, Closure = Closure::open) {
+  return internal::no_tolerance<Iterator>();
+}
+template <class Curve, class Number, class = internal::If_tolerance<Number>>
+internal::No_result knot_continuities(const Curve&, Number) {
+  return internal::no_tolerance<Curve>();
 }
 /// \endcond
 

@@ -41,7 +41,7 @@ struct Binary_number {
     const int x_size = x.mantissa.bits() + x.exponent, y_size = y.mantissa.bits() + y.exponent;
     if (x_size != y_size) return x_size < y_size;
     const int shift = x.exponent - y.exponent; // to the length of the longer of the two mantissas
-    return shift < 0 ? x.mantissa <= y.mantissa << -shift : x.mantissa << shift <= y.mantissa;
+    return shift < 0 ? x.mantissa <= (y.mantissa << -shift) : (x.mantissa << shift) <= y.mantissa;
   }
 };
 
