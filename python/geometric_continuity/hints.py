@@ -15,8 +15,8 @@ import numpy
 
 from .errors import Error
 
-_READ = "verify(file) reads drawings, fonts and CAD models; modules of geometric_continuity.adapters take the objects of other libraries"
-_WRITE = "the module writes no files: results are arrays, which numpy.savetxt(file, curve.points) writes"
+_READ = "verify(file) reads drawings, fonts, CAD models and .g2, and the program makes .g2 of .g2: `geometric_continuity blend`, `repair`; modules of geometric_continuity.adapters take the objects of other libraries"
+_WRITE = "the module writes no files: results are arrays, which numpy.savetxt(file, points) writes"
 _PLOT = "evaluate(curve, numpy.linspace(0, 1, 200)) returns the points that matplotlib draws; curvature(curve, parameters) their curvatures"
 
 _ELSEWHERE = "the module decides joins and makes curves that join smoothly; what SciPy, geomdl or svgpathtools returns can be given as a curve"
@@ -26,6 +26,8 @@ _REPAIR = "call `geometric_continuity repair` for files; representable_blend(lef
 _SURFACE = ("an array of shape (p + 1, q + 1, 3) is a Bezier surface: edge_continuity(a, b) decides two of them, match(a, b) changes b so that it "
             "continues a")
 _SAMPLE = "call evaluate(curve, parameters), e.g. at numpy.linspace(0, 1, 200)"
+_DISTANCE = ("deviation(left, right).gap is the gap at a join; the distance of whole curves is not measured, fit(points, tolerance).distance is that "
+             "from points")
 _FAIR = "call interpolate_fair(points)"
 _BEND = "curvature_excess(curve, bound) tells where a curve is bent most, if it exceeds a bound; curvature(curve, parameters) samples it"
 _SOLID = "`geometric_continuity round-edges solid.off --set-back R -o rounded.g2` rounds the edges of a solid; program() is its path"
@@ -64,7 +66,7 @@ _GUESSED = {
     "derivative": "call evaluate(curve, parameters, 1)",
     "tangent": "call evaluate(curve, parameters, 1)",
     "measure": "call deviation(left, right)",
-    "distance": "call deviation(left, right), which has the gap",
+    **dict.fromkeys(("distance", "hausdorff", "within", "max_deviation"), _DISTANCE),
     "fillet": "call round_corner(left, right, distance) for two curves, round_corners(points, distance) for a polyline or a polygon",
     "round": "call round_corners(points, distance) for a polyline or a polygon, round_corner(left, right, distance) for two curves",
     "polygon": "an array of points is a polygon: round_corners(points, distance, closed=True), interpolate(points, closed=True)",
@@ -83,12 +85,13 @@ _GUESSED = {
     "degree": "a Bezier curve has the degree len(points) - 1", "knot": "call chain_joins(spline), which decides the joins at its .knots",
     "knotvector": "call Spline(degree, points, knots) with all knots", "normal": "call curvature_vector(curve, parameters)",
     "frenet": _FRAME, "frenet_frame": _FRAME, "frame": _FRAME, "binormal": _FRAME,
-    "sample": _SAMPLE, "linspace": _SAMPLE, "splev": _SAMPLE, "splprep": "call interpolate(points), or give the tuple (t, c, k) of splprep",
+    "sample": _SAMPLE, "linspace": _SAMPLE, "splev": _SAMPLE, "tessellate": _SAMPLE, "flatten": _SAMPLE, "discretize": _SAMPLE, "discretise": _SAMPLE, "splprep": "call interpolate(points), or give the tuple (t, c, k) of splprep",
     "fair_spline": _FAIR, "fair_interpolation": _FAIR, "fair_interpolate": _FAIR,
     "fair_curve": "call interpolate_fair(points) through points, fair(left, right) between curves",
     "approximate": "call fit(points, tolerance)", "simplify": "call fit(points, tolerance)", "square": "call fit(points, tolerance)",
     "hermite": "call interpolate(points), or give a CubicHermiteSpline of SciPy", "catmull": "call interpolate(points)",
-    **dict.fromkeys(("curvature_extrema", "curvature_extremum", "max_curvature", "maximum_curvature", "min_curvature", "min_radius", "extrema"),
+    **dict.fromkeys(("curvature_extrema", "curvature_extremum", "max_curvature", "maximum_curvature", "min_curvature", "min_radius", "extrema", "curvature_bound",
+                     "largest_curvature"),
                     _BEND),
     "round_edge": _SOLID, "round_mesh": _SOLID, "fillet_edge": _SOLID, "mesh": _SOLID, "solid": _SOLID, "polyhedron": _SOLID,
     "reparametrize": _SPEED, "reparametrise": _SPEED, "reparametrization": _SPEED, "domain": _SPEED,
@@ -192,6 +195,8 @@ def _guess(name: str, names: Iterable[str] = ()) -> Optional[str]:
         return "call edge_continuity(a, b).largest_angle"
     if words == ["chain", "continuity"]:
         return _VERBS["verify"]
+    if words == ["savefig"] or words[0] in ("write", "save", "export", "to") and stems & {"svg", "png", "pdf", "figure", "picture"}:
+        return _PLOT
     if words[0] in _VERBS:
         return _VERBS[words[0]]
     guessed = sorted((g for g in _GUESSED if stems.issuperset(g.split("_"))), key=len)

@@ -34,7 +34,7 @@ def program() -> str:
     folders = [f for f in os.environ.get("PATH", "").split(os.pathsep) if os.path.abspath(f) != os.path.dirname(sys.executable)]
     found = shutil.which("geometric_continuity", path=os.pathsep.join(folders))
     if not found:
-        raise FileNotFoundError("the program geometric_continuity is not installed")
+        raise FileNotFoundError("the program geometric_continuity is not installed: build it by demo/run, or name it in GEOMETRIC_CONTINUITY_PROGRAM")
     return found
 
 

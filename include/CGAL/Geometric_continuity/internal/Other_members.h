@@ -36,7 +36,7 @@ struct Other_members {
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(target, "a curve ends at c(c.domain().second)")
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(elevate_degree, "elevate() raises the degree by one, elevate(times) by more")
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(number_of_control_points, "number_of_points() is the number of control points")
-  CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(tangent, "c.jet(u, 1)[1] is the first derivative at the parameter u")
+  CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(tangent, "to_vector<Traits>(c.jet(u, 1)[1]) is the first derivative at u")
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(unit_tangent, "frenet_frame(c.jet(u, 2)) has the tangent and the normal at u")
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(normal, "frenet_frame(c.jet(u, 2)) has the tangent and the normal at u")
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(start_point, "a curve starts at c(c.domain().first)")
@@ -47,6 +47,7 @@ struct Other_members {
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(insert_knot, "insert(u) of a spline inserts a knot, split(u) cuts a curve")
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(to_bezier, "bezier_pieces() of a spline are its Bezier curves")
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(bezier_segments, "bezier_pieces() of a spline are its Bezier curves")
+  CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(parameter_range, "c.domain() are the first and the last parameter")
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(multiplicity, "knots().multiplicity(u) is the multiplicity of a knot")
 #undef CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER
 };

@@ -326,6 +326,8 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_chain, CGAL_GEOMETRIC_CONTINUITY_ASK
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(joins, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(classify_joins, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(chain_order, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(kinks, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(find_kinks, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_closed, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN
 
@@ -466,6 +468,13 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(make_clothoid,
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_deviation,
                                       "deviation(a, b) measures a join, edge_deviation(a, Patch_edge::v1, "
                                       "b, Patch_edge::v0) an edge")
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_DISTANCE                                                                         \
+  "deviation(a, b) measures the join of two curves, order_within(a, b, tolerance) decides it; the distance of whole "  \
+  "curves is not measured, fit(points, tolerance).distance is that from points"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_within, CGAL_GEOMETRIC_CONTINUITY_ASK_DISTANCE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(hausdorff_distance, CGAL_GEOMETRIC_CONTINUITY_ASK_DISTANCE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_distance, CGAL_GEOMETRIC_CONTINUITY_ASK_DISTANCE)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_DISTANCE
 template <class Start, class End, class... Given> auto clothoid_blend(const Start&, const End&, const Given&...) {
   static_assert(internal::never<Start>,
                 "clothoid_blend({{x, y}, Heading(angle)}, {{x, y}, Heading(angle)}) takes two ends, "
@@ -513,6 +522,15 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
                "curve) of <CGAL/Geometric_continuity/IO/g2.h> writes what the program plots")
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_READ
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_DRAWING                                                                          \
+  "the program reads drawings, fonts and CAD models: geometric_continuity verify FILE; read_g2_curves<Traits>(in) "    \
+  "reads .g2 from an open std::ifstream"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_svg, CGAL_GEOMETRIC_CONTINUITY_ASK_DRAWING)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_SVG, CGAL_GEOMETRIC_CONTINUITY_ASK_DRAWING)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_drawing, CGAL_GEOMETRIC_CONTINUITY_ASK_DRAWING)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_font, CGAL_GEOMETRIC_CONTINUITY_ASK_DRAWING)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_step, CGAL_GEOMETRIC_CONTINUITY_ASK_DRAWING)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_DRAWING
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_MODEL                                                                            \
   "model_continuity(patches) decides all common edges in a range of surfaces: .edges has their orders, .failing(2) "   \
   "those that are not G2"
