@@ -184,7 +184,8 @@ def round_corner(left, right, distance=None, strategy: str = "fair", *, radius=N
 
     left, right: arrays of shape (degree + 1, dimension).
     distance: positive, in units of the coordinates, less than the length of each curve.
-    radius: in place of the distance: that at which a circle of this radius touches both tangents.
+    radius: in place of the distance: that at which a circle of this radius touches both tangents. The blend is bent more in its middle:
+      `curvature_excess(curve, 1 / R)` decides whether its radius is less than R somewhere.
     strategy: "fair", "energy3" (G2), "fair_g3" (G3), or cubics with G2 joins: "cubic", one with both handles in the corner between lines
         and two, in the plane, elsewhere; "two_cubics" always takes two, which are fuller.
 

@@ -85,7 +85,8 @@ def curvature_vector(curve, parameters, *, exact: Optional[bool] = None) -> nump
 @keywords()
 def curvature(curve, parameters) -> Union[float, numpy.ndarray]:
     """Returns the curvature of a curve at parameters, in 1/length: in the plane with its sign, which is positive where the curve turns
-    to the left. It is a float at one parameter, and an array of float64 at an array of them. Arguments are those of `evaluate`.
+    to the left (in C++ `signed_curvature()`). It is a float at one parameter, and an array of float64 at an array of them. Arguments are
+    those of `evaluate`.
 
     Raises Error `zero_tangent` where the first derivative is zero, and as `evaluate`.
     """
