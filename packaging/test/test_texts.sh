@@ -4,6 +4,7 @@
 set -u
 top=$(cd "$(dirname "$0")/../.." && pwd)
 work=$1 failures=0 checks=0
+[ ! -e "$work/.git" ] || { echo "$work is a repository, and would be emptied" >&2; exit 1; }
 rm -rf "$work" && mkdir -p "$work" && cd "$work" || exit 1
 holds() {
   checks=$((checks + 1))
@@ -15,7 +16,7 @@ holds grep -qx "version: $version" "$top/CITATION.cff"
 holds grep -q "\"version\": \"$version\"," "$top/packaging/vcpkg/geometric-continuity/vcpkg.json"
 holds grep -q 'run: \.ci/run$' "$top/.github/workflows/ci.yml"
 holds [ -x "$top/.ci/run" ]
-for script in bare_system deb release_notes try_{deb,headers,npm,python}; do holds bash -n "$top/packaging/$script"; done
+for script in bare_system deb release_notes try_{demo,deb,headers,npm,python}; do holds bash -n "$top/packaging/$script"; done
 if python3 -c 'import yaml' 2>/dev/null; then
   for file in CITATION.cff .github/workflows/ci.yml; do
     holds python3 -c 'import sys, yaml; sys.exit(not isinstance(yaml.safe_load(open(sys.argv[1])), dict))' "$top/$file"
