@@ -21,8 +21,8 @@
 #include <string>
 #include <vector>
 
-// Decisions and pictures of models over fractions, which several commands ask for: each is compiled
-// once.
+// Decisions on models over fractions and on doubles, and pictures, which several commands ask for:
+// each is compiled once.
 
 typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Exact_space;
 typedef GC::Bspline_surface<Exact_space> Exact_surface;

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/numbers/internal/zero_bits.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace CGAL {
@@ -18,8 +19,8 @@ namespace internal {
 // where Boost's numbers are included for nothing else.
 class Wide_integer {
   static constexpr int most = 16;
-  std::uint32_t limb_[most] = {}; // of the absolute value, the least first; the last is not zero
-  int size_ = 0;
+  std::uint32_t limb_[most] = {}; // of the absolute value, the least first; 0 from size_ on
+  int size_ = 0;                  // the last limb is not zero
   bool negative_ = false;
 
 public:
@@ -48,7 +49,7 @@ public:
 
   friend Wide_integer operator*(const Wide_integer& x, const Wide_integer& y) {
     Wide_integer z;
-    for (; z.size_ < x.size_ + y.size_ && z.size_ < most; ++z.size_) z.limb_[z.size_] = 0;
+    z.size_ = (std::min)(x.size_ + y.size_, most);
     for (int i = 0; i < x.size_; ++i) {
       std::uint64_t carry = 0;
       for (int j = 0; i + j < z.size_; ++j, carry >>= 32) {
@@ -79,8 +80,7 @@ public:
   // The absolute value is shifted, and what falls off at its lower end is lost. \pre 0 <= k
   friend Wide_integer operator<<(const Wide_integer& x, int k) {
     Wide_integer z;
-    const int limbs = k / 32;
-    for (; z.size_ < limbs; ++z.size_) z.limb_[z.size_] = 0;
+    z.size_ = k / 32;
     std::uint64_t carry = 0;
     for (int i = 0; i < x.size_; ++i, carry >>= 32) {
       carry |= std::uint64_t(x.limb_[i]) << k % 32;
@@ -123,7 +123,7 @@ private:
     if (negative_ == negative) {
       std::uint64_t carry = 0;
       for (int i = 0; i < y.size_ || carry != 0; ++i, carry >>= 32) {
-        if (i == size_) limb_[size_++] = 0;
+        if (i == size_) ++size_;
         carry += limb_[i];
         if (i < y.size_) carry += y.limb_[i];
         limb_[i] = static_cast<std::uint32_t>(carry);
