@@ -5,13 +5,14 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import List, Optional, Tuple
 
 import numpy
 
 from . import _native
 from ._native import Edge_continuity, Join_continuity, Join_deviation, Kink_size, Order_within, Visual_class
-from .curve_types import Segmented_curve, chain, is_array, points_of, refuse_rows, sides
+from .curve_types import Segmented_curve, chain, is_array, points_of, refuse_rows, side, sides
 from .errors import Error
 from .hints import check_flag, check_name, keywords
 
@@ -57,18 +58,34 @@ def chain_joins(curves, closed: bool = False) -> List[Join_continuity]:
     return [continuity(a, b) for a, b in zip(found, found[1:] + (found[:1] if closed else []))]
 
 
+def _lie_side_by_side(left, right, gap: float) -> bool:
+    """Tells whether both the starts and the ends of two curves are nearer to each other than the end of the first to the start of the
+    second, and they are not one curve."""
+    def ends(curve):
+        points = [side(curve, "deviation", at_end, ignore_domain=True).points for at_end in (False, True)]
+        return [numpy.array(points_of(p), dtype=float)[-at_end] for p, at_end in zip(points, (0, 1))]
+
+    distances = [numpy.linalg.norm(x - y) for x, y in zip(ends(left), ends(right))]
+    return 0 < max(distances) < gap
+
+
 @keywords()
 def deviation(left, right) -> Join_deviation:
     """Returns how far the join between the end of `left` and the start of `right` is from being continuous: guaranteed enclosures
     of the gap (units of the coordinates), the angle of the tangents (radians), the relative jump of the curvature vector and the
-    jump of the torsion (1/length).
+    jump of the torsion (1/length). The distance of whole curves is not measured: a UserWarning says so where two curves lie side by side,
+    their starts and their ends nearer to each other than the ends at the join.
 
     left, right: curves as of `continuity`.
 
     Raises Error: `dimension_mismatch`, `wrong_number_of_points`, `not_finite`, `work_limit`.
     """
     a, b = sides(left, right, "deviation", ignore_domain=True)
-    return _native.deviation(a.points, b.points)
+    found = _native.deviation(a.points, b.points)
+    if found.gap.lower > 0 and _lie_side_by_side(left, right, found.gap.lower):
+        warnings.warn("deviation(left, right) measures the join, from the end of left to the start of right, and these curves lie side by "
+                      "side; the distance of whole curves is not measured", stacklevel=3)
+    return found
 
 
 @keywords()

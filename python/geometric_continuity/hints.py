@@ -15,11 +15,14 @@ import numpy
 
 from .errors import Error
 
-_READ = "verify(file) reads drawings, fonts, CAD models and .g2, and the program makes .g2 of .g2: `geometric_continuity blend`, `repair`; modules of geometric_continuity.adapters take the objects of other libraries"
-_WRITE = "the module writes no files: results are arrays, which numpy.savetxt(file, points) writes"
+_READ = ("the module returns no curves of a file: verify(file) decides the joins in drawings, fonts, CAD models and .g2, whose plain numbers "
+         "make a Spline(degree, points, knots); modules of geometric_continuity.adapters take the objects of other libraries")
+_WRITE = ("the module writes no files: results are arrays, which numpy.savetxt(file, points) writes; `geometric_continuity blend` and `repair` "
+          "make .g2 of .g2")
 _PLOT = "evaluate(curve, numpy.linspace(0, 1, 200)) returns the points that matplotlib draws; curvature(curve, parameters) their curvatures"
 
-_ELSEWHERE = "the module decides joins and makes curves that join smoothly; what SciPy, geomdl or svgpathtools returns can be given as a curve"
+_ELSEWHERE = ("that is left to others: what SciPy, geomdl or svgpathtools returns can be given as a curve; the module decides joins and makes curves "
+              "that join smoothly")
 _CHECK = ("call continuity(left, right) for two curves, chain_joins(spline) for a spline or a list of curves, edge_continuity(a, b) for surfaces, "
           "verify(file) for files")
 _REPAIR = "call `geometric_continuity repair` for files; representable_blend(left, right) and align_handles(left, right) for curves"
@@ -37,7 +40,7 @@ _FRAME = ("the tangent is evaluate(curve, parameters, 1) over its length, curvat
 _ARC = "an arc is a curve with weights, a quarter of a circle Bezier_curve([(1, 0), (1, 1), (0, 1)], [1, 1, 2])"
 
 # Verbs, which count more than what follows them in a name.
-_VERBS = {"read": _READ, "load": _READ, "open": _READ, "import": _READ, "parse": _READ, "svg": _READ, "write": _WRITE, "save": _WRITE,
+_VERBS = {"read": _READ, "load": _READ, "open": _READ, "import": _READ, "parse": _READ, "from": _READ, "svg": _READ, "write": _WRITE, "save": _WRITE,
           "export": _WRITE, "plot": _PLOT, "draw": _PLOT, "show": _PLOT,
           "verify": "chain_joins(curves) and failing_joins(curves, \"G2\") decide the joins of a spline or a list, "
                     "verify(file) those of files",
@@ -79,6 +82,20 @@ _GUESSED = {
     "angle": "call deviation(left, right).tangent_angle, in radians", "gap": "call deviation(left, right).gap",
     "curvature_jump": "call deviation(left, right).curvature_jump",
     "tolerance": "decisions are exact; order_within(left, right, tolerance) and failing_joins(curves, \"G1\", tolerance=1e-6) have tolerances",
+    **dict.fromkeys(("closest_point", "nearest_point", "project", "projection", "bbox", "translate", "scale", "rotate", "loft", "sweep", "extrude", "revolve",
+                     "ruled", "coons", "refine", "knot_insertion", "remove_knot", "insert_knot", "antiderivative", "gaussian_curvature"), _ELSEWHERE),
+    **dict.fromkeys(("edge", "boundary", "boundary_curve", "edge_curve", "isocurve", "iso_curve"),
+                    "the edges of a patch are rows of its array, patch[0], patch[-1], patch[:, 0] and patch[:, -1], and each is a Bezier curve"),
+    **dict.fromkeys(("concatenate", "append", "chain", "composite"), "a list of curves is a chain: chain_joins(curves)"),
+    "closed": "continuity(curve, curve) decides how a curve closes, chain_joins(curves, closed=True) how a list does",
+    "inflection": "the sign of curvature(curve, parameters) changes at an inflection of a plane curve",
+    "prove": "continuity(left, right) is a proof: .g_order is decided exactly", "decide": _CHECK,
+    "curvature_comb": _PLOT, "tck": "a Spline has .knots, .points and .degree: scipy.interpolate.BSpline(spline.knots, spline.points, spline.degree)",
+    **dict.fromkeys(("harmonize", "harmonise", "tunni"), _REPAIR),
+    **dict.fromkeys(("nurbscurve", "bsplinecurve"), "call Spline(degree, points, knots, weights)"),
+    **dict.fromkeys(("fair_g3", "fairg3"), "a strategy is a name: blend(left, right, \"fair_g3\")"),
+    "g3_blend": "call blend(left, right, \"fair_g3\")", "evalpts": _SAMPLE, "splrep": "call interpolate(points), or give the tuple (t, c, k) of splrep",
+    "to_bezier": "call pieces(curve)", "bezier_piece": "call pieces(curve)",
     "split": "call pieces(curve, low, high)", "subdivide": "call pieces(curve, low, high)", "decompose": "call pieces(curve)",
     "elevate": "the module has no elevation of the degree: give the control points of the higher degree",
     "reverse": "points[::-1] is the curve run through backwards, and Bezier_curve(...).reverse()",
@@ -245,6 +262,8 @@ def missing_member(thing: Any, name: str) -> Any:
         raise _attribute_error(f"{text}: call chain_joins(spline), which decides the joins at its knots", name)
     if name in geometric_continuity.__all__:
         raise _attribute_error(f"{text}: call {name}(...) of geometric_continuity with it", name)
+    if callable(thing) and name in ("point", "position", "value", "at", "eval", "evaluate_single", "evaluate_list"):
+        raise _attribute_error(f"{text}: a curve is called with a parameter or an array of them, curve(0.5)", name)
     members = sorted(m for m in dir(thing) if not m.startswith("_"))
     order = re.fullmatch("(is_?)?([cgf])([0-9]?)", name.lower())
     if order and f"{order[2]}_order" in members:

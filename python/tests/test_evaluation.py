@@ -258,7 +258,20 @@ class Sentences(unittest.TestCase):
         self.says("a curve has .points", lambda: gc.control_points, AttributeError)
         for name in ("connect", "bridge_curves"):
             self.says("call blend(left, right)", lambda: getattr(gc, name), AttributeError)
-        self.says("verify(file) reads drawings", lambda: gc.read_curve, AttributeError)
+        for name in ("read", "read_g2", "read_curve", "load", "open", "from_file"):
+            self.says("the module returns no curves of a file: verify(file) decides the joins in drawings, fonts, CAD models and .g2, whose "
+                      "plain numbers make a Spline(degree, points, knots)", lambda: getattr(gc, name), AttributeError)
+        for name in ("write", "write_g2", "save_g2"):
+            self.says("`geometric_continuity blend` and `repair` make .g2 of .g2", lambda: getattr(gc, name), AttributeError)
+        for name in ("bounding_box", "bbox", "closest_point", "project", "intersections", "offset_curve", "insert_knot", "knot_insertion", "loft"):
+            self.says("that is left to others: what SciPy,", lambda: getattr(gc, name), AttributeError)
+        for name, call in (("edge", "patch[0], patch[-1]"), ("boundary_curve", "each is a Bezier curve"), ("concatenate", "chain_joins(curves)"),
+                           ("is_closed", "chain_joins(curves, closed=True)"), ("inflections", "changes at an inflection"),
+                           ("prove_g2", ".g_order is decided exactly"), ("curvature_comb", "matplotlib"), ("harmonize", "align_handles(left, right)"),
+                           ("NURBSCurve", "Spline(degree, points, knots, weights)"), ("Fair_g3", "blend(left, right, \"fair_g3\")"),
+                           ("g3_blend", "blend(left, right, \"fair_g3\")"), ("splrep", "the tuple (t, c, k) of splrep"), ("to_bezier", "pieces(curve)"),
+                           ("bezier_pieces", "pieces(curve)"), ("decide", "continuity(left, right) for two curves")):
+            self.says(call, lambda: getattr(gc, name), AttributeError)
         self.says("numpy.savetxt", lambda: gc.save, AttributeError)
         self.says("largest_angle", lambda: gc.normal_angle, AttributeError)
         self.says("did you mean largest_angle?", lambda: gc.edge_continuity(numpy.zeros((2, 2, 3)), "u1", numpy.zeros((2, 2, 3)), "u0").angle, AttributeError)
@@ -280,6 +293,8 @@ class Sentences(unittest.TestCase):
         for name, order in (("G", "g_order >= 1"), ("is_g2", "g_order >= 2"), ("c1", "c_order >= 1")):
             self.says(f"ask .{order}", lambda: getattr(join, name), AttributeError)
         for name, text in (("ctrlpts", "did you mean points?"), ("t", "did you mean knots?"), ("k", "did you mean degree?"), ("joins", "chain_joins(curves)"),
+                           ("point", "curve(0.5)"), ("evaluate_single", "curve(0.5)"), ("tck", "scipy.interpolate.BSpline(spline.knots,"),
+                           ("evalpts", "call evaluate(curve, parameters)"), ("bbox", "that is left to others"),
                            ("derivative", "evaluate(curve, parameters, 1); it has degree,"), ("split", "pieces(curve, low, high); it has")):
             self.says(text, lambda: getattr(spline, name), AttributeError)
         self.says("chain_joins(spline), which decides the joins at its knots", lambda: spline.continuity, AttributeError)

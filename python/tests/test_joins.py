@@ -7,6 +7,7 @@ import signal
 import threading
 import time
 import unittest
+import warnings
 from decimal import Decimal
 from fractions import Fraction
 
@@ -200,6 +201,20 @@ class Joins(unittest.TestCase):
         self.assertTrue(low <= numpy.pi / 4 <= high and high - low < 1e-15)
         self.assertEqual(list(d.gap), [1, 1])
         self.assertIsNone(d.torsion_jump)
+
+    def test_deviation_of_curves_side_by_side(self):
+        curve = [(0, 0), (1, 2), (3, 3), (5, 2)]
+        spline = gc.interpolate(curve)
+        for left, right in ((curve, [(x, y + 1) for x, y in curve]), (spline, gc.interpolate([(x, y + 1) for x, y in curve])),
+                            (spline, numpy.array([0.5j, 1 + 1.5j, 5 + 2.5j]))):
+            with self.assertWarnsRegex(UserWarning, "the distance of whole curves is not measured") as caught:
+                gc.deviation(left, right)
+            self.assertEqual(caught.filename, __file__)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            gc.deviation(curve, curve)  # how a curve closes
+            gc.deviation(curve, [(5, 3), (6, 3)])
+            gc.deviation(curve, [(5, 2), (4, 0), (0, 1)])
 
     def test_edges(self):
         patch = numpy.zeros((2, 2, 3))
