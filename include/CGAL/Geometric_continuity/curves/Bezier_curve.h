@@ -417,6 +417,10 @@ public:
   /// \name Other Curves
   /// @{
 
+  /// \cond SKIP_IN_MANUAL
+  using internal::Other_members::derivative; // with arguments
+  /// \endcond
+
   /// Returns the derivative (hodograph): the curve of degree `m - 1` (0 for a constant) whose point
   /// at `u` has the coordinates of the first derivative. \throws Error `not_finite` when a
   /// floating-point coordinate overflows

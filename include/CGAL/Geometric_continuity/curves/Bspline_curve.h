@@ -289,6 +289,15 @@ public:
   template <class Number = FT>
   explicit Bspline_curve(const std::vector<Point>& points)
       : Bspline_curve(internal::refused_order<Number>(), std::vector<FT>(), points) {}
+  template <class Given, class Number, class = std::enable_if_t<std::is_same_v<Given, Point>>>
+  Bspline_curve(std::initializer_list<Given> points, const std::vector<Number>&)
+      : Bspline_curve(internal::refused_order<Number>(), std::vector<FT>(), std::vector<Point>(points)) {}
+  template <int Degree>
+  explicit Bspline_curve(const std::vector<Bezier_curve<Traits, Degree>>& curves)
+      : Bspline_curve(curves.begin(), curves.end()) {
+    static_assert(Degree != Degree,
+                  "Bspline_curve<Traits>(curves.begin(), curves.end()) joins Bezier curves that meet");
+  }
   template <class First, class Second, class... Others,
             class = std::enable_if_t<internal::misses_knots<FT, First, Second, Others...>>>
   Bspline_curve(const First&, const Second&, const Others&...)
@@ -377,6 +386,10 @@ public:
   /// @}
   /// \name Other Curves
   /// @{
+
+  /// \cond SKIP_IN_MANUAL
+  using internal::Other_members::derivative; // with arguments
+  /// \endcond
 
   /// Returns the derivative (hodograph): the curve of degree `p - 1` (0 for degree 0) whose point
   /// at `u` has the coordinates of the first derivative. Jumps are not differentiated. \f$ O(n) \f$

@@ -337,6 +337,10 @@ public:
   /// \throws Error `zero_weight` unless `c > 0`, `not_finite` when a weight overflows
   Rational_curve reparametrised(const FT& c) const { return Kind::reparametrised(*this, c); }
 
+  /// \cond SKIP_IN_MANUAL
+  using internal::Other_members::derivative; // with arguments
+  /// \endcond
+
   /// Returns the derivative (hodograph) \f$ (p' w - p w') / w^2 \f$: the curve of degree `2 m`
   /// whose point at `u` has the coordinates of the first derivative. \f$ O(n m^2) \f$
   /// \throws Error `not_finite` when a floating-point coordinate overflows

@@ -9,6 +9,7 @@
 #include <CGAL/Geometric_continuity/algebra/Bernstein_polynomial.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
 #include <CGAL/Geometric_continuity/algebra/sign_pattern.h>
+#include <CGAL/Geometric_continuity/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/numbers/Enclosure.h>
 #include <CGAL/Geometric_continuity/numbers/Exact_field.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
@@ -363,6 +364,11 @@ template <class FT> struct Edge_continuity {
   /// the parameters of the first edge. Empty without a common edge, where one normal vanishes
   /// identically, and possibly at creases with `Crease_angles::omitted`.
   std::optional<Normal_deviation<FT>> deviation;
+
+  /// \cond SKIP_IN_MANUAL
+  CGAL_GEOMETRIC_CONTINUITY_NO_ORDERS("edge_continuity(a, b).g_order is the order along an edge, without parentheses; "
+                                      "is_g2_edge(a, b) is true or false")
+  /// \endcond
 
   /// Writes the order, the defect and the upper bound of the angle in degrees, rounded upwards to
   /// the precision of the stream, e.g. `G1 (curvature)` or `G0 (crease), angle <= 17.2 degrees`.

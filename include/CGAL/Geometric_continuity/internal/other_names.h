@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <vector>
 
@@ -26,6 +28,10 @@ namespace Geometric_continuity {
 // Classes
 #define CGAL_GEOMETRIC_CONTINUITY_CLASS(name, real)                                                                    \
   template <class Traits> using name [[deprecated("the class is " #real)]] = real<Traits>;
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Bezier, Bezier_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(Bspline, Bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(BSpline, Bspline_curve)
+CGAL_GEOMETRIC_CONTINUITY_CLASS(NURBS, Rational_bspline_curve)
 CGAL_GEOMETRIC_CONTINUITY_CLASS(B_spline_curve, Bspline_curve)
 CGAL_GEOMETRIC_CONTINUITY_CLASS(BSpline_curve, Bspline_curve)
 CGAL_GEOMETRIC_CONTINUITY_CLASS(NURBS_curve, Rational_bspline_curve)
@@ -138,8 +144,20 @@ template <int order> struct Has_order {
 [[deprecated("call is_c_join<3>(a, b)")]] inline constexpr internal::Parametric_join_predicate<3> is_C3{}, is_c3{};
 
 // Orders, where a strategy is expected: blend() tells the strategies.
-[[deprecated("the strategy tells the order: Fair() for G2, Fair_g3() for G3")]] inline constexpr int G1 = 1, G2 = 2,
-                                                                                                     G3 = 3;
+namespace internal {
+struct Named_order {
+  int order;
+  constexpr operator int() const { return order; }
+  template <class... Given> No_result operator()(const Given&...) const {
+    static_assert(never<Given...>, "blend(a, b, Fair_g3()) is a blend with G3, blend(a, b) with G2; is_g2_join(a, b) "
+                                   "decides if two curves are G2");
+    return {};
+  }
+};
+} // namespace internal
+[[deprecated(
+    "the strategy tells the order: Fair() for G2, Fair_g3() for G3")]] inline constexpr internal::Named_order G1{1},
+    G2{2}, G3{3};
 
 // A spline in the place of a chain: its joins are its knots.
 template <class Traits>
@@ -192,6 +210,32 @@ auto interpolate(Input_iterator, Input_iterator, int) {
   return internal::No_result();
 }
 
+// Parameters without the traits class, and the traits class without parameters.
+template <class Points, class Numbers> auto interpolate(const std::vector<Points>&, const std::vector<Numbers>&) {
+  static_assert(internal::never<Points>, "interpolate<Traits>(points, parameters) is a spline through points at given "
+                                         "parameters: name the traits class");
+  return internal::No_result();
+}
+template <class Traits> auto interpolate(const std::vector<typename Traits::Point>&) {
+  static_assert(internal::never<Traits>,
+                "interpolate(points) is a cubic spline over the kernel of the points: there is "
+                "no traits class to give");
+  return internal::No_result();
+}
+
+// A tolerance that is missing, or a degree.
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_TOLERANCE                                                                        \
+  "fit(points, tolerance) fits a smooth curve to a polyline: there is no degree to give"
+template <class Point> auto fit(const std::vector<Point>&) {
+  static_assert(internal::never<Point>, CGAL_GEOMETRIC_CONTINUITY_ASK_TOLERANCE);
+  return internal::No_result();
+}
+template <class Point> auto fit(const std::vector<Point>&, int, double) {
+  static_assert(internal::never<Point>, CGAL_GEOMETRIC_CONTINUITY_ASK_TOLERANCE);
+  return internal::No_result();
+}
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_TOLERANCE
+
 // A length, by which no curve is extended.
 template <class Curve, class = typename Curve::Traits> auto extend(const Curve&, double) {
   static_assert(internal::never<Curve>,
@@ -211,6 +255,16 @@ auto chain_joins(const Input_iterator&, const Input_iterator&, const Output_iter
   return internal::No_result();
 }
 
+// Curves in braces.
+template <class Curve> auto chain_joins(std::initializer_list<Curve>) {
+  static_assert(internal::never<Curve>, "chain_joins(std::vector{a, b}) takes a range of curves");
+  return internal::No_result();
+}
+template <class Curve> auto chain_continuity(std::initializer_list<Curve>) {
+  static_assert(internal::never<Curve>, "chain_continuity(std::vector{a, b}) takes a range of curves");
+  return internal::No_result();
+}
+
 // A knot that is missing.
 template <class Curve, class = typename Curve::Traits> auto knot_continuity(const Curve&) {
   static_assert(internal::never<Curve>, "knot_continuities(c) decides all knots, knot_continuity(c, u) one of them");
@@ -226,10 +280,87 @@ auto continuity(const Surface_a&, Patch_edge, const Surface_b&, Patch_edge, int 
   return internal::No_result();
 }
 
-// Two curves, whose angle is one of several distances.
+// Curves in a range or between iterators, for which there are functions of their own.
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_JOINS                                                                            \
+  "chain_joins(curves) decides the joins of a chain, and has one Join_continuity for each; chain_continuity(curves) "  \
+  "counts them, failing_joins(curves, is_g2_join) lists those that fail; continuity(a, b) is of two curves"
+template <class Iterator, class = typename std::iterator_traits<Iterator>::iterator_category>
+auto continuity(const Iterator&, const Iterator&, int = 3, Closure = Closure::open) {
+  static_assert(internal::never<Iterator>, CGAL_GEOMETRIC_CONTINUITY_ASK_JOINS);
+  return internal::No_result();
+}
+template <class Range, class = internal::Curve_of_range<Range>>
+auto continuity(const Range&, int = 3, Closure = Closure::open) {
+  static_assert(internal::never<Range>, CGAL_GEOMETRIC_CONTINUITY_ASK_JOINS);
+  return internal::No_result();
+}
+template <class Curve> auto continuity(std::initializer_list<Curve>) {
+  static_assert(internal::never<Curve>, CGAL_GEOMETRIC_CONTINUITY_ASK_JOINS);
+  return internal::No_result();
+}
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_JOINS
+
+// An order, or nothing, in the place of a predicate.
+template <class Range, class = internal::Curve_of_range<Range>> auto failing_joins(const Range&, int = 2) {
+  static_assert(internal::never<Range>,
+                "failing_joins(curves, is_g2_join) lists the joins of a chain that are not G2: name the predicate");
+  return internal::No_result();
+}
+
+// A tolerance that is missing.
 template <class Left, class Right, class = typename Left::Traits, class = typename Right::Traits>
-auto tangent_angle(const Left&, const Right&) {
-  static_assert(internal::never<Left>, "deviation(a, b).tangent_angle encloses the angle at the join, in radians");
+auto order_within(const Left&, const Right&) {
+  static_assert(internal::never<Left>, "order_within(a, b, tolerance) decides within a tolerance, continuity(a, b) "
+                                       "without one");
+  return internal::No_result();
+}
+
+// Parameters, where functions take a jet, or more. They have the type of the curve's numbers, and
+// are a pack, so that functions with such names that people have are better matches.
+#define CGAL_GEOMETRIC_CONTINUITY_NO_CALL(name, parameters, sentence)                                                  \
+  template <class Object, class... Given>                                                                              \
+  std::enable_if_t<sizeof...(Given) == parameters && (std::is_same_v<Given, typename Object::Traits::FT> && ...) &&    \
+                       std::is_class_v<typename Object::Traits>,                                                       \
+                   internal::No_result>                                                                                \
+  name(const Object&, const Given&...) {                                                                               \
+    static_assert(internal::never<Object>, sentence);                                                                  \
+    return {};                                                                                                         \
+  }
+CGAL_GEOMETRIC_CONTINUITY_NO_CALL(evaluate, 1, "c(u) is the point at the parameter u")
+CGAL_GEOMETRIC_CONTINUITY_NO_CALL(evaluate, 2,
+                                  "s(u, v) is the point of a surface, c.jet(u, k) has the derivatives of "
+                                  "a curve up to order k")
+CGAL_GEOMETRIC_CONTINUITY_NO_CALL(normal, 1, CGAL_GEOMETRIC_CONTINUITY_ASK_FRAME)
+CGAL_GEOMETRIC_CONTINUITY_NO_CALL(normal, 2,
+                                  "s.normal(u, v) is the normal of a surface, s.unit_normal(u, v) the one "
+                                  "of length 1")
+CGAL_GEOMETRIC_CONTINUITY_NO_CALL(curvature, 0, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_CALL(signed_curvature, 1, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_CALL(curvature_vector, 1,
+                                  "curvature_vector(c.jet(u, 2)) is the curvature vector at u, an "
+                                  "optional")
+CGAL_GEOMETRIC_CONTINUITY_NO_CALL(chord_polyline, 1, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
+#undef CGAL_GEOMETRIC_CONTINUITY_NO_CALL
+
+// A curve, which has no triangles.
+template <class Curve, class... Output_iterator>
+std::enable_if_t<
+    sizeof...(Output_iterator) == 1 &&
+        (std::is_same_v<typename std::iterator_traits<Output_iterator>::iterator_category, std::output_iterator_tag> &&
+         ...),
+    internal::No_result>
+tessellate(const Curve&, const typename Curve::Traits::FT&, const Output_iterator&...) {
+  static_assert(internal::never<Curve>, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE);
+  return {};
+}
+
+// Curves that are no Bezier curves, whose kink has no handles.
+template <class Left, class Right, class = typename Left::Traits, class = typename Right::Traits,
+          class = std::enable_if_t<!internal::is_bezier_curve<Left> || !internal::is_bezier_curve<Right>>>
+auto kink_size(const Left&, const Right&) {
+  static_assert(internal::never<Left>,
+                "kink_size(a, b) is of two Bezier curves; deviation(a, b).tangent_angle encloses "
+                "the angle at the join of any two curves, in radians");
   return internal::No_result();
 }
 
@@ -290,9 +421,19 @@ CGAL_GEOMETRIC_CONTINUITY_NO_CHAIN(failing_joins)
   }                                                                                                                    \
   }
 
+CGAL_GEOMETRIC_CONTINUITY_OTHER_CALLS(CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(derivative, CGAL_GEOMETRIC_CONTINUITY_ASK_DERIVATIVE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(reverse, "c.reverse() is the curve in the opposite direction")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(elevate, CGAL_GEOMETRIC_CONTINUITY_ASK_ELEVATE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(bezier_pieces, "c.bezier_pieces() of a spline are its Bezier curves")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(concatenate, CGAL_GEOMETRIC_CONTINUITY_ASK_CONVERSION)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(intersection, CGAL_GEOMETRIC_CONTINUITY_ASK_INTERSECTIONS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(do_intersect, CGAL_GEOMETRIC_CONTINUITY_ASK_INTERSECTIONS)
+
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN                                                                             \
   "continuity(a, b) decides the join of two curves: .g_order, .c_order, .f_order, .betas(); is_g2_join(a, b) is "      \
-  "true or false; order_within(a, b, 1e-6) allows a tolerance; knot_continuity(spline, u) is of a knot, "              \
+  "true or false; chain_continuity(curves) is of a chain; order_within(a, b, 1e-6) allows a tolerance; "               \
+  "knot_continuity(spline, u) is of a knot, "                                                                          \
   "edge_continuity(a, b) of two surfaces"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_geometrically_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(check_join, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
@@ -305,6 +446,29 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(continuity_order, CGAL_GEOMETRIC_CONTINUIT
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(order_of_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(parametric_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(order_of_geometric_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(order, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(g_order, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(geometric_order, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+// ... also with an order in angle brackets.
+#define CGAL_GEOMETRIC_CONTINUITY_NO_ORDER_FUNCTION(name)                                                              \
+  CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(name, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)                                      \
+  namespace other_names {                                                                                              \
+  template <int order, class... Given> auto name(const Given&...) {                                                    \
+    static_assert(internal::never<Given...>, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN);                                      \
+    return internal::No_result();                                                                                      \
+  }                                                                                                                    \
+  }
+CGAL_GEOMETRIC_CONTINUITY_NO_ORDER_FUNCTION(is_G)
+CGAL_GEOMETRIC_CONTINUITY_NO_ORDER_FUNCTION(is_g)
+CGAL_GEOMETRIC_CONTINUITY_NO_ORDER_FUNCTION(is_g_join)
+CGAL_GEOMETRIC_CONTINUITY_NO_ORDER_FUNCTION(is_G_join)
+#undef CGAL_GEOMETRIC_CONTINUITY_NO_ORDER_FUNCTION
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_G2_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_g2_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_geometric_continuous, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(decide_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(prove_continuity, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_g2, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_C1, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_C2, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(are_G1, CGAL_GEOMETRIC_CONTINUITY_ASK_JOIN)
@@ -329,6 +493,10 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(chain_order, CGAL_GEOMETRIC_CONTINUITY_ASK
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(kinks, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(find_kinks, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_closed, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_g2_chain, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_G2_chain, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_chain_g2, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_chain_G2, CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_CHAIN
 
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_EDGE                                                                             \
@@ -402,6 +570,14 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(smooth, CGAL_GEOMETRIC_CONTINUITY_ASK_REPA
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(smooth_chain, CGAL_GEOMETRIC_CONTINUITY_ASK_REPAIR)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(smooth_join, CGAL_GEOMETRIC_CONTINUITY_ASK_REPAIR)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_REPAIR
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_BOUNDARY                                                                         \
+  "boundary_curve(s, Patch_edge::u0) is an edge as a curve; the edge u1 of s.split_u(u).first is the curve of a "      \
+  "constant u"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(edge_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_BOUNDARY)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(patch_edge, CGAL_GEOMETRIC_CONTINUITY_ASK_BOUNDARY)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(iso_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_BOUNDARY)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(isocurve, CGAL_GEOMETRIC_CONTINUITY_ASK_BOUNDARY)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_BOUNDARY
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(match_surfaces, "match(a, Patch_edge::v1, b, Patch_edge::v0) changes b so that "
                                                       "it continues a")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
@@ -410,12 +586,19 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
     blend_surface, "blend(a, Patch_edge::v1, b, Patch_edge::v0) joins two surfaces by a surface that is G2 along both "
                    "edges")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fillet, "round_corners(points_or_curves, distance) rounds the corners of a "
-                                              "polyline or a chain, round_corner(a, b, distance) one of them, "
-                                              "round_edge() the edge between two surfaces")
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_ROUND                                                                            \
+  "round_corners(points_or_curves, distance) rounds the corners of a polyline or a chain, round_corner(a, b, "         \
+  "distance) one of them, round_edge() the edge between two surfaces"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fillet, CGAL_GEOMETRIC_CONTINUITY_ASK_ROUND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(round_polygon, CGAL_GEOMETRIC_CONTINUITY_ASK_ROUND)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(round_polyline, CGAL_GEOMETRIC_CONTINUITY_ASK_ROUND)
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_ROUND
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_curve, "fit(points, tolerance) fits a smooth curve to a polyline")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_spline, "fit(points, tolerance) fits a smooth curve to a polyline")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_polyline, "fit(points, tolerance) fits a smooth curve to a polyline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_bspline, "fit(points, tolerance) fits a smooth curve to a polyline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate_curve, "fit(points, tolerance) fits a smooth curve to a polyline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(least_squares, "fit(points, tolerance) fits a smooth curve to a polyline")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate, "fit(points, tolerance) fits a smooth curve to a polyline")
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS                                                                           \
   "interpolate_fair(points) leads a fair curve through points, interpolate(points) a C2 spline"
@@ -425,6 +608,7 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_interpolation, CGAL_GEOMETRIC_CONTINU
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_interpolate, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fair_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_cubic, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(cubic_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(catmull_rom, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
@@ -437,27 +621,16 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(kink_angle_in_degrees, CGAL_GEOMETRIC_CONT
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(join_angle, CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_ANGLE
 template <class Curve, class Number, class = typename Curve::Traits> auto frenet_frame(const Curve&, const Number&) {
-  static_assert(internal::never<Curve>,
-                "frenet_frame(c.jet(u, 3)) is the frame of a curve in space, frenet_frame(c.jet(u, 2)) in the plane: "
-                "an optional with ->vector(1), the tangent, ->vector(2), the normal, ->vector(3), the binormal");
+  static_assert(internal::never<Curve>, CGAL_GEOMETRIC_CONTINUITY_ASK_FRAME);
   return internal::No_result();
 }
-#define CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE                                                                         \
-  "chord_polyline(c, tolerance, out) writes points whose chords are within a tolerance, uniform_polyline(c, n, out) "  \
-  "points at n + 1 parameters"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(sample_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate_by_polyline, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(sample, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(sample_points, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(sample_uniformly, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(polyline, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(to_polyline, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(flatten, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE)
-#undef CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(inflections, "curvature_extrema(c).inflections are those of a curve")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(inflection_points, "curvature_extrema(c).inflections are those of a curve")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(elevate_degree, "c.elevate() raises the degree by one, c.elevate(times) by more")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(degree_elevate, "c.elevate() raises the degree by one, c.elevate(times) by more")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(to_bezier, "spline.bezier_pieces() are the Bezier curves of a spline")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(surface_normal, "s.normal(u, v) is the normal of a surface, s.unit_normal(u, v) "
                                                       "the one of length 1")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(extend_curve, "extend(c, Frenet_order::curvature, {beta}) is the next segment "
@@ -472,6 +645,7 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_deviation,
   "deviation(a, b) measures the join of two curves, order_within(a, b, tolerance) decides it; the distance of whole "  \
   "curves is not measured, fit(points, tolerance).distance is that from points"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(is_within, CGAL_GEOMETRIC_CONTINUITY_ASK_DISTANCE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(distance, CGAL_GEOMETRIC_CONTINUITY_ASK_DISTANCE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(hausdorff_distance, CGAL_GEOMETRIC_CONTINUITY_ASK_DISTANCE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_distance, CGAL_GEOMETRIC_CONTINUITY_ASK_DISTANCE)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_DISTANCE
@@ -481,11 +655,6 @@ template <class Start, class End, class... Given> auto clothoid_blend(const Star
                 "whose curvature is a third member, 0 if it is left out");
   return internal::No_result();
 }
-#define CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE                                                                        \
-  "curvature(c, u) is the curvature at one parameter, without its sign, signed_curvature(c.jet(u, 2)) that in the "    \
-  "plane; curvature_extrema(c) encloses the extreme curvatures of a curve; curvature_excess(c, bound) finds where it " \
-  "exceeds a bound"
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(max_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(maximum_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(minimum_radius, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(squared_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
@@ -497,34 +666,65 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(curvature_bounded_by, CGAL_GEOMETRIC_CONTI
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(min_radius, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(min_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(minimum_curvature, CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE)
-#undef CGAL_GEOMETRIC_CONTINUITY_ASK_CURVATURE
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_READ                                                                             \
-  "read_g2_curves<Traits>(in) of CGAL::Geometric_continuity returns Bezier curves, read_g2_bsplines<Traits>(in) "      \
-  "B-spline curves, read_g2_surfaces<Traits>(in) patches; in is an open std::ifstream"
+  "read_g2_curves<Traits>(in) of <CGAL/Geometric_continuity/IO/g2.h> returns Bezier curves, "                          \
+  "read_g2_bsplines<Traits>(in) B-spline curves, read_g2_surfaces<Traits>(in) patches; in is an open std::ifstream"
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE                                                                            \
-  "write_g2(os, curve) of CGAL::Geometric_continuity takes an open std::ofstream"
+  "write_g2(os, curve) of <CGAL/Geometric_continuity/IO/g2.h> takes an open std::ofstream, and a curve, a surface or " \
+  "a range of them"
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_PICTURE                                                                          \
+  "std::ofstream(file) << Svg_figure().add(Svg_panel().add(curve)) of <Geometric_continuity_figures/Svg_figure.h> in " \
+  "the folder figures/include is a picture; write_g2(os, curve) of <CGAL/Geometric_continuity/IO/g2.h> writes what "   \
+  "the program plots"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_g2, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_G2, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_g2_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_curves, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(load_g2, CGAL_GEOMETRIC_CONTINUITY_ASK_READ)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(write_G2, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(write_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(write_curves, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(save_g2, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE)
-template <class Traits> auto read_g2_curves(const std::string&) {
-  static_assert(internal::never<Traits>, CGAL_GEOMETRIC_CONTINUITY_ASK_READ);
-  return internal::No_result();
-}
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(write_svg, CGAL_GEOMETRIC_CONTINUITY_ASK_PICTURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(write_SVG, CGAL_GEOMETRIC_CONTINUITY_ASK_PICTURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(save_svg, CGAL_GEOMETRIC_CONTINUITY_ASK_PICTURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(plot, CGAL_GEOMETRIC_CONTINUITY_ASK_PICTURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(draw, CGAL_GEOMETRIC_CONTINUITY_ASK_PICTURE)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(curvature_comb, CGAL_GEOMETRIC_CONTINUITY_ASK_PICTURE)
+// ... the name of a file, or no traits class, where a function reads,
+#define CGAL_GEOMETRIC_CONTINUITY_NO_READER(name)                                                                      \
+  template <class Traits> auto name(const std::string&) {                                                              \
+    static_assert(internal::never<Traits>, CGAL_GEOMETRIC_CONTINUITY_ASK_READ);                                        \
+    return internal::No_result();                                                                                      \
+  }                                                                                                                    \
+  template <class Stream> auto name(const Stream&) {                                                                   \
+    static_assert(internal::never<Stream>, CGAL_GEOMETRIC_CONTINUITY_ASK_READ);                                        \
+    return internal::No_result();                                                                                      \
+  }
+CGAL_GEOMETRIC_CONTINUITY_NO_READER(read_g2_curves)
+CGAL_GEOMETRIC_CONTINUITY_NO_READER(read_g2_bsplines)
+CGAL_GEOMETRIC_CONTINUITY_NO_READER(read_g2_surfaces)
+#undef CGAL_GEOMETRIC_CONTINUITY_NO_READER
+// ... or the name of a file, or the curve first, where one writes.
 template <class Object> auto write_g2(const std::string&, const Object&) {
   static_assert(internal::never<Object>, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE);
   return internal::No_result();
 }
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(
-    write_svg, "pictures are beside the package: include <Geometric_continuity_figures/Svg_figure.h>; write_g2(os, "
-               "curve) of <CGAL/Geometric_continuity/IO/g2.h> writes what the program plots")
+template <class Object, class File, class = typename Object::Traits> auto write_g2(const Object&, const File&) {
+  static_assert(internal::never<Object>, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE);
+  return internal::No_result();
+}
+template <class Object, class File> auto write_g2(const std::vector<Object>&, const File&) {
+  static_assert(internal::never<Object>, CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE);
+  return internal::No_result();
+}
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_PICTURE
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_WRITE
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_READ
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_DRAWING                                                                          \
-  "the program reads drawings, fonts and CAD models: geometric_continuity verify FILE; read_g2_curves<Traits>(in) "    \
-  "reads .g2 from an open std::ifstream"
+  "the program reads drawings, fonts and CAD models: geometric_continuity verify FILE; read_g2_curves<Traits>(in) of " \
+  "<CGAL/Geometric_continuity/IO/g2.h> reads .g2 from an open std::ifstream"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_svg, CGAL_GEOMETRIC_CONTINUITY_ASK_DRAWING)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_SVG, CGAL_GEOMETRIC_CONTINUITY_ASK_DRAWING)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(read_drawing, CGAL_GEOMETRIC_CONTINUITY_ASK_DRAWING)

@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_DEVIATION_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_decision.h>
 #include <CGAL/Geometric_continuity/joins/join_result.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
@@ -39,6 +40,12 @@ struct Join_deviation {
   /// The jump of the torsion \f$ |\tau_Y - \tau_X| \f$, in units of 1/length. Empty unless in
   /// dimension 3 with nonzero curvature on both sides.
   std::optional<Enclosure> torsion_jump;
+
+  /// \cond SKIP_IN_MANUAL
+  CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(angle, "deviation(a, b).tangent_angle encloses the angle at the join, in radians")
+  CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(distance, "deviation(a, b).gap is the distance of the ends at the join; that of "
+                                                "whole curves is not measured")
+  /// \endcond
 
   /// Writes what there is, angles in degrees and ratios in percent, e.g. `gap 0, tangent angle
   /// [0.5, 0.50001] degrees, curvature jump 2%`.
@@ -83,6 +90,12 @@ struct Order_within {
     while (order >= 0 && verdicts[order] != Verdict::proved) --order;
     return order;
   }
+
+  /// \cond SKIP_IN_MANUAL
+  CGAL_GEOMETRIC_CONTINUITY_NO_ORDERS(
+      "order_within(a, b, tolerance).proved_order() is the largest order that is proved, "
+      "order_within(a, b, tolerance)(2) the verdict about one")
+  /// \endcond
 
   /// Writes the verdicts and the deviation, e.g. `order 0 proved, 1 proved, 2 refuted, 3 refuted;
   /// gap 0, ...`.
@@ -143,8 +156,13 @@ Join_deviation deviation(const Left& left, const Right& right) {
   typedef typename Exact_field<Predicate_FT<typename Left::Traits>>::type Field;
   static_assert(std::is_same_v<typename Left::Traits, typename Right::Traits>,
                 "both curves must have the same traits class");
+  static_assert(!internal::is_surface<Left>, "deviation(a, b) is of two curves; edge_deviation(a, Patch_edge::v1, b, "
+                                             "Patch_edge::v0) measures the edge of two surfaces");
   const Work_scope jets_and_invariants(Work_scope::limit_of_each(), "deviation");
-  return internal::join_deviation(end_jet<Field>(left, 3), start_jet<Field>(right, 3));
+  if constexpr (internal::is_surface<Left>) // so that there is one error
+    return {};
+  else
+    return internal::join_deviation(end_jet<Field>(left, 3), start_jet<Field>(right, 3));
 }
 
 namespace internal {

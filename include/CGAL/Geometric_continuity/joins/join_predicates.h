@@ -6,6 +6,7 @@
 #define CGAL_GEOMETRIC_CONTINUITY_JOINS_JOIN_PREDICATES_H
 
 #include <CGAL/Geometric_continuity/Error.h>
+#include <CGAL/Geometric_continuity/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/internal/parallel.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_join.h>
 
@@ -14,6 +15,7 @@
 #include <iterator>
 #include <mutex>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -75,6 +77,14 @@ template <Join_question question> struct Join_predicate {
   template <class Left, class Right> bool operator()(const Left& left, const Right& right) const {
     return join_answer<question>(left, right) == Join_answer::yes;
   }
+
+  // This refuses a chain, and a tolerance.
+  template <class Given, class... Others, class = std::enable_if_t<sizeof...(Others) != 1>>
+  No_result operator()(const Given&, const Others&...) const {
+    static_assert(never<Given>, "a predicate takes two curves: failing_joins(curves, is_g2_join).empty() decides a "
+                                "chain, order_within(a, b, 1e-6) allows a tolerance");
+    return {};
+  }
 };
 template <int k> struct Parametric_join_predicate : Join_predicate<static_cast<Join_question>(k)> {
   static_assert(0 <= k && k <= 3, "orders 0 to 3");
@@ -89,6 +99,12 @@ template <Join_question question> struct Invariant_predicate {
   }
 };
 
+// Tells whether a curve is a Bezier curve, or is derived from one.
+template <class Traits, int Degree> std::true_type test_bezier_curve(const Bezier_curve<Traits, Degree>*);
+std::false_type test_bezier_curve(const void*);
+template <class Curve>
+constexpr bool is_bezier_curve = decltype(test_bezier_curve(std::declval<const Curve*>()))::value;
+
 // Decides whether two polygons of one degree pass a test of Hagen.
 template <Join_question question> struct Polygon_predicate {
   template <class Traits, int Left, int Right>
@@ -99,6 +115,14 @@ template <Join_question question> struct Polygon_predicate {
     if (question == Join_question::f3 && left.dimension() < 3)
       throw Error(Error_code::dimension_mismatch, "polygon test of torsion in the plane");
     return Join_predicate<question>()(left, right);
+  }
+
+  template <class Left, class Right, class = std::enable_if_t<!is_bezier_curve<Left> || !is_bezier_curve<Right>>>
+  No_result operator()(const Left&, const Right&) const {
+    static_assert(never<Left>,
+                  "is_g1_join(a, b) and is_g2_join(a, b) decide the join of any two curves; this is a test "
+                  "of Hagen for two Bezier curves of one degree");
+    return {};
   }
 };
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/algebra/Coordinate_vector.h>
+#include <CGAL/Geometric_continuity/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/joins/internal/Join_parameters.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 
@@ -203,6 +204,8 @@ template <class FT> struct Join_continuity {
   }
 
   /// \cond
+  CGAL_GEOMETRIC_CONTINUITY_NO_ORDERS("a join has several orders: join.g_order, join.c_order and join.f_order, without "
+                                      "parentheses; is_g2_join(a, b) is true or false")
   internal::Join_parameters<FT> parameters;
   internal::Near_miss points;
   /// \endcond
@@ -394,6 +397,9 @@ public:
                                                    "fail");
     return {};
   }
+  CGAL_GEOMETRIC_CONTINUITY_NO_ORDERS("*chain_continuity(curves).g_order() is the least G order of all joins, also "
+                                      "c_order() and f_order(); failing_joins(curves, is_g2_join).empty() is true or "
+                                      "false")
   /// \endcond
 
   /// Returns for each order that occurs the number of joins of exactly this order; -1 stands for a

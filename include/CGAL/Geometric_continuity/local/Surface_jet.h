@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Traits.h>
 #include <CGAL/Geometric_continuity/algebra/internal/Coordinate_row.h>
+#include <CGAL/Geometric_continuity/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/local/Curve_jet.h>
 #include <CGAL/Geometric_continuity/local/internal/Scaled_vector.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
@@ -123,7 +124,7 @@ template <class Traits> std::optional<typename Traits::Vector> unit_normal(const
 /// surfaces, rational or not.
 /// \tparam Surface the surface, with `jet(u, v, k)`
 /// \tparam Traits_ a model of `GeometricContinuityTraits`
-template <class Surface, class Traits_> class Surface_evaluation {
+template <class Surface, class Traits_> class Surface_evaluation : public internal::Other_surface_members<Surface> {
   static_assert(internal::Checked_traits<Traits_>::value);
 
 public:

@@ -5,6 +5,7 @@
 #ifndef CGAL_GEOMETRIC_CONTINUITY_MODELS_TESSELLATE_H
 #define CGAL_GEOMETRIC_CONTINUITY_MODELS_TESSELLATE_H
 
+#include <CGAL/Geometric_continuity/internal/Other_members.h>
 #include <CGAL/Geometric_continuity/models/internal/Model_mesh.h>
 #include <CGAL/Geometric_continuity/models/internal/Triangle_halfedges.h>
 #include <CGAL/Geometric_continuity/numbers/internal/checked_numbers.h>
@@ -333,7 +334,14 @@ auto tessellate(const SurfaceRange& surfaces, const Mode& mode, std::size_t max_
 template <class Surface, class Mode>
 Tessellation<typename Surface::Traits> tessellate(const Surface& surface, const Mode& mode,
                                                   std::size_t max_triangles = max_tessellation_triangles) {
-  return tessellate(std::array<Surface, 1>{surface}, mode, max_triangles);
+  static_assert(internal::is_surface<Surface>, CGAL_GEOMETRIC_CONTINUITY_ASK_POLYLINE);
+  static_assert(!internal::is_surface<Surface> || !std::is_arithmetic_v<Mode>,
+                "tessellate(s, Chord_tolerance{0.01}) takes a tolerance, tessellate(s, Uniform_grid{10}) a number of "
+                "cells in each direction of a patch");
+  if constexpr (internal::is_surface<Surface> && !std::is_arithmetic_v<Mode>)
+    return tessellate(std::array<Surface, 1>{surface}, mode, max_triangles);
+  else // so that there is one error
+    return {};
 }
 
 /// \ingroup PkgGeometricContinuitySurfaces

@@ -247,16 +247,25 @@ template <class Left, class Right, class Strategy = Fair>
 auto round_corner(const Left& left, const Right& right, const internal::Convertible_number<typename Left::FT>& distance,
                   const Strategy& strategy = Strategy()) {
   typedef typename Left::FT FT;
-  const char* const place = "round_corner";
-  internal::check_distance(distance.value, place);
-  if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, place);
-  if (left.coordinates(left.degree()) != right.coordinates(0)) throw Error(Error_code::curves_do_not_meet, place);
-  const FT left_cut = internal::cut_parameter(left, Curve_end::end, distance.value, place),
-           right_cut = internal::cut_parameter(right, Curve_end::start, distance.value, place);
-  const Left left_part = left.split(left_cut).first;
-  const Right right_part = right.split(right_cut).second;
-  const auto gamma = internal::blend_of_parts(left_part, right_part, strategy, place);
-  return Rounded_corner<Left, Right, std::decay_t<decltype(gamma)>>{left_part, gamma, right_part, left_cut, right_cut};
+  constexpr bool have_no_split = std::is_same_v<decltype(left.split(FT())), internal::No_result> ||
+                                 std::is_same_v<decltype(right.split(FT())), internal::No_result>;
+  static_assert(!have_no_split, "round_corner(a, b, distance) takes Bezier curves, as a.bezier_pieces().back() and "
+                                "b.bezier_pieces().front() of splines are");
+  if constexpr (have_no_split) // so that there is one error
+    return internal::No_result();
+  else {
+    const char* const place = "round_corner";
+    internal::check_distance(distance.value, place);
+    if (left.dimension() != right.dimension()) throw Error(Error_code::dimension_mismatch, place);
+    if (left.coordinates(left.degree()) != right.coordinates(0)) throw Error(Error_code::curves_do_not_meet, place);
+    const FT left_cut = internal::cut_parameter(left, Curve_end::end, distance.value, place),
+             right_cut = internal::cut_parameter(right, Curve_end::start, distance.value, place);
+    const Left left_part = left.split(left_cut).first;
+    const Right right_part = right.split(right_cut).second;
+    const auto gamma = internal::blend_of_parts(left_part, right_part, strategy, place);
+    return Rounded_corner<Left, Right, std::decay_t<decltype(gamma)>>{left_part, gamma, right_part, left_cut,
+                                                                      right_cut};
+  }
 }
 
 /// \ingroup PkgGeometricContinuityExtensions

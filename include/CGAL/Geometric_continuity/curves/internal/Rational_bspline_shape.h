@@ -78,6 +78,24 @@ template <class Traits> struct Curve_shape<Bspline_curve<Traits>> {
                                                             : Curve_jet<Traits>(jet_over<FT>(c, u, span, k));
   }
 
+  // Functions of Bezier curves, refused by the sentence that tells the call.
+  template <class C> static std::pair<C, C> split(const C& c, const FT&) {
+    static_assert(never<C>, CGAL_GEOMETRIC_CONTINUITY_ASK_SPLIT);
+    return {c, c};
+  }
+  template <class C> static const C& with_domain(const C& c, const FT&, const FT&) {
+    static_assert(never<C>, "c.with_domain(a, b) is of a Bezier curve: give a spline other knots");
+    return c;
+  }
+  template <class C> static Rational_curve<Bezier_curve<Traits>> derivative(const C& c) {
+    static_assert(never<C>, CGAL_GEOMETRIC_CONTINUITY_ASK_DERIVATIVE);
+    return bezier_pieces(c).front();
+  }
+  template <class C> static std::pair<Point, Point> bounding_box(const C& c) {
+    static_assert(never<C>, CGAL_GEOMETRIC_CONTINUITY_ASK_BOX);
+    return {c.control_point(0), c.control_point(0)};
+  }
+
   static Curve insert(const Curve& c, const FT& u, int times) {
     typedef typename Homogeneous::Point Row;
     const Knot_vector<FT> finer = c.knots().insert(u, times);
