@@ -271,6 +271,17 @@ public:
                const Interval& v = unit_interval())
       : Bezier_patch(Net(p + 1, q + 1, std::move(points), "Bezier_patch"), u, v) {}
 
+  // These refuse points that are not in rows, and degrees behind them.
+  template <class Given, class = std::enable_if_t<std::is_same_v<Given, Point>>>
+  explicit Bezier_patch(std::initializer_list<Given> points) : Bezier_patch(std::vector<Given>(points)) {}
+  template <class... Points, class = std::enable_if_t<(std::is_same_v<Points, Point> && ...)>>
+  Bezier_patch(const Point& first, const Point&, const Point&, const Points&...)
+      : Bezier_patch(std::vector<Point>{first}) {}
+  template <class Points> Bezier_patch(const Points&, int p, int q) : Bezier_patch(p, q, std::vector<Point>()) {
+    static_assert(!std::is_same_v<Points, Points>, "Bezier_patch<Traits>(p, q, points) takes the degrees before the "
+                                                   "points b_00, b_01, ..., b_pq, Bezier_patch<Traits>(net) the rows");
+  }
+
   int degree_u() const { return net_.rows() - 1; }    ///< Returns the degree `p` in `u`.
   int degree_v() const { return net_.columns() - 1; } ///< Returns the degree `q` in `v`.
   int dimension() const { return net_.dimension(); }  ///< Returns the dimension of the space.

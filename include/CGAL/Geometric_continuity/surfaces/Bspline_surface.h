@@ -81,6 +81,11 @@ public:
   Bspline_surface(const First&, const Second&, const Third&, const Others&...)
       : Bspline_surface(internal::refused_surface<Bspline_surface>()) {}
 
+  // This refuses points that are not in rows.
+  template <class Given, class = std::enable_if_t<std::is_same_v<Given, Point>>>
+  Bspline_surface(std::initializer_list<Given> points, const Knot_vector<FT>& knots_u, const Knot_vector<FT>& knots_v)
+      : Bspline_surface(std::vector<Given>(points), knots_u, knots_v) {}
+
   /// Constructs the surface without inner knots that is equal to a patch.
   explicit Bspline_surface(const Bezier_patch<Traits>& patch)
       : u_(patch.degree_u(), patch.domain_u().first, patch.domain_u().second),

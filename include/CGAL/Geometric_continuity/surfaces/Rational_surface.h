@@ -127,6 +127,16 @@ public:
                    const Side& v = Kind::unit())
       : Rational_surface(given(Kind::net(net, u, v), weights, u, v)) {}
 
+  // This refuses weights that are missing, or given behind knots or domains.
+  template <class Points, class... Weights, class = std::enable_if_t<sizeof...(Weights) < 2>>
+  Rational_surface(const Points&, const Side&, const Side&, const Weights&...)
+      : Rational_surface(Homogeneous(Homogeneous(internal::No_result()))) {
+    static_assert(!std::is_same_v<Points, Points>,
+                  "Rational_bspline_surface<Traits>(net, weights, knots_u, knots_v) and "
+                  "Rational_bezier_patch<Traits>(net, weights) take the weights in "
+                  "rows, like the points");
+  }
+
   /// Takes the surface of the homogeneous points \f$ (w_{ij} b_{ij}, w_{ij}) \f$.
   /// \throws Error `zero_weight`, `work_limit` as above, `not_finite` when a quotient overflows
   explicit Rational_surface(const Homogeneous& s) : Rational_surface(affine_net(s), weights_of(s), s.u_, s.v_) {}

@@ -52,6 +52,11 @@ template <class T> std::vector<T> reversed_rows(const std::vector<T>& net, int c
   return r;
 }
 
+// Tells whether this is a range of ranges.
+template <class Net, class = void> constexpr bool is_net = false;
+template <class Net>
+constexpr bool is_net<Net, std::void_t<decltype(std::begin(*std::begin(std::declval<const Net&>())))>> = true;
+
 // The points b_ij in rows of constant i. `surface` is the name of the surface, for messages.
 template <class Traits> class Control_net {
   typedef typename Traits::Point Point;
@@ -65,15 +70,19 @@ public:
   // Takes a range of ranges. There must be at least one point, rows of one length, points of one
   // dimension and finite coordinates.
   template <class Net> Control_net(const Net& net, const char* surface) {
-    for (const auto& row : net) {
-      const int n = static_cast<int>(std::distance(std::begin(row), std::end(row)));
-      if (rows_ > 0 && n != columns_)
-        throw Error(Error_code::wrong_number_of_points, std::string(surface) + ": " + std::to_string(n) +
-                                                            " control points in row " + std::to_string(rows_) +
-                                                            " after " + std::to_string(columns_));
-      points_.insert(points_.end(), std::begin(row), std::end(row));
-      columns_ = n;
-      ++rows_;
+    static_assert(is_net<Net>, "a control net is a range of rows, each of which is a range of points, as in "
+                               "{{p, q}, {r, s}}; Bezier_patch<Traits>(1, 1, points) takes the degrees and one list");
+    if constexpr (is_net<Net>) { // so that there is one error
+      for (const auto& row : net) {
+        const int n = static_cast<int>(std::distance(std::begin(row), std::end(row)));
+        if (rows_ > 0 && n != columns_)
+          throw Error(Error_code::wrong_number_of_points, std::string(surface) + ": " + std::to_string(n) +
+                                                              " control points in row " + std::to_string(rows_) +
+                                                              " after " + std::to_string(columns_));
+        points_.insert(points_.end(), std::begin(row), std::end(row));
+        columns_ = n;
+        ++rows_;
+      }
     }
     if (points_.empty()) throw Error(Error_code::wrong_number_of_points, std::string(surface) + ": no control point");
     check(surface);

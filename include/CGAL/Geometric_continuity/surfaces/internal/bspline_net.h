@@ -37,17 +37,21 @@ template <class FT> void check_number_of_points(int number, const Knot_vector<FT
 template <class Traits, class Points>
 Control_net<Traits> spline_net(const Points& net, const Knot_vector<typename Traits::FT>& knots_u,
                                const Knot_vector<typename Traits::FT>& knots_v) {
-  for (const auto& row : net)
-    check_number_of_points(static_cast<int>(std::distance(std::begin(row), std::end(row))), knots_v, "points in a row");
-  check_number_of_points(static_cast<int>(std::distance(std::begin(net), std::end(net))), knots_u, "rows");
+  if constexpr (is_net<Points>) { // otherwise Control_net refuses it
+    for (const auto& row : net)
+      check_number_of_points(static_cast<int>(std::distance(std::begin(row), std::end(row))), knots_v,
+                             "points in a row");
+    check_number_of_points(static_cast<int>(std::distance(std::begin(net), std::end(net))), knots_u, "rows");
+  }
   return Control_net<Traits>(net, "Bspline_surface");
 }
 
 // Refuses a call of the constructor of a surface.
 template <class Surface> Surface refused_surface() {
-  static_assert(!std::is_same_v<Surface, Surface>,
-                "Bspline_surface takes the control net and for u and for v the knots with the degree before them, as "
-                "in Bspline_surface<Traits>(net, {2, knots_u}, {3, knots_v}), where the net is a range of ranges");
+  static_assert(
+      !std::is_same_v<Surface, Surface>,
+      "Bspline_surface takes the control net and for u and for v the knots with the degree before them, as "
+      "in Bspline_surface<Traits>(net, {2, knots_u}, {3, knots_v}), where the net is a range of rows of points");
   throw Error(Error_code::wrong_number_of_points, "Bspline_surface"); // unreachable: does not compile
 }
 
