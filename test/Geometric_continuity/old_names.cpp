@@ -32,6 +32,9 @@ typedef GC::Bezier_patch<GC::Traits_3<CGAL::Simple_cartesian<double>>> Patch;
 #ifdef OTHER_CALL // a name that there is not, and the sentence about it
 extern const GC::Bezier_curve<Plane> curve;
 extern const Patch patch;
+extern const GC::Bspline_curve<Plane> spline;
+extern const Patch::Point corner;
+extern const std::vector<std::vector<Patch::Point>> net;
 std::vector<Plane::Point> points;
 extern const std::vector<Curve> curves;
 std::vector<Curve> out;
