@@ -7,6 +7,7 @@
 
 #include <CGAL/Geometric_continuity/Error.h>
 #include <CGAL/Geometric_continuity/internal/Other_members.h>
+#include <CGAL/Geometric_continuity/internal/Range_of_points.h>
 #include <CGAL/Geometric_continuity/internal/parallel.h>
 #include <CGAL/Geometric_continuity/joins/internal/decide_join.h>
 
@@ -75,15 +76,23 @@ Join_answer join_answer(const Left& left, const Right& right) {
 // Decides whether a join has a property.
 template <Join_question question> struct Join_predicate {
   template <class Left, class Right> bool operator()(const Left& left, const Right& right) const {
-    return join_answer<question>(left, right) == Join_answer::yes;
+    if constexpr (Has_traits<Left>::value)
+      return join_answer<question>(left, right) == Join_answer::yes;
+    else
+      return refused<Left>();
   }
 
   // This refuses a chain, and a tolerance.
   template <class Given, class... Others, class = std::enable_if_t<sizeof...(Others) != 1>>
-  No_result operator()(const Given&, const Others&...) const {
+  bool operator()(const Given&, const Others&...) const {
+    return refused<Given>();
+  }
+
+private:
+  template <class Given> static bool refused() {
     static_assert(never<Given>, "a predicate takes two curves: failing_joins(curves, is_g2_join).empty() decides a "
                                 "chain, order_within(a, b, 1e-6) allows a tolerance");
-    return {};
+    return false;
   }
 };
 template <int k> struct Parametric_join_predicate : Join_predicate<static_cast<Join_question>(k)> {

@@ -183,6 +183,20 @@ template <class FT> struct Join_continuity {
     return Number();
   }
 
+  /// \cond SKIP_IN_MANUAL
+#define CGAL_GEOMETRIC_CONTINUITY_NO_COMPARISON(op)                                                                    \
+  template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>                                      \
+  friend bool operator op(const Join_continuity&, Number) {                                                            \
+    static_assert(!std::is_same_v<Number, Number>, "a join has several orders: continuity(a, b).g_order >= 2, also "   \
+                                                   "c_order and f_order; is_g2_join(a, b) is true or false");          \
+    return false;                                                                                                      \
+  }
+  CGAL_GEOMETRIC_CONTINUITY_NO_COMPARISON(>=)
+  CGAL_GEOMETRIC_CONTINUITY_NO_COMPARISON(>)
+  CGAL_GEOMETRIC_CONTINUITY_NO_COMPARISON(==)
+#undef CGAL_GEOMETRIC_CONTINUITY_NO_COMPARISON
+  /// \endcond
+
   /// Writes the orders and the shape parameters, e.g. `C1 G2 F2, beta = (1, 3/4)`, and by how much
   /// a greater order is missed if that is no more than rounding, e.g.
   /// `C0 G0 F0; G2 but for 1.5 units in the last place`.
