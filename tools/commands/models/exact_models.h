@@ -27,7 +27,9 @@
 typedef GC::Traits_3<CGAL::Simple_cartesian<Exact>> Exact_space;
 typedef GC::Bspline_surface<Exact_space> Exact_surface;
 typedef GC::Rational_bspline_surface<Exact_space> Exact_rational_surface;
-typedef GC::Bspline_surface<GC::Traits_3<CGAL::Simple_cartesian<double>>> Double_surface;
+typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_space;
+typedef GC::Bspline_surface<Double_space> Double_surface;
+typedef GC::Bezier_patch<Double_space> Double_patch;
 
 Surface_model<Exact_space> read_exact_model(const std::vector<std::string>& files);
 
@@ -55,5 +57,8 @@ extern template GC::Model_continuity<Exact>
 GC::model_continuity<CGAL::Sequential_tag>(const std::vector<Exact_rational_surface>& surfaces);
 extern template std::optional<GC::Parameter_rectangle<Exact>> GC::possible_fold(const Exact_surface& surface);
 extern template std::optional<GC::Parameter_rectangle<Exact>> GC::possible_fold(const Exact_rational_surface& surface);
+// Pictures and triangles take most of their time here.
+extern template GC::Surface_jet<Double_space> Double_surface::jet(const double&, const double&, int) const;
+extern template GC::Surface_jet<Double_space> Double_patch::jet(const double&, const double&, int) const;
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_MODELS_EXACT_MODELS_H
