@@ -239,6 +239,10 @@ public:
   using Polygon::domain;
   using Polygon::function;
 
+  /// Makes a curve without control points, for containers that need one: nothing may be done with
+  /// it but to assign another one to it.
+  Bspline_curve() : Polygon(Knot_vector<FT>(0, {FT(0), FT(1)}), {}) {}
+
   /// Takes control points and the knots.
   /// \throws Error `wrong_number_of_points` unless there are `n` points
   /// \throws Error `dimension_mismatch` when the points differ in dimension

@@ -16,6 +16,12 @@ template <class...> constexpr bool never = false;
 // The result of a function that does not exist: it fits everywhere, so that there is one error.
 struct No_result {
   template <class T> operator T() const;
+  template <class T> bool operator==(const T&) const;
+  template <class T> bool operator!=(const T&) const;
+  template <class T> bool operator<(const T&) const;
+  template <class T> bool operator>(const T&) const;
+  template <class T> bool operator<=(const T&) const;
+  template <class T> bool operator>=(const T&) const;
   friend std::ostream& operator<<(std::ostream& os, No_result) { return os; }
 };
 
@@ -205,6 +211,10 @@ template <class Surface> struct Other_surface_members {
 // Members that the orders of a join, of an edge or of a chain do not have.
 #define CGAL_GEOMETRIC_CONTINUITY_NO_ORDERS(sentence)                                                                  \
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(order, sentence)                                                                 \
+  CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(geometric, sentence)                                                             \
+  CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(geometric_continuity, sentence)                                                  \
+  CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(G, sentence)                                                                     \
+  CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(g, sentence)                                                                     \
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(geometric_order, sentence)                                                       \
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(parametric_order, sentence)                                                      \
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(has_order, sentence)                                                             \

@@ -143,7 +143,7 @@ template <int order> struct Has_order {
 [[deprecated("call is_c_join<2>(a, b)")]] inline constexpr internal::Parametric_join_predicate<2> is_C2{}, is_c2{};
 [[deprecated("call is_c_join<3>(a, b)")]] inline constexpr internal::Parametric_join_predicate<3> is_C3{}, is_c3{};
 
-// Orders, where a strategy is expected: blend() tells the strategies.
+// Orders, where a strategy is expected, or behind it: blend() tells the strategies.
 namespace internal {
 struct Named_order {
   int order;
@@ -158,6 +158,12 @@ struct Named_order {
 [[deprecated(
     "the strategy tells the order: Fair() for G2, Fair_g3() for G3")]] inline constexpr internal::Named_order G1{1},
     G2{2}, G3{3};
+
+template <class Curve, class Strategy, class = typename Curve::Traits>
+auto blend(const Curve&, const Curve&, const Strategy&, int) {
+  static_assert(internal::never<Curve>, "blend(a, b, Fair()) is a blend with G2, blend(a, b, Fair_g3()) with G3");
+  return internal::No_result();
+}
 
 // A spline in the place of a chain: its joins are its knots.
 template <class Traits>
@@ -237,7 +243,10 @@ template <class Point> auto fit(const std::vector<Point>&, int, double) {
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_TOLERANCE
 
 // A length, by which no curve is extended.
-template <class Curve, class = typename Curve::Traits> auto extend(const Curve&, double) {
+template <
+    class Curve, class Number,
+    class = std::enable_if_t<std::is_convertible_v<Number, typename Curve::Traits::FT> || std::is_arithmetic_v<Number>>>
+auto extend(const Curve&, const Number&) {
   static_assert(internal::never<Curve>,
                 "extend(c, Frenet_order::curvature, {beta}) is the next segment of a curve, whose "
                 "speed is beta times that of the last one");
@@ -599,7 +608,8 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_polyline, "fit(points, tolerance) fits
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_bspline, "fit(points, tolerance) fits a smooth curve to a polyline")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate_curve, "fit(points, tolerance) fits a smooth curve to a polyline")
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(least_squares, "fit(points, tolerance) fits a smooth curve to a polyline")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate, "fit(points, tolerance) fits a smooth curve to a polyline")
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate, "fit(points, tolerance) fits a smooth curve to a polyline, "
+                                                   "chord_polyline(c, tolerance, out) a polyline to a curve")
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS                                                                           \
   "interpolate_fair(points) leads a fair curve through points, interpolate(points) a C2 spline"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_points, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
