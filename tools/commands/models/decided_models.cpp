@@ -21,5 +21,5 @@ template GC::Model_continuity<Exact>
 GC::model_continuity<CGAL::Sequential_tag>(const std::vector<Exact_surface>& surfaces);
 template GC::Model_continuity<Exact>
 GC::model_continuity<CGAL::Sequential_tag>(const std::vector<Exact_rational_surface>& surfaces);
-template GC::Surface_jet<Double_space> Double_surface::jet(const double&, const double&, int) const;
-template GC::Surface_jet<Double_space> Double_patch::jet(const double&, const double&, int) const;
+template GC::Surface_jet<Double_space> GC::Bspline_surface<Double_space>::jet(const double&, const double&, int) const;
+template GC::Surface_jet<Double_space> GC::Bezier_patch<Double_space>::jet(const double&, const double&, int) const;

@@ -29,7 +29,6 @@ typedef GC::Bspline_surface<Exact_space> Exact_surface;
 typedef GC::Rational_bspline_surface<Exact_space> Exact_rational_surface;
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Double_space;
 typedef GC::Bspline_surface<Double_space> Double_surface;
-typedef GC::Bezier_patch<Double_space> Double_patch;
 
 Surface_model<Exact_space> read_exact_model(const std::vector<std::string>& files);
 
@@ -58,7 +57,9 @@ GC::model_continuity<CGAL::Sequential_tag>(const std::vector<Exact_rational_surf
 extern template std::optional<GC::Parameter_rectangle<Exact>> GC::possible_fold(const Exact_surface& surface);
 extern template std::optional<GC::Parameter_rectangle<Exact>> GC::possible_fold(const Exact_rational_surface& surface);
 // Pictures spend two fifths of their time here where these are not optimised.
-extern template GC::Surface_jet<Double_space> Double_surface::jet(const double&, const double&, int) const;
-extern template GC::Surface_jet<Double_space> Double_patch::jet(const double&, const double&, int) const;
+extern template GC::Surface_jet<Double_space> GC::Bspline_surface<Double_space>::jet(const double&, const double&,
+                                                                                     int) const;
+extern template GC::Surface_jet<Double_space> GC::Bezier_patch<Double_space>::jet(const double&, const double&,
+                                                                                  int) const;
 
 #endif // GEOMETRIC_CONTINUITY_TOOLS_COMMANDS_MODELS_EXACT_MODELS_H
