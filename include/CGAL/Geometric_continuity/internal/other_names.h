@@ -145,6 +145,8 @@ template <int order> struct Has_order {
 
 // Orders, where a strategy is expected, or behind it: blend() tells the strategies.
 namespace internal {
+template <class Given, class Type> using If_same = std::enable_if_t<std::is_same_v<Given, Type>>;
+
 struct Named_order {
   int order;
   constexpr operator int() const { return order; }
@@ -159,8 +161,10 @@ struct Named_order {
     "the strategy tells the order: Fair() for G2, Fair_g3() for G3")]] inline constexpr internal::Named_order G1{1},
     G2{2}, G3{3};
 
-template <class Curve, class Strategy, class = typename Curve::Traits>
-auto blend(const Curve&, const Curve&, const Strategy&, int) {
+// The type of a number is deduced here and below, so that {} is none.
+template <class Curve, class Strategy, class Order, class = typename Curve::Traits,
+          class = internal::If_same<Order, int>>
+auto blend(const Curve&, const Curve&, const Strategy&, Order) {
   static_assert(internal::never<Curve>, "blend(a, b, Fair()) is a blend with G2, blend(a, b, Fair_g3()) with G3");
   return internal::No_result();
 }
@@ -199,18 +203,21 @@ internal::No_result round_corners(const Chain&, const Number&, const Output_iter
 }
 
 // A degree, which a curve through points does not take.
-template <class Point> auto interpolate(const std::vector<Point>&, int) {
+template <class Point, class Degree, class = internal::If_same<Degree, int>>
+auto interpolate(const std::vector<Point>&, Degree) {
   static_assert(internal::never<Point>, "interpolate(points) is a cubic spline, interpolate_fair(points) has degree 5: "
                                         "there is no degree to give");
   return internal::No_result();
 }
-template <class Input_iterator> auto interpolate(Input_iterator, Input_iterator, int) {
+template <class Input_iterator, class Degree, class = internal::If_same<Degree, int>>
+auto interpolate(Input_iterator, Input_iterator, Degree) {
   static_assert(internal::never<Input_iterator>, "interpolate(first, last) is a cubic spline, interpolate_fair(points) "
                                                  "has degree 5: there is no degree to give");
   return internal::No_result();
 }
-template <class Kernel, class Input_iterator, class = typename Kernel::Point_2>
-auto interpolate(Input_iterator, Input_iterator, int) {
+template <class Kernel, class Input_iterator, class Degree, class = typename Kernel::Point_2,
+          class = internal::If_same<Degree, int>>
+auto interpolate(Input_iterator, Input_iterator, Degree) {
   static_assert(internal::never<Kernel>, "interpolate(first, last) is a cubic spline over the kernel of the points: "
                                          "there is no kernel and no degree to give");
   return internal::No_result();
@@ -236,7 +243,9 @@ template <class Point> auto fit(const std::vector<Point>&) {
   static_assert(internal::never<Point>, CGAL_GEOMETRIC_CONTINUITY_ASK_TOLERANCE);
   return internal::No_result();
 }
-template <class Point> auto fit(const std::vector<Point>&, int, double) {
+template <class Point, class Degree, class Tolerance, class = internal::If_same<Degree, int>,
+          class = internal::If_same<Tolerance, double>>
+auto fit(const std::vector<Point>&, Degree, Tolerance) {
   static_assert(internal::never<Point>, CGAL_GEOMETRIC_CONTINUITY_ASK_TOLERANCE);
   return internal::No_result();
 }
@@ -374,7 +383,7 @@ auto kink_size(const Left&, const Right&) {
 }
 
 // A flag, which interpolate_fair() does not take.
-template <class Points> auto interpolate_fair(const Points&, bool) {
+template <class Points, class Flag, class = internal::If_same<Flag, bool>> auto interpolate_fair(const Points&, Flag) {
   static_assert(internal::never<Points>, "interpolate_fair(points, Closure::closed) is a closed curve");
   return internal::No_result();
 }
@@ -602,14 +611,16 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fillet, CGAL_GEOMETRIC_CONTINUITY_ASK_ROUN
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(round_polygon, CGAL_GEOMETRIC_CONTINUITY_ASK_ROUND)
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(round_polyline, CGAL_GEOMETRIC_CONTINUITY_ASK_ROUND)
 #undef CGAL_GEOMETRIC_CONTINUITY_ASK_ROUND
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_curve, "fit(points, tolerance) fits a smooth curve to a polyline")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_spline, "fit(points, tolerance) fits a smooth curve to a polyline")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_polyline, "fit(points, tolerance) fits a smooth curve to a polyline")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_bspline, "fit(points, tolerance) fits a smooth curve to a polyline")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate_curve, "fit(points, tolerance) fits a smooth curve to a polyline")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(least_squares, "fit(points, tolerance) fits a smooth curve to a polyline")
-CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate, "fit(points, tolerance) fits a smooth curve to a polyline, "
-                                                   "chord_polyline(c, tolerance, out) a polyline to a curve")
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_FIT "fit(points, tolerance) fits a smooth curve to a polyline"
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_FIT)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_spline, CGAL_GEOMETRIC_CONTINUITY_ASK_FIT)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_polyline, CGAL_GEOMETRIC_CONTINUITY_ASK_FIT)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(fit_bspline, CGAL_GEOMETRIC_CONTINUITY_ASK_FIT)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate_curve, CGAL_GEOMETRIC_CONTINUITY_ASK_FIT)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(least_squares, CGAL_GEOMETRIC_CONTINUITY_ASK_FIT)
+CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(approximate, CGAL_GEOMETRIC_CONTINUITY_ASK_FIT
+                                      ", chord_polyline(c, tolerance, out) a polyline to a curve")
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_FIT
 #define CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS                                                                           \
   "interpolate_fair(points) leads a fair curve through points, interpolate(points) a C2 spline"
 CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(interpolate_points, CGAL_GEOMETRIC_CONTINUITY_ASK_POINTS)
