@@ -29,17 +29,6 @@ typedef GC::Traits_2<CGAL::Simple_cartesian<double>> Plane;
 typedef GC::Bezier_curve<Plane> Curve;
 typedef GC::Bezier_patch<GC::Traits_3<CGAL::Simple_cartesian<double>>> Patch;
 
-#ifdef OTHER_CALL // a name that there is not, and the sentence about it
-extern const GC::Bezier_curve<Plane> curve;
-extern const Patch patch;
-extern const GC::Bspline_curve<Plane> spline;
-extern const Patch::Point corner;
-extern const std::vector<std::vector<Patch::Point>> net;
-std::vector<Plane::Point> points;
-extern const std::vector<Curve> curves;
-std::vector<Curve> out;
-void call() { GC::OTHER_CALL; }
-#else
 std::optional<GC::Join_grade> grade(const Curve& a, const Curve& b, const GC::Kink_bound& bound) {
   return GC::join_grade(a, b, bound);
 }
@@ -68,4 +57,3 @@ std::pair<double, double> ends(const Curve& c, const GC::Bspline_curve<Plane>& s
   return {c.start_parameter() + s.start_parameter(), p.end_parameter() + r.end_parameter()};
 }
 bool common(const Patch& p) { return GC::edge_continuity(p, GC::U_MAX, p, GC::Patch_edge::V_MIN).g_order >= 0; }
-#endif

@@ -13,6 +13,7 @@
 #include <CGAL/Geometric_continuity/curves/arcs.h>
 #include <CGAL/Geometric_continuity/local/curvatures.h>
 #include <CGAL/Geometric_continuity/splines/Knot_vector.h>
+#include <CGAL/Geometric_continuity/surfaces/Bezier_patch.h>
 #include <CGAL/Geometric_continuity/surfaces/Bspline_surface.h>
 #include <CGAL/Simple_cartesian.h>
 
@@ -43,11 +44,13 @@ typedef Traits::Point Point;
 const std::vector<double> knots{0, 0, 1, 1}, weights{1, 2};
 const std::vector<Point> points{Point(0, 0), Point(1, 1)};
 GC::SPLINE_ORDER;
-#elif defined(SURFACE_ORDER)
+#elif defined(SURFACE)
 typedef GC::Traits_3<CGAL::Simple_cartesian<double>> Traits;
+const Traits::Point p(0, 0, 0);
+const std::vector<Traits::Point> points(4, p);
 const std::vector<double> knots{0, 0, 1, 1};
 const std::vector<std::vector<Traits::Point>> net;
-GC::Bspline_surface<Traits> surface(SURFACE_ORDER);
+GC::SURFACE;
 #elif defined(NUMBER_AS_STRATEGY)
 typedef GC::Bezier_curve<GC::Traits_2<CGAL::Simple_cartesian<double>>> Curve;
 void round(const Curve& a, const Curve& b) { GC::blend(a, b, 3); }

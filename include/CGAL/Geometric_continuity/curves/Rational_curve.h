@@ -365,7 +365,7 @@ public:
   /// `positive_parts()`.
   std::pair<Point, Point> bounding_box() const { return Kind::bounding_box(*this); }
   /// Returns the box as `Bbox_2` or `Bbox_3`, rounded outwards. Dimension 2 or 3 only.
-  auto bbox() const { return internal::bbox_of<Traits>(bounding_box()); }
+  auto bbox() const { return internal::bbox_of<Traits>(Kind::bounding_box(*this)); }
 
   /// Returns the curve halved until each part has positive weights only; then it lies in the convex
   /// hull of its control points.

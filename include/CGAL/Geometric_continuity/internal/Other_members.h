@@ -116,6 +116,8 @@ struct Other_members {
     return {};
   }
 
+  CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(operator[],
+                                      "control_points() are the control points, c(u) is a point of the curve")
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(evaluate, "c(u) is the point at the parameter u")
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(value, "c(u) is the point at the parameter u")
   CGAL_GEOMETRIC_CONTINUITY_NO_MEMBER(position, "c(u) is the point at the parameter u")

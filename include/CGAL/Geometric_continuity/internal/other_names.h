@@ -144,6 +144,7 @@ template <int order> struct Has_order {
 [[deprecated("call is_c_join<3>(a, b)")]] inline constexpr internal::Parametric_join_predicate<3> is_C3{}, is_c3{};
 
 // Orders, where a strategy is expected, or behind it: blend() tells the strategies.
+#define CGAL_GEOMETRIC_CONTINUITY_ASK_STRATEGY "blend(a, b, Fair()) is a blend with G2, blend(a, b, Fair_g3()) with G3"
 namespace internal {
 template <class Given, class Type> using If_same = std::enable_if_t<std::is_same_v<Given, Type>>;
 
@@ -151,8 +152,8 @@ struct Named_order {
   int order;
   constexpr operator int() const { return order; }
   template <class... Given> No_result operator()(const Given&...) const {
-    static_assert(never<Given...>, "blend(a, b, Fair_g3()) is a blend with G3, blend(a, b) with G2; is_g2_join(a, b) "
-                                   "decides if two curves are G2");
+    static_assert(never<Given...>,
+                  "is_g2_join(a, b) decides if two curves are G2; " CGAL_GEOMETRIC_CONTINUITY_ASK_STRATEGY);
     return {};
   }
 };
@@ -160,14 +161,22 @@ struct Named_order {
 [[deprecated(
     "the strategy tells the order: Fair() for G2, Fair_g3() for G3")]] inline constexpr internal::Named_order G1{1},
     G2{2}, G3{3};
-
+template <int order, class Left, class Right> auto blend(const Left&, const Right&) {
+  static_assert(internal::never<Left>, CGAL_GEOMETRIC_CONTINUITY_ASK_STRATEGY);
+  return internal::No_result();
+}
+template <class Left, class Right> auto blend(const Left&, const Right&, const internal::Named_order&) {
+  static_assert(internal::never<Left>, CGAL_GEOMETRIC_CONTINUITY_ASK_STRATEGY);
+  return internal::No_result();
+}
 // The type of a number is deduced here and below, so that {} is none.
 template <class Curve, class Strategy, class Order, class = typename Curve::Traits,
           class = internal::If_same<Order, int>>
 auto blend(const Curve&, const Curve&, const Strategy&, Order) {
-  static_assert(internal::never<Curve>, "blend(a, b, Fair()) is a blend with G2, blend(a, b, Fair_g3()) with G3");
+  static_assert(internal::never<Curve>, CGAL_GEOMETRIC_CONTINUITY_ASK_STRATEGY);
   return internal::No_result();
 }
+#undef CGAL_GEOMETRIC_CONTINUITY_ASK_STRATEGY
 
 // A spline in the place of a chain: its joins are its knots.
 template <class Traits>
@@ -768,7 +777,10 @@ CGAL_GEOMETRIC_CONTINUITY_NO_FUNCTION(failing_edges, CGAL_GEOMETRIC_CONTINUITY_A
 // object of it is made.
 #define CGAL_GEOMETRIC_CONTINUITY_NO_CLASS(name, sentence)                                                             \
   namespace other_names {                                                                                              \
-  template <class... Given> struct name { static_assert(internal::never<Given...>, sentence); };                       \
+  template <class... Given> struct name {                                                                              \
+    static_assert(internal::never<Given...>, sentence);                                                                \
+    template <class... Arguments> name(const Arguments&...);                                                           \
+  };                                                                                                                   \
   }
 CGAL_GEOMETRIC_CONTINUITY_NO_CLASS(Patch_mesh, CGAL_GEOMETRIC_CONTINUITY_ASK_MODEL)
 CGAL_GEOMETRIC_CONTINUITY_NO_CLASS(Patch_complex, CGAL_GEOMETRIC_CONTINUITY_ASK_MODEL)

@@ -91,9 +91,9 @@ template <class Traits> struct Curve_shape<Bspline_curve<Traits>> {
     static_assert(never<C>, CGAL_GEOMETRIC_CONTINUITY_ASK_DERIVATIVE);
     return bezier_pieces(c).front();
   }
-  template <class C> static std::pair<Point, Point> bounding_box(const C& c) {
+  template <class C> static auto bounding_box(const C& c) {
     static_assert(never<C>, CGAL_GEOMETRIC_CONTINUITY_ASK_BOX);
-    return {c.control_point(0), c.control_point(0)};
+    return std::pair(c.control_point(0), c.control_point(0));
   }
 
   static Curve insert(const Curve& c, const FT& u, int times) {
