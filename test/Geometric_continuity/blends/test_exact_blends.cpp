@@ -7,7 +7,6 @@
 
 #include <CGAL/Geometric_continuity/blends/blend.h>
 #include <CGAL/Geometric_continuity/blends/blend_strategies.h>
-#include <CGAL/Geometric_continuity/joins/join_continuity.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Gmpz.h>
 #include <CGAL/Quotient.h>

@@ -235,6 +235,12 @@ TEST_FOR_EACH(refused_curves_equality_and_output, K, Kernels) {
   const CGAL::Aff_transformation_2<K> shift(CGAL::TRANSLATION, typename K::Vector_2(1, -1));
   BOOST_CHECK(c.transform(shift).control_point(1) == Point(2, 1));
   BOOST_CHECK(c.transform(shift).knots() == knots);
+  std::vector<Curve> curves(2); // without points, until others are assigned
+  BOOST_CHECK_EQUAL(curves[0].number_of_points(), 0);
+  BOOST_CHECK(curves[0] == curves[1]);
+  curves[1] = c;
+  BOOST_CHECK(curves[1] == c);
+  BOOST_CHECK(curves[0] != c);
 }
 
 // Returns the curve with rational coordinates.
